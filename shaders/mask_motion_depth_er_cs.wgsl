@@ -123,1365 +123,1468 @@ var<storage> last_depths: type_21;
 var<storage, read_write> depths: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_177_: lt_mask_LightPlace;
-    var phi_178_: bool;
-    var phi_179_: lt_mask_LightPlace;
-    var phi_180_: bool;
-    var phi_185_: lt_mask_LightPlace;
+    var phi_178_: lt_mask_LightPlace;
+    var phi_179_: bool;
+    var phi_180_: lt_mask_LightPlace;
+    var phi_181_: bool;
+    var phi_186_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_177_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_178_ = false;
+            phi_178_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_179_ = false;
         } else {
-            phi_177_ = lt_mask_LightPlace();
-            phi_178_ = true;
+            phi_178_ = lt_mask_LightPlace();
+            phi_179_ = true;
         }
-        let _e72 = phi_177_;
-        let _e74 = phi_178_;
-        phi_179_ = _e72;
-        phi_180_ = _e74;
+        let _e73 = phi_178_;
+        let _e75 = phi_179_;
+        phi_180_ = _e73;
+        phi_181_ = _e75;
     } else {
-        phi_179_ = lt_mask_LightPlace();
-        phi_180_ = true;
+        phi_180_ = lt_mask_LightPlace();
+        phi_181_ = true;
     }
-    let _e76 = phi_179_;
-    let _e78 = phi_180_;
-    if _e78 {
-        phi_185_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e77 = phi_180_;
+    let _e79 = phi_181_;
+    if _e79 {
+        phi_186_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_185_ = _e76;
+        phi_186_ = _e77;
     }
-    let _e83 = phi_185_;
-    return lt_mask_LightPlace(_e83.word, _e83.shift);
+    let _e84 = phi_186_;
+    return lt_mask_LightPlace(_e84.word, _e84.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_203_: vec2<i32>;
+    var phi_204_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_203_ = vec2(0i);
+            phi_204_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_203_ = vec2<i32>(0i, -1i);
+            phi_204_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_203_ = vec2<i32>(-1i, 0i);
+            phi_204_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_203_ = vec2<i32>(1i, 0i);
+            phi_204_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_203_ = vec2<i32>(0i, 1i);
+            phi_204_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e68 = phi_203_;
-    return vec2<i32>(_e68.x, _e68.y);
+    let _e69 = phi_204_;
+    return vec2<i32>(_e69.x, _e69.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_221_: vec2<i32>;
+    var phi_222_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_221_ = vec2(0i);
+            phi_222_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_221_ = vec2(-1i);
+            phi_222_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_221_ = vec2<i32>(1i, -1i);
+            phi_222_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_221_ = vec2<i32>(-1i, 1i);
+            phi_222_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_221_ = vec2(1i);
+            phi_222_ = vec2(1i);
             break;
         }
     }
-    let _e68 = phi_221_;
-    return vec2<i32>(_e68.x, _e68.y);
+    let _e69 = phi_222_;
+    return vec2<i32>(_e69.x, _e69.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_240_: vec2<i32>;
+    var phi_241_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e62 = lt_mask_pattern_plus(param_5);
-        phi_240_ = vec2<i32>(_e62.x, _e62.y);
+        let _e63 = lt_mask_pattern_plus(param_5);
+        phi_241_ = vec2<i32>(_e63.x, _e63.y);
     } else {
-        let _e66 = lt_mask_pattern_cross(param_5);
-        phi_240_ = vec2<i32>(_e66.x, _e66.y);
+        let _e67 = lt_mask_pattern_cross(param_5);
+        phi_241_ = vec2<i32>(_e67.x, _e67.y);
     }
-    let _e71 = phi_240_;
-    return vec2<i32>(_e71.x, _e71.y);
+    let _e72 = phi_241_;
+    return vec2<i32>(_e72.x, _e72.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_265_: vec2<i32>;
+    var phi_266_: vec2<i32>;
 
-    let _e60 = (param_7 % 13u);
-    switch bitcast<i32>(_e60) {
+    let _e61 = (param_7 % 13u);
+    switch bitcast<i32>(_e61) {
         case 9: {
-            phi_265_ = vec2<i32>(0i, -2i);
+            phi_266_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_265_ = vec2<i32>(-2i, 0i);
+            phi_266_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_265_ = vec2<i32>(2i, 0i);
+            phi_266_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_265_ = vec2<i32>(0i, 2i);
+            phi_266_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_265_ = vec2<i32>((bitcast<i32>((_e60 % 3u)) - 1i), (bitcast<i32>(((_e60 / 3u) % 3u)) - 1i));
+            phi_266_ = vec2<i32>((bitcast<i32>((_e61 % 3u)) - 1i), (bitcast<i32>(((_e61 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e75 = phi_265_;
-    return vec2<i32>(_e75.x, _e75.y);
+    let _e76 = phi_266_;
+    return vec2<i32>(_e76.x, _e76.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_286_: u32;
     var phi_287_: u32;
+    var phi_288_: u32;
 
-    let _e63 = (bitcast<i32>(param_8) + param_9);
-    if (_e63 < 0i) {
-        phi_287_ = 0u;
+    let _e64 = (bitcast<i32>(param_8) + param_9);
+    if (_e64 < 0i) {
+        phi_288_ = 0u;
     } else {
-        if (_e63 >= bitcast<i32>(param_10)) {
-            phi_286_ = (param_10 - 1u);
+        if (_e64 >= bitcast<i32>(param_10)) {
+            phi_287_ = (param_10 - 1u);
         } else {
-            phi_286_ = bitcast<u32>(_e63);
+            phi_287_ = bitcast<u32>(_e64);
         }
-        let _e70 = phi_286_;
-        phi_287_ = _e70;
+        let _e71 = phi_287_;
+        phi_288_ = _e71;
     }
-    let _e72 = phi_287_;
-    return _e72;
+    let _e73 = phi_288_;
+    return _e73;
 }
 
 fn function_() {
-    var phi_364_: bool;
     var phi_365_: bool;
     var phi_366_: bool;
     var phi_367_: bool;
-    var phi_371_: bool;
-    var phi_441_: bool;
+    var phi_368_: bool;
+    var phi_372_: bool;
     var phi_442_: bool;
-    var phi_453_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_454_: bool;
-    var phi_455_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_456_: bool;
-    var phi_463_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_467_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_480_: bool;
-    var phi_688_: f32;
-    var phi_693_: f32;
-    var phi_694_: bool;
-    var phi_695_: f32;
-    var phi_696_: bool;
-    var phi_700_: f32;
-    var phi_721_: f32;
-    var phi_726_: f32;
-    var phi_727_: bool;
-    var phi_728_: f32;
-    var phi_729_: bool;
-    var phi_733_: f32;
-    var phi_754_: bool;
-    var phi_773_: vec2<u32>;
+    var phi_443_: bool;
+    var phi_454_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_455_: bool;
+    var phi_456_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_457_: bool;
+    var phi_464_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_468_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_481_: bool;
+    var phi_512_: bool;
+    var phi_513_: bool;
+    var phi_514_: bool;
+    var phi_515_: bool;
+    var phi_519_: bool;
+    var phi_523_: bool;
+    var phi_524_: bool;
+    var phi_735_: f32;
+    var phi_740_: f32;
+    var phi_741_: bool;
+    var phi_742_: f32;
+    var phi_743_: bool;
+    var phi_747_: f32;
+    var phi_768_: f32;
+    var phi_773_: f32;
     var phi_774_: bool;
-    var phi_775_: bool;
+    var phi_775_: f32;
     var phi_776_: bool;
-    var phi_777_: vec2<u32>;
-    var phi_778_: bool;
-    var phi_779_: bool;
-    var phi_780_: bool;
-    var phi_781_: bool;
-    var phi_782_: bool;
-    var phi_783_: bool;
-    var phi_784_: vec2<u32>;
-    var phi_785_: bool;
-    var phi_786_: bool;
-    var phi_787_: bool;
-    var phi_788_: bool;
-    var phi_789_: bool;
-    var phi_790_: bool;
-    var phi_791_: vec2<u32>;
-    var phi_792_: bool;
-    var phi_793_: bool;
-    var phi_794_: bool;
-    var phi_795_: bool;
-    var phi_804_: bool;
-    var phi_805_: bool;
-    var phi_806_: bool;
-    var phi_807_: bool;
-    var phi_811_: bool;
-    var phi_812_: bool;
-    var phi_813_: vec2<u32>;
-    var phi_902_: bool;
-    var phi_906_: f32;
-    var phi_910_: lt_mask_Reprojection;
-    var phi_919_: bool;
-    var phi_920_: bool;
-    var phi_922_: bool;
-    var phi_923_: lt_mask_Reprojection;
-    var phi_924_: lt_mask_Reprojection;
-    var phi_925_: bool;
-    var phi_929_: bool;
-    var phi_930_: lt_mask_Reprojection;
-    var phi_936_: bool;
-    var phi_958_: u32;
-    var phi_960_: u32;
-    var phi_963_: lt_mask_Neighbourhood;
-    var phi_975_: bool;
-    var phi_976_: bool;
-    var phi_985_: u32;
-    var phi_986_: u32;
-    var phi_1046_: vec2<i32>;
-    var phi_1066_: vec2<i32>;
-    var phi_1093_: u32;
-    var phi_1112_: u32;
-    var phi_1120_: u32;
-    var phi_1146_: bool;
-    var phi_1147_: bool;
-    var phi_1148_: bool;
-    var phi_1149_: bool;
-    var phi_1150_: bool;
-    var phi_1151_: bool;
-    var phi_1152_: bool;
-    var phi_1157_: bool;
-    var phi_1158_: bool;
-    var phi_1159_: bool;
-    var phi_1160_: bool;
-    var phi_1161_: bool;
-    var phi_1162_: bool;
-    var phi_1163_: bool;
-    var phi_1164_: bool;
-    var phi_1165_: bool;
-    var phi_1180_: bool;
-    var phi_1181_: bool;
-    var phi_1188_: bool;
-    var phi_1189_: bool;
-    var phi_1190_: bool;
-    var phi_1191_: bool;
-    var phi_1192_: bool;
-    var phi_1196_: bool;
-    var phi_1197_: bool;
-    var phi_1198_: bool;
-    var phi_1202_: bool;
-    var phi_1203_: bool;
-    var phi_1207_: bool;
-    var phi_1208_: bool;
+    var phi_780_: f32;
+    var phi_801_: bool;
+    var phi_820_: vec2<u32>;
+    var phi_821_: bool;
+    var phi_822_: bool;
+    var phi_823_: bool;
+    var phi_824_: vec2<u32>;
+    var phi_825_: bool;
+    var phi_826_: bool;
+    var phi_827_: bool;
+    var phi_828_: bool;
+    var phi_829_: bool;
+    var phi_830_: bool;
+    var phi_831_: vec2<u32>;
+    var phi_832_: bool;
+    var phi_833_: bool;
+    var phi_834_: bool;
+    var phi_835_: bool;
+    var phi_836_: bool;
+    var phi_837_: bool;
+    var phi_838_: vec2<u32>;
+    var phi_839_: bool;
+    var phi_840_: bool;
+    var phi_841_: bool;
+    var phi_842_: bool;
+    var phi_851_: bool;
+    var phi_852_: bool;
+    var phi_853_: bool;
+    var phi_854_: bool;
+    var phi_858_: bool;
+    var phi_859_: bool;
+    var phi_860_: vec2<u32>;
+    var phi_898_: bool;
+    var phi_900_: lt_mask_Reprojection;
+    var phi_901_: lt_mask_Reprojection;
+    var phi_902_: lt_mask_Reprojection;
+    var phi_903_: bool;
+    var phi_904_: bool;
+    var phi_905_: lt_mask_Reprojection;
+    var phi_906_: lt_mask_Reprojection;
+    var phi_907_: lt_mask_Reprojection;
+    var phi_908_: bool;
+    var phi_909_: bool;
+    var phi_964_: bool;
+    var phi_968_: f32;
+    var phi_972_: lt_mask_Reprojection;
+    var phi_973_: bool;
+    var phi_985_: bool;
+    var phi_986_: bool;
+    var phi_987_: bool;
+    var phi_988_: lt_mask_Reprojection;
+    var phi_989_: bool;
+    var phi_993_: bool;
+    var phi_994_: lt_mask_Reprojection;
+    var phi_1000_: bool;
+    var phi_1022_: u32;
+    var phi_1024_: u32;
+    var phi_1027_: lt_mask_Neighbourhood;
+    var phi_1039_: bool;
+    var phi_1040_: bool;
+    var phi_1049_: u32;
+    var phi_1050_: u32;
+    var phi_1110_: vec2<i32>;
+    var phi_1130_: vec2<i32>;
+    var phi_1157_: u32;
+    var phi_1176_: u32;
+    var phi_1184_: u32;
+    var phi_1210_: bool;
+    var phi_1211_: bool;
+    var phi_1212_: bool;
+    var phi_1213_: bool;
+    var phi_1214_: bool;
+    var phi_1215_: bool;
+    var phi_1216_: bool;
+    var phi_1221_: bool;
+    var phi_1222_: bool;
+    var phi_1223_: bool;
+    var phi_1224_: bool;
+    var phi_1225_: bool;
     var phi_1226_: bool;
     var phi_1227_: bool;
     var phi_1228_: bool;
-    var phi_961_: u32;
-    var phi_964_: lt_mask_Neighbourhood;
-    var phi_1231_: lt_mask_Neighbourhood;
-    var phi_1232_: lt_mask_Neighbourhood;
-    var phi_1233_: lt_mask_Neighbourhood;
-    var phi_1265_: bool;
+    var phi_1229_: bool;
+    var phi_1244_: bool;
+    var phi_1245_: bool;
+    var phi_1252_: bool;
+    var phi_1253_: bool;
+    var phi_1254_: bool;
+    var phi_1255_: bool;
+    var phi_1256_: bool;
+    var phi_1260_: bool;
+    var phi_1261_: bool;
+    var phi_1262_: bool;
     var phi_1266_: bool;
-    var phi_1288_: bool;
-    var phi_1289_: bool;
+    var phi_1267_: bool;
+    var phi_1271_: bool;
+    var phi_1272_: bool;
     var phi_1290_: bool;
-    var phi_1294_: bool;
-    var phi_1316_: bool;
-    var phi_1317_: bool;
+    var phi_1291_: bool;
+    var phi_1292_: bool;
+    var phi_1025_: u32;
+    var phi_1028_: lt_mask_Neighbourhood;
+    var phi_1295_: lt_mask_Neighbourhood;
+    var phi_1296_: lt_mask_Neighbourhood;
+    var phi_1297_: lt_mask_Neighbourhood;
+    var phi_1329_: bool;
     var phi_1330_: bool;
-    var phi_1331_: bool;
-    var phi_1332_: bool;
-    var phi_1339_: u32;
-    var phi_1340_: u32;
-    var phi_1341_: u32;
-    var phi_1342_: u32;
-    var phi_1343_: u32;
-    var phi_1344_: u32;
-    var phi_1345_: u32;
-    var phi_1357_: bool;
+    var phi_1352_: bool;
+    var phi_1353_: bool;
+    var phi_1354_: bool;
     var phi_1358_: bool;
-    var phi_1359_: bool;
-    var phi_1360_: bool;
-    var phi_1364_: bool;
-    var phi_1370_: bool;
-    var phi_1378_: u32;
-    var phi_1383_: u32;
-    var phi_1392_: u32;
-    var phi_1397_: u32;
-    var phi_1401_: u32;
-    var phi_1402_: u32;
+    var phi_1380_: bool;
+    var phi_1381_: bool;
+    var phi_1394_: bool;
+    var phi_1395_: bool;
+    var phi_1396_: bool;
     var phi_1403_: u32;
-    var phi_1407_: f32;
-    var phi_1409_: mask_Masked;
-    var phi_1481_: bool;
-    var phi_1482_: bool;
-    var phi_1483_: bool;
-    var phi_1484_: bool;
-    var phi_1488_: bool;
-    var phi_1516_: f32;
-    var phi_1519_: bool;
-    var phi_1520_: u32;
-    var phi_1531_: u32;
+    var phi_1404_: u32;
+    var phi_1405_: u32;
+    var phi_1406_: u32;
+    var phi_1407_: u32;
+    var phi_1408_: u32;
+    var phi_1409_: u32;
+    var phi_1421_: bool;
+    var phi_1422_: bool;
+    var phi_1423_: bool;
+    var phi_1424_: bool;
+    var phi_1428_: bool;
+    var phi_1434_: bool;
+    var phi_1442_: u32;
+    var phi_1447_: u32;
+    var phi_1456_: u32;
+    var phi_1461_: u32;
+    var phi_1465_: u32;
+    var phi_1466_: u32;
+    var phi_1467_: u32;
+    var phi_1471_: f32;
+    var phi_1473_: mask_Masked;
+    var phi_1545_: bool;
+    var phi_1546_: bool;
+    var phi_1547_: bool;
+    var phi_1548_: bool;
+    var phi_1552_: bool;
+    var phi_1580_: f32;
+    var phi_1583_: bool;
+    var phi_1584_: u32;
+    var phi_1595_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e59 = id_1;
-    let _e60 = local_2;
-    let _e65 = arrayLength((&last_bits.member));
-    let _e76 = p.member.current.size[0u];
-    let _e78 = p.member.current.size[1u];
-    let _e79 = lt_shaders_entry_pixel_index(_e59, _e76, _e78);
-    if (bitcast<i32>(_e79.word) != 0i) {
-        let _e86 = p.member.light.number;
-        let _e87 = (_e86 * 3u);
-        let _e91 = p.member.light.mask_words;
-        let _e97 = mask_BitsPlace(lt_mask_LightPlace((_e87 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
-        let _e103 = mask_BitsPlace(lt_mask_LightPlace(_e97.light.word, (_e87 % 32u)), _e97.words);
-        let _e106 = mask_BitsPlace(_e103.light, _e91);
-        let _e110 = p.member.current.size[0u];
-        let _e113 = samples.member[_e79.shift].position;
-        let _e115 = visibility.member[_e79.shift];
-        let _e121 = samples.member[_e79.shift].normal[0u];
-        let _e123 = global[0u];
-        if (_e121 == _e123) {
-            let _e126 = samples.member[_e79.shift].normal[1u];
-            let _e128 = global[1u];
-            if (_e126 == _e128) {
-                let _e131 = samples.member[_e79.shift].normal[2u];
-                let _e133 = global[2u];
-                phi_364_ = (_e131 == _e133);
-                phi_365_ = false;
+    let _e60 = id_1;
+    let _e61 = local_2;
+    let _e66 = arrayLength((&last_bits.member));
+    let _e77 = p.member.current.size[0u];
+    let _e79 = p.member.current.size[1u];
+    let _e80 = lt_shaders_entry_pixel_index(_e60, _e77, _e79);
+    if (bitcast<i32>(_e80.word) != 0i) {
+        let _e87 = p.member.light.number;
+        let _e88 = (_e87 * 3u);
+        let _e92 = p.member.light.mask_words;
+        let _e98 = mask_BitsPlace(lt_mask_LightPlace((_e88 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
+        let _e104 = mask_BitsPlace(lt_mask_LightPlace(_e98.light.word, (_e88 % 32u)), _e98.words);
+        let _e107 = mask_BitsPlace(_e104.light, _e92);
+        let _e111 = p.member.current.size[0u];
+        let _e114 = samples.member[_e80.shift].position;
+        let _e116 = visibility.member[_e80.shift];
+        let _e122 = samples.member[_e80.shift].normal[0u];
+        let _e124 = global[0u];
+        if (_e122 == _e124) {
+            let _e127 = samples.member[_e80.shift].normal[1u];
+            let _e129 = global[1u];
+            if (_e127 == _e129) {
+                let _e132 = samples.member[_e80.shift].normal[2u];
+                let _e134 = global[2u];
+                phi_365_ = (_e132 == _e134);
+                phi_366_ = false;
             } else {
-                phi_364_ = bool();
-                phi_365_ = true;
+                phi_365_ = bool();
+                phi_366_ = true;
             }
-            let _e136 = phi_364_;
-            let _e138 = phi_365_;
-            phi_366_ = _e136;
-            phi_367_ = _e138;
+            let _e137 = phi_365_;
+            let _e139 = phi_366_;
+            phi_367_ = _e137;
+            phi_368_ = _e139;
         } else {
-            phi_366_ = bool();
-            phi_367_ = true;
+            phi_367_ = bool();
+            phi_368_ = true;
         }
-        let _e140 = phi_366_;
-        let _e142 = phi_367_;
-        if _e142 {
-            phi_371_ = false;
+        let _e141 = phi_367_;
+        let _e143 = phi_368_;
+        if _e143 {
+            phi_372_ = false;
         } else {
-            phi_371_ = _e140;
+            phi_372_ = _e141;
         }
-        let _e144 = phi_371_;
-        if !(_e144) {
-            let _e147 = samples.member[_e79.shift].position;
-            let _e149 = p.member.light.place;
-            let _e155 = p.member.light.place[3u];
-            let _e162 = (_e149.x - (_e147.x * _e155));
-            let _e163 = (_e149.y - (_e147.y * _e155));
-            let _e164 = (_e149.z - (_e147.z * _e155));
-            let _e166 = samples.member[_e79.shift].normal;
-            if ((((_e166.x * _e162) + (_e166.y * _e163)) + (_e166.z * _e164)) > 0f) {
-                let _e180 = (((_e162 * _e162) + (_e163 * _e163)) + (_e164 * _e164));
-                let _e182 = p.member.light.axis;
-                let _e194 = p.member.light.place[3u];
-                if (_e194 == 0f) {
-                    phi_442_ = true;
+        let _e145 = phi_372_;
+        if !(_e145) {
+            let _e148 = samples.member[_e80.shift].position;
+            let _e150 = p.member.light.place;
+            let _e156 = p.member.light.place[3u];
+            let _e163 = (_e150.x - (_e148.x * _e156));
+            let _e164 = (_e150.y - (_e148.y * _e156));
+            let _e165 = (_e150.z - (_e148.z * _e156));
+            let _e167 = samples.member[_e80.shift].normal;
+            if ((((_e167.x * _e163) + (_e167.y * _e164)) + (_e167.z * _e165)) > 0f) {
+                let _e181 = (((_e163 * _e163) + (_e164 * _e164)) + (_e165 * _e165));
+                let _e183 = p.member.light.axis;
+                let _e195 = p.member.light.place[3u];
+                if (_e195 == 0f) {
+                    phi_443_ = true;
                 } else {
-                    let _e197 = p.member.light.range_squared;
-                    if (_e180 <= _e197) {
-                        let _e200 = p.member.light.cos_outer;
-                        phi_441_ = (-((((_e162 * _e182.x) + (_e163 * _e182.y)) + (_e164 * _e182.z))) >= (_e200 * sqrt(_e180)));
+                    let _e198 = p.member.light.range_squared;
+                    if (_e181 <= _e198) {
+                        let _e201 = p.member.light.cos_outer;
+                        phi_442_ = (-((((_e163 * _e183.x) + (_e164 * _e183.y)) + (_e165 * _e183.z))) >= (_e201 * sqrt(_e181)));
                     } else {
-                        phi_441_ = false;
+                        phi_442_ = false;
                     }
-                    let _e205 = phi_441_;
-                    phi_442_ = _e205;
+                    let _e206 = phi_442_;
+                    phi_443_ = _e206;
                 }
-                let _e207 = phi_442_;
-                if _e207 {
-                    let _e209 = samples.member[_e79.shift].flags;
-                    let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e223 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e217.unnamed.visibility, false), _e217.unnamed_1);
-                    phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e223.unnamed, ((_e209 & 1u) == 0u));
-                    phi_454_ = false;
+                let _e208 = phi_443_;
+                if _e208 {
+                    let _e210 = samples.member[_e80.shift].flags;
+                    let _e218 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e224 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e218.unnamed.visibility, false), _e218.unnamed_1);
+                    phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e224.unnamed, ((_e210 & 1u) == 0u));
+                    phi_455_ = false;
                 } else {
-                    phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_454_ = true;
+                    phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_455_ = true;
                 }
-                let _e228 = phi_453_;
-                let _e230 = phi_454_;
-                phi_455_ = _e228;
-                phi_456_ = _e230;
+                let _e229 = phi_454_;
+                let _e231 = phi_455_;
+                phi_456_ = _e229;
+                phi_457_ = _e231;
             } else {
-                phi_455_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_456_ = true;
+                phi_456_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_457_ = true;
             }
-            let _e232 = phi_455_;
-            let _e234 = phi_456_;
-            if _e234 {
-                let _e240 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e246 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e240.unnamed.visibility, false), _e240.unnamed_1);
-                phi_463_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e246.unnamed, true);
+            let _e233 = phi_456_;
+            let _e235 = phi_457_;
+            if _e235 {
+                let _e241 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e247 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e241.unnamed.visibility, false), _e241.unnamed_1);
+                phi_464_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e247.unnamed, true);
             } else {
-                phi_463_ = _e232;
+                phi_464_ = _e233;
             }
-            let _e251 = phi_463_;
-            phi_467_ = _e251;
+            let _e252 = phi_464_;
+            phi_468_ = _e252;
         } else {
-            let _e257 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e263 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e257.unnamed.visibility, false), _e257.unnamed_1);
-            phi_467_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e263.unnamed, true);
+            let _e258 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e264 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e258.unnamed.visibility, false), _e258.unnamed_1);
+            phi_468_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e264.unnamed, true);
         }
-        let _e268 = phi_467_;
-        if _e268.unnamed_1 {
-            phi_1409_ = mask_Masked(_e268.unnamed.visibility, 0u, false);
+        let _e269 = phi_468_;
+        if _e269.unnamed_1 {
+            phi_1473_ = mask_Masked(_e269.unnamed.visibility, 0u, false);
         } else {
-            let _e273 = (_e115 < 0.5f);
-            if (_e115 > 0f) {
-                phi_480_ = (_e115 < 1f);
+            let _e274 = (_e116 < 0.5f);
+            if (_e116 > 0f) {
+                phi_481_ = (_e116 < 1f);
             } else {
-                phi_480_ = false;
+                phi_481_ = false;
             }
-            let _e277 = phi_480_;
-            let _e279 = samples.member[_e79.shift].position;
-            let _e283 = p.member.previous.eye;
-            let _e286 = (_e113.x - _e283.x);
-            let _e289 = (_e113.y - _e283.y);
-            let _e292 = (_e113.z - _e283.z);
-            let _e294 = p.member.previous.forward;
-            let _e302 = (((_e286 * _e294.x) + (_e289 * _e294.y)) + (_e292 * _e294.z));
-            let _e304 = p.member.previous.right;
-            let _e314 = p.member.previous.right;
-            let _e329 = p.member.previous.up;
-            let _e339 = p.member.previous.up;
-            let _e354 = p.member.current.eye;
-            let _e357 = (_e279.x - _e354.x);
-            let _e360 = (_e279.y - _e354.y);
-            let _e363 = (_e279.z - _e354.z);
-            let _e365 = p.member.current.forward;
-            let _e373 = (((_e357 * _e365.x) + (_e360 * _e365.y)) + (_e363 * _e365.z));
-            let _e375 = p.member.current.right;
-            let _e385 = p.member.current.right;
-            let _e400 = p.member.current.up;
-            let _e410 = p.member.current.up;
-            let _e429 = p.member.current.size[0u];
-            let _e431 = (((((((_e286 * _e304.x) + (_e289 * _e304.y)) + (_e292 * _e304.z)) / ((((_e314.x * _e314.x) + (_e314.y * _e314.y)) + (_e314.z * _e314.z)) * _e302)) - ((((_e357 * _e375.x) + (_e360 * _e375.y)) + (_e363 * _e375.z)) / ((((_e385.x * _e385.x) + (_e385.y * _e385.y)) + (_e385.z * _e385.z)) * _e373))) * 0.5f) * f32(_e429));
-            let _e435 = p.member.current.size[1u];
-            let _e437 = (((((((_e286 * _e329.x) + (_e289 * _e329.y)) + (_e292 * _e329.z)) / ((((_e339.x * _e339.x) + (_e339.y * _e339.y)) + (_e339.z * _e339.z)) * _e302)) - ((((_e357 * _e400.x) + (_e360 * _e400.y)) + (_e363 * _e400.z)) / ((((_e410.x * _e410.x) + (_e410.y * _e410.y)) + (_e410.z * _e410.z)) * _e373))) * -0.5f) * f32(_e435));
-            let _e441 = p.member.current.grid[0u];
-            let _e443 = p.member.current.grid[1u];
-            let _e463 = p.member.current.size[0u];
-            let _e465 = p.member.current.size[1u];
-            let _e467 = ((f32(_e59.x) + ((f32((_e59.y & (_e443 - 1u))) + 0.5f) / f32(_e443))) + _e431);
-            if (_e467 > -8388608f) {
-                let _e479 = f32(select(0i, select(select(i32(_e467), i32(-2147483648), (_e467 < bitcast<f32>(3472883712u))), 2147483647i, (_e467 > bitcast<f32>(1325400063u))), (_e467 == _e467)));
-                if (_e479 > _e467) {
-                    phi_688_ = 1f;
-                } else {
-                    phi_688_ = 0f;
-                }
-                let _e482 = phi_688_;
-                if (_e467 < 8388608f) {
-                    phi_693_ = (_e479 - _e482);
-                    phi_694_ = false;
-                } else {
-                    phi_693_ = f32();
-                    phi_694_ = true;
-                }
-                let _e485 = phi_693_;
-                let _e487 = phi_694_;
-                phi_695_ = _e485;
-                phi_696_ = _e487;
+            let _e278 = phi_481_;
+            let _e285 = lt_mask_Reprojection(vec2<u32>(_e60.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e292 = lt_mask_Reprojection(vec2<u32>(_e285.pixel.x, _e60.y), _e285.is_valid, _e285.has_moved);
+            let _e296 = lt_mask_Reprojection(_e292.pixel, true, _e292.has_moved);
+            let _e302 = p.member.flags;
+            if ((_e302 & 16u) == 0u) {
+                phi_524_ = true;
             } else {
-                phi_695_ = f32();
-                phi_696_ = true;
-            }
-            let _e489 = phi_695_;
-            let _e491 = phi_696_;
-            if _e491 {
-                phi_700_ = _e467;
-            } else {
-                phi_700_ = _e489;
-            }
-            let _e493 = phi_700_;
-            let _e494 = ((f32(_e59.y) + ((f32((_e59.x & (_e441 - 1u))) + 0.5f) / f32(_e441))) + _e437);
-            if (_e494 > -8388608f) {
-                let _e506 = f32(select(0i, select(select(i32(_e494), i32(-2147483648), (_e494 < bitcast<f32>(3472883712u))), 2147483647i, (_e494 > bitcast<f32>(1325400063u))), (_e494 == _e494)));
-                if (_e506 > _e494) {
-                    phi_721_ = 1f;
-                } else {
-                    phi_721_ = 0f;
-                }
-                let _e509 = phi_721_;
-                if (_e494 < 8388608f) {
-                    phi_726_ = (_e506 - _e509);
-                    phi_727_ = false;
-                } else {
-                    phi_726_ = f32();
-                    phi_727_ = true;
-                }
-                let _e512 = phi_726_;
-                let _e514 = phi_727_;
-                phi_728_ = _e512;
-                phi_729_ = _e514;
-            } else {
-                phi_728_ = f32();
-                phi_729_ = true;
-            }
-            let _e516 = phi_728_;
-            let _e518 = phi_729_;
-            if _e518 {
-                phi_733_ = _e494;
-            } else {
-                phi_733_ = _e516;
-            }
-            let _e520 = phi_733_;
-            if (_e493 >= 0f) {
-                if (_e520 >= 0f) {
-                    if (_e493 < f32(_e463)) {
-                        let _e526 = (_e520 < f32(_e465));
-                        if (_e431 == 0f) {
-                            phi_754_ = (_e437 == 0f);
-                        } else {
-                            phi_754_ = false;
-                        }
-                        let _e530 = phi_754_;
-                        if _e526 {
-                            phi_773_ = vec2<u32>(select(select(u32(_e493), 0u, (_e493 < bitcast<f32>(0u))), 4294967295u, (_e493 > bitcast<f32>(1333788671u))), select(select(u32(_e520), 0u, (_e520 < bitcast<f32>(0u))), 4294967295u, (_e520 > bitcast<f32>(1333788671u))));
-                            phi_774_ = false;
-                        } else {
-                            phi_773_ = vec2<u32>();
-                            phi_774_ = true;
-                        }
-                        let _e547 = phi_773_;
-                        let _e549 = phi_774_;
-                        phi_775_ = _e530;
-                        phi_776_ = _e526;
-                        phi_777_ = _e547;
-                        phi_778_ = _e530;
-                        phi_779_ = _e526;
-                        phi_780_ = false;
-                        phi_781_ = _e549;
+                let _e308 = samples.member[_e80.shift].position[0u];
+                if (_e114.x == _e308) {
+                    let _e312 = samples.member[_e80.shift].position[1u];
+                    if (_e114.y == _e312) {
+                        let _e316 = samples.member[_e80.shift].position[2u];
+                        phi_512_ = (_e114.z == _e316);
+                        phi_513_ = false;
                     } else {
-                        phi_775_ = bool();
-                        phi_776_ = bool();
-                        phi_777_ = vec2<u32>();
-                        phi_778_ = bool();
-                        phi_779_ = bool();
-                        phi_780_ = true;
-                        phi_781_ = false;
+                        phi_512_ = bool();
+                        phi_513_ = true;
                     }
-                    let _e551 = phi_775_;
-                    let _e553 = phi_776_;
-                    let _e555 = phi_777_;
-                    let _e557 = phi_778_;
-                    let _e559 = phi_779_;
-                    let _e561 = phi_780_;
-                    let _e563 = phi_781_;
-                    phi_782_ = _e551;
-                    phi_783_ = _e553;
-                    phi_784_ = _e555;
-                    phi_785_ = _e557;
-                    phi_786_ = _e559;
-                    phi_787_ = _e561;
-                    phi_788_ = _e563;
+                    let _e319 = phi_512_;
+                    let _e321 = phi_513_;
+                    phi_514_ = _e319;
+                    phi_515_ = _e321;
                 } else {
-                    phi_782_ = bool();
-                    phi_783_ = bool();
-                    phi_784_ = vec2<u32>();
-                    phi_785_ = bool();
-                    phi_786_ = bool();
-                    phi_787_ = true;
-                    phi_788_ = false;
+                    phi_514_ = bool();
+                    phi_515_ = true;
                 }
-                let _e565 = phi_782_;
-                let _e567 = phi_783_;
-                let _e569 = phi_784_;
-                let _e571 = phi_785_;
-                let _e573 = phi_786_;
-                let _e575 = phi_787_;
-                let _e577 = phi_788_;
-                phi_789_ = _e565;
-                phi_790_ = _e567;
-                phi_791_ = _e569;
-                phi_792_ = _e571;
-                phi_793_ = _e573;
-                phi_794_ = _e575;
-                phi_795_ = _e577;
-            } else {
-                phi_789_ = bool();
-                phi_790_ = bool();
-                phi_791_ = vec2<u32>();
-                phi_792_ = bool();
-                phi_793_ = bool();
-                phi_794_ = true;
-                phi_795_ = false;
-            }
-            let _e579 = phi_789_;
-            let _e581 = phi_790_;
-            let _e583 = phi_791_;
-            let _e585 = phi_792_;
-            let _e587 = phi_793_;
-            let _e589 = phi_794_;
-            let _e591 = phi_795_;
-            if _e589 {
-                if (_e431 == 0f) {
-                    phi_804_ = (_e437 == 0f);
+                let _e323 = phi_514_;
+                let _e325 = phi_515_;
+                if _e325 {
+                    phi_519_ = false;
                 } else {
-                    phi_804_ = false;
+                    phi_519_ = _e323;
                 }
-                let _e595 = phi_804_;
-                phi_805_ = _e595;
-                phi_806_ = false;
-                phi_807_ = true;
-            } else {
-                phi_805_ = _e585;
-                phi_806_ = _e587;
-                phi_807_ = _e591;
+                let _e327 = phi_519_;
+                if _e327 {
+                    phi_523_ = false;
+                } else {
+                    phi_523_ = true;
+                }
+                let _e329 = phi_523_;
+                phi_524_ = _e329;
             }
-            let _e597 = phi_805_;
-            let _e599 = phi_806_;
-            let _e601 = phi_807_;
-            if _e601 {
-                phi_811_ = _e597;
-                phi_812_ = _e599;
-                phi_813_ = vec2<u32>(_e59.x, _e59.y);
-            } else {
-                phi_811_ = _e579;
-                phi_812_ = _e581;
-                phi_813_ = _e583;
-            }
-            let _e603 = phi_811_;
-            let _e605 = phi_812_;
-            let _e607 = phi_813_;
-            let _e617 = lt_mask_Reprojection(vec2<u32>(_e607.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e624 = lt_mask_Reprojection(vec2<u32>(_e617.pixel.x, _e607.y), _e617.is_valid, _e617.has_moved);
-            let _e628 = lt_mask_Reprojection(_e624.pixel, _e605, _e624.has_moved);
-            let _e632 = lt_mask_Reprojection(_e628.pixel, _e628.is_valid, !(_e603));
-            if _e605 {
-                let _e635 = p.member.previous.eye;
-                let _e646 = p.member.previous.forward;
-                let _e655 = (((((_e113.x - _e635.x) * _e646.x) + ((_e113.y - _e635.y) * _e646.y)) + ((_e113.z - _e635.z) * _e646.z)) > 0f);
-                let _e659 = lt_mask_Reprojection(_e632.pixel, _e655, _e632.has_moved);
-                if _e655 {
-                    let _e662 = p.member.previous.eye;
-                    let _e673 = p.member.previous.forward;
-                    let _e681 = ((((_e113.x - _e662.x) * _e673.x) + ((_e113.y - _e662.y) * _e673.y)) + ((_e113.z - _e662.z) * _e673.z));
-                    let _e683 = ((_e607.y * _e110) + _e607.x);
-                    if (_e683 < arrayLength((&last_depths.member))) {
+            let _e331 = phi_524_;
+            if _e331 {
+                let _e333 = samples.member[_e80.shift].position;
+                let _e337 = p.member.previous.eye;
+                let _e340 = (_e114.x - _e337.x);
+                let _e343 = (_e114.y - _e337.y);
+                let _e346 = (_e114.z - _e337.z);
+                let _e348 = p.member.previous.forward;
+                let _e356 = (((_e340 * _e348.x) + (_e343 * _e348.y)) + (_e346 * _e348.z));
+                let _e358 = p.member.previous.right;
+                let _e368 = p.member.previous.right;
+                let _e383 = p.member.previous.up;
+                let _e393 = p.member.previous.up;
+                let _e408 = p.member.current.eye;
+                let _e411 = (_e333.x - _e408.x);
+                let _e414 = (_e333.y - _e408.y);
+                let _e417 = (_e333.z - _e408.z);
+                let _e419 = p.member.current.forward;
+                let _e427 = (((_e411 * _e419.x) + (_e414 * _e419.y)) + (_e417 * _e419.z));
+                let _e429 = p.member.current.right;
+                let _e439 = p.member.current.right;
+                let _e454 = p.member.current.up;
+                let _e464 = p.member.current.up;
+                let _e483 = p.member.current.size[0u];
+                let _e485 = (((((((_e340 * _e358.x) + (_e343 * _e358.y)) + (_e346 * _e358.z)) / ((((_e368.x * _e368.x) + (_e368.y * _e368.y)) + (_e368.z * _e368.z)) * _e356)) - ((((_e411 * _e429.x) + (_e414 * _e429.y)) + (_e417 * _e429.z)) / ((((_e439.x * _e439.x) + (_e439.y * _e439.y)) + (_e439.z * _e439.z)) * _e427))) * 0.5f) * f32(_e483));
+                let _e489 = p.member.current.size[1u];
+                let _e491 = (((((((_e340 * _e383.x) + (_e343 * _e383.y)) + (_e346 * _e383.z)) / ((((_e393.x * _e393.x) + (_e393.y * _e393.y)) + (_e393.z * _e393.z)) * _e356)) - ((((_e411 * _e454.x) + (_e414 * _e454.y)) + (_e417 * _e454.z)) / ((((_e464.x * _e464.x) + (_e464.y * _e464.y)) + (_e464.z * _e464.z)) * _e427))) * -0.5f) * f32(_e489));
+                let _e495 = p.member.current.grid[0u];
+                let _e497 = p.member.current.grid[1u];
+                let _e517 = p.member.current.size[0u];
+                let _e519 = p.member.current.size[1u];
+                let _e521 = ((f32(_e60.x) + ((f32((_e60.y & (_e497 - 1u))) + 0.5f) / f32(_e497))) + _e485);
+                if (_e521 > -8388608f) {
+                    let _e533 = f32(select(0i, select(select(i32(_e521), i32(-2147483648), (_e521 < bitcast<f32>(3472883712u))), 2147483647i, (_e521 > bitcast<f32>(1325400063u))), (_e521 == _e521)));
+                    if (_e533 > _e521) {
+                        phi_735_ = 1f;
                     } else {
-                        return;
+                        phi_735_ = 0f;
                     }
-                    let _e687 = last_depths.member[(0u + _e683)];
-                    let _e689 = p.member.depth_tolerance;
-                    let _e692 = abs(_e681);
-                    let _e693 = abs(_e687);
-                    if ((bitcast<u32>(_e693) & 2147483647u) > 2139095040u) {
-                        phi_902_ = true;
+                    let _e536 = phi_735_;
+                    if (_e521 < 8388608f) {
+                        phi_740_ = (_e533 - _e536);
+                        phi_741_ = false;
                     } else {
-                        let _e697 = (_e693 > _e692);
-                        if _e697 {
-                        }
-                        phi_902_ = _e697;
+                        phi_740_ = f32();
+                        phi_741_ = true;
                     }
-                    let _e699 = phi_902_;
-                    if _e699 {
-                        phi_906_ = _e693;
+                    let _e539 = phi_740_;
+                    let _e541 = phi_741_;
+                    phi_742_ = _e539;
+                    phi_743_ = _e541;
+                } else {
+                    phi_742_ = f32();
+                    phi_743_ = true;
+                }
+                let _e543 = phi_742_;
+                let _e545 = phi_743_;
+                if _e545 {
+                    phi_747_ = _e521;
+                } else {
+                    phi_747_ = _e543;
+                }
+                let _e547 = phi_747_;
+                let _e548 = ((f32(_e60.y) + ((f32((_e60.x & (_e495 - 1u))) + 0.5f) / f32(_e495))) + _e491);
+                if (_e548 > -8388608f) {
+                    let _e560 = f32(select(0i, select(select(i32(_e548), i32(-2147483648), (_e548 < bitcast<f32>(3472883712u))), 2147483647i, (_e548 > bitcast<f32>(1325400063u))), (_e548 == _e548)));
+                    if (_e560 > _e548) {
+                        phi_768_ = 1f;
                     } else {
-                        phi_906_ = _e692;
+                        phi_768_ = 0f;
                     }
-                    let _e701 = phi_906_;
-                    phi_910_ = lt_mask_Reprojection(_e659.pixel, (abs((_e681 - _e687)) <= (_e689 * _e701)), _e659.has_moved);
-                } else {
-                    phi_910_ = _e659;
-                }
-                let _e709 = phi_910_;
-                if _e709.is_valid {
-                    let _e712 = p.member.flags;
-                    phi_919_ = ((_e712 & 1u) != 0u);
-                    phi_920_ = false;
-                } else {
-                    phi_919_ = bool();
-                    phi_920_ = true;
-                }
-                let _e716 = phi_919_;
-                let _e718 = phi_920_;
-                phi_922_ = _e716;
-                phi_923_ = _e709;
-                phi_924_ = _e709;
-                phi_925_ = _e718;
-            } else {
-                phi_922_ = bool();
-                phi_923_ = lt_mask_Reprojection();
-                phi_924_ = lt_mask_Reprojection(_e632.pixel, false, _e632.has_moved);
-                phi_925_ = true;
-            }
-            let _e724 = phi_922_;
-            let _e726 = phi_923_;
-            let _e728 = phi_924_;
-            let _e730 = phi_925_;
-            if _e730 {
-                phi_929_ = false;
-                phi_930_ = _e728;
-            } else {
-                phi_929_ = _e724;
-                phi_930_ = _e726;
-            }
-            let _e732 = phi_929_;
-            let _e734 = phi_930_;
-            let _e738 = lt_mask_Reprojection(_e734.pixel, _e732, _e734.has_moved);
-            let _e739 = lt_mask_Neighbourhood(false, true);
-            if _e277 {
-                phi_936_ = false;
-            } else {
-                phi_936_ = true;
-            }
-            let _e741 = phi_936_;
-            if _e741 {
-                if _e732 {
-                    if ((0u & 2u) != 0u) {
-                        phi_1231_ = _e739;
+                    let _e563 = phi_768_;
+                    if (_e548 < 8388608f) {
+                        phi_773_ = (_e560 - _e563);
+                        phi_774_ = false;
                     } else {
-                        let _e745 = p.member.expansion;
-                        if _e738.has_moved {
-                            let _e748 = p.member.moving_pattern;
-                            phi_958_ = _e748;
-                        } else {
-                            let _e750 = p.member.still_pattern;
-                            phi_958_ = _e750;
-                        }
-                        let _e752 = phi_958_;
-                        phi_960_ = 0u;
-                        phi_963_ = _e739;
-                        loop {
-                            let _e754 = phi_960_;
-                            let _e756 = phi_963_;
-                            local_1 = _e756;
-                            if (1u <= _e752) {
-                                if (_e752 <= 4u) {
-                                    phi_975_ = false;
-                                } else {
-                                    phi_975_ = true;
-                                }
-                                let _e760 = phi_975_;
-                                phi_976_ = _e760;
+                        phi_773_ = f32();
+                        phi_774_ = true;
+                    }
+                    let _e566 = phi_773_;
+                    let _e568 = phi_774_;
+                    phi_775_ = _e566;
+                    phi_776_ = _e568;
+                } else {
+                    phi_775_ = f32();
+                    phi_776_ = true;
+                }
+                let _e570 = phi_775_;
+                let _e572 = phi_776_;
+                if _e572 {
+                    phi_780_ = _e548;
+                } else {
+                    phi_780_ = _e570;
+                }
+                let _e574 = phi_780_;
+                if (_e547 >= 0f) {
+                    if (_e574 >= 0f) {
+                        if (_e547 < f32(_e517)) {
+                            let _e580 = (_e574 < f32(_e519));
+                            if (_e485 == 0f) {
+                                phi_801_ = (_e491 == 0f);
                             } else {
-                                phi_976_ = true;
+                                phi_801_ = false;
                             }
-                            let _e762 = phi_976_;
-                            if _e762 {
-                                switch bitcast<i32>(_e752) {
+                            let _e584 = phi_801_;
+                            if _e580 {
+                                phi_820_ = vec2<u32>(select(select(u32(_e547), 0u, (_e547 < bitcast<f32>(0u))), 4294967295u, (_e547 > bitcast<f32>(1333788671u))), select(select(u32(_e574), 0u, (_e574 < bitcast<f32>(0u))), 4294967295u, (_e574 > bitcast<f32>(1333788671u))));
+                                phi_821_ = false;
+                            } else {
+                                phi_820_ = vec2<u32>();
+                                phi_821_ = true;
+                            }
+                            let _e601 = phi_820_;
+                            let _e603 = phi_821_;
+                            phi_822_ = _e584;
+                            phi_823_ = _e580;
+                            phi_824_ = _e601;
+                            phi_825_ = _e584;
+                            phi_826_ = _e580;
+                            phi_827_ = false;
+                            phi_828_ = _e603;
+                        } else {
+                            phi_822_ = bool();
+                            phi_823_ = bool();
+                            phi_824_ = vec2<u32>();
+                            phi_825_ = bool();
+                            phi_826_ = bool();
+                            phi_827_ = true;
+                            phi_828_ = false;
+                        }
+                        let _e605 = phi_822_;
+                        let _e607 = phi_823_;
+                        let _e609 = phi_824_;
+                        let _e611 = phi_825_;
+                        let _e613 = phi_826_;
+                        let _e615 = phi_827_;
+                        let _e617 = phi_828_;
+                        phi_829_ = _e605;
+                        phi_830_ = _e607;
+                        phi_831_ = _e609;
+                        phi_832_ = _e611;
+                        phi_833_ = _e613;
+                        phi_834_ = _e615;
+                        phi_835_ = _e617;
+                    } else {
+                        phi_829_ = bool();
+                        phi_830_ = bool();
+                        phi_831_ = vec2<u32>();
+                        phi_832_ = bool();
+                        phi_833_ = bool();
+                        phi_834_ = true;
+                        phi_835_ = false;
+                    }
+                    let _e619 = phi_829_;
+                    let _e621 = phi_830_;
+                    let _e623 = phi_831_;
+                    let _e625 = phi_832_;
+                    let _e627 = phi_833_;
+                    let _e629 = phi_834_;
+                    let _e631 = phi_835_;
+                    phi_836_ = _e619;
+                    phi_837_ = _e621;
+                    phi_838_ = _e623;
+                    phi_839_ = _e625;
+                    phi_840_ = _e627;
+                    phi_841_ = _e629;
+                    phi_842_ = _e631;
+                } else {
+                    phi_836_ = bool();
+                    phi_837_ = bool();
+                    phi_838_ = vec2<u32>();
+                    phi_839_ = bool();
+                    phi_840_ = bool();
+                    phi_841_ = true;
+                    phi_842_ = false;
+                }
+                let _e633 = phi_836_;
+                let _e635 = phi_837_;
+                let _e637 = phi_838_;
+                let _e639 = phi_839_;
+                let _e641 = phi_840_;
+                let _e643 = phi_841_;
+                let _e645 = phi_842_;
+                if _e643 {
+                    if (_e485 == 0f) {
+                        phi_851_ = (_e491 == 0f);
+                    } else {
+                        phi_851_ = false;
+                    }
+                    let _e649 = phi_851_;
+                    phi_852_ = _e649;
+                    phi_853_ = false;
+                    phi_854_ = true;
+                } else {
+                    phi_852_ = _e639;
+                    phi_853_ = _e641;
+                    phi_854_ = _e645;
+                }
+                let _e651 = phi_852_;
+                let _e653 = phi_853_;
+                let _e655 = phi_854_;
+                if _e655 {
+                    phi_858_ = _e651;
+                    phi_859_ = _e653;
+                    phi_860_ = vec2<u32>(_e60.x, _e60.y);
+                } else {
+                    phi_858_ = _e633;
+                    phi_859_ = _e635;
+                    phi_860_ = _e637;
+                }
+                let _e657 = phi_858_;
+                let _e659 = phi_859_;
+                let _e661 = phi_860_;
+                let _e671 = lt_mask_Reprojection(vec2<u32>(_e661.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e678 = lt_mask_Reprojection(vec2<u32>(_e671.pixel.x, _e661.y), _e671.is_valid, _e671.has_moved);
+                let _e682 = lt_mask_Reprojection(_e678.pixel, _e659, _e678.has_moved);
+                let _e686 = lt_mask_Reprojection(_e682.pixel, _e682.is_valid, !(_e657));
+                if _e659 {
+                    let _e689 = p.member.previous.eye;
+                    let _e700 = p.member.previous.forward;
+                    let _e709 = (((((_e114.x - _e689.x) * _e700.x) + ((_e114.y - _e689.y) * _e700.y)) + ((_e114.z - _e689.z) * _e700.z)) > 0f);
+                    let _e713 = lt_mask_Reprojection(_e686.pixel, _e709, _e686.has_moved);
+                    if _e709 {
+                        phi_898_ = false;
+                    } else {
+                        phi_898_ = true;
+                    }
+                    let _e715 = phi_898_;
+                    phi_900_ = _e713;
+                    phi_901_ = _e713;
+                    phi_902_ = lt_mask_Reprojection();
+                    phi_903_ = _e709;
+                    phi_904_ = _e715;
+                } else {
+                    phi_900_ = lt_mask_Reprojection();
+                    phi_901_ = lt_mask_Reprojection();
+                    phi_902_ = lt_mask_Reprojection(_e686.pixel, false, _e686.has_moved);
+                    phi_903_ = false;
+                    phi_904_ = false;
+                }
+                let _e721 = phi_900_;
+                let _e723 = phi_901_;
+                let _e725 = phi_902_;
+                let _e727 = phi_903_;
+                let _e729 = phi_904_;
+                phi_905_ = _e721;
+                phi_906_ = _e723;
+                phi_907_ = _e725;
+                phi_908_ = _e727;
+                phi_909_ = _e729;
+            } else {
+                phi_905_ = lt_mask_Reprojection(_e296.pixel, _e296.is_valid, false);
+                phi_906_ = lt_mask_Reprojection();
+                phi_907_ = lt_mask_Reprojection();
+                phi_908_ = true;
+                phi_909_ = false;
+            }
+            let _e731 = phi_905_;
+            let _e733 = phi_906_;
+            let _e735 = phi_907_;
+            let _e737 = phi_908_;
+            let _e739 = phi_909_;
+            if _e737 {
+                let _e742 = p.member.previous.eye;
+                let _e753 = p.member.previous.forward;
+                let _e761 = ((((_e114.x - _e742.x) * _e753.x) + ((_e114.y - _e742.y) * _e753.y)) + ((_e114.z - _e742.z) * _e753.z));
+                let _e767 = ((_e731.pixel.y * _e111) + _e731.pixel.x);
+                if (_e767 < arrayLength((&last_depths.member))) {
+                } else {
+                    return;
+                }
+                let _e771 = last_depths.member[(0u + _e767)];
+                let _e773 = p.member.depth_tolerance;
+                let _e776 = abs(_e761);
+                let _e777 = abs(_e771);
+                if ((bitcast<u32>(_e777) & 2147483647u) > 2139095040u) {
+                    phi_964_ = true;
+                } else {
+                    let _e781 = (_e777 > _e776);
+                    if _e781 {
+                    }
+                    phi_964_ = _e781;
+                }
+                let _e783 = phi_964_;
+                if _e783 {
+                    phi_968_ = _e777;
+                } else {
+                    phi_968_ = _e776;
+                }
+                let _e785 = phi_968_;
+                phi_972_ = lt_mask_Reprojection(_e731.pixel, (abs((_e761 - _e771)) <= (_e773 * _e785)), _e731.has_moved);
+                phi_973_ = true;
+            } else {
+                phi_972_ = _e733;
+                phi_973_ = _e739;
+            }
+            let _e793 = phi_972_;
+            let _e795 = phi_973_;
+            if _e795 {
+                if _e793.is_valid {
+                    let _e798 = p.member.flags;
+                    phi_985_ = ((_e798 & 1u) != 0u);
+                    phi_986_ = false;
+                } else {
+                    phi_985_ = bool();
+                    phi_986_ = true;
+                }
+                let _e802 = phi_985_;
+                let _e804 = phi_986_;
+                phi_987_ = _e802;
+                phi_988_ = _e793;
+                phi_989_ = _e804;
+            } else {
+                phi_987_ = bool();
+                phi_988_ = _e735;
+                phi_989_ = true;
+            }
+            let _e806 = phi_987_;
+            let _e808 = phi_988_;
+            let _e810 = phi_989_;
+            if _e810 {
+                phi_993_ = false;
+                phi_994_ = _e808;
+            } else {
+                phi_993_ = _e806;
+                phi_994_ = _e793;
+            }
+            let _e812 = phi_993_;
+            let _e814 = phi_994_;
+            let _e818 = lt_mask_Reprojection(_e814.pixel, _e812, _e814.has_moved);
+            let _e819 = lt_mask_Neighbourhood(false, true);
+            if _e278 {
+                phi_1000_ = false;
+            } else {
+                phi_1000_ = true;
+            }
+            let _e821 = phi_1000_;
+            if _e821 {
+                if _e812 {
+                    if ((0u & 2u) != 0u) {
+                        phi_1295_ = _e819;
+                    } else {
+                        let _e825 = p.member.expansion;
+                        if _e818.has_moved {
+                            let _e828 = p.member.moving_pattern;
+                            phi_1022_ = _e828;
+                        } else {
+                            let _e830 = p.member.still_pattern;
+                            phi_1022_ = _e830;
+                        }
+                        let _e832 = phi_1022_;
+                        phi_1024_ = 0u;
+                        phi_1027_ = _e819;
+                        loop {
+                            let _e834 = phi_1024_;
+                            let _e836 = phi_1027_;
+                            local_1 = _e836;
+                            if (1u <= _e832) {
+                                if (_e832 <= 4u) {
+                                    phi_1039_ = false;
+                                } else {
+                                    phi_1039_ = true;
+                                }
+                                let _e840 = phi_1039_;
+                                phi_1040_ = _e840;
+                            } else {
+                                phi_1040_ = true;
+                            }
+                            let _e842 = phi_1040_;
+                            if _e842 {
+                                switch bitcast<i32>(_e832) {
                                     case 5: {
-                                        phi_985_ = 4u;
+                                        phi_1049_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_985_ = 25u;
+                                        phi_1049_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_985_ = 13u;
+                                        phi_1049_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_985_ = 9u;
+                                        phi_1049_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e765 = phi_985_;
-                                phi_986_ = _e765;
+                                let _e845 = phi_1049_;
+                                phi_1050_ = _e845;
                             } else {
-                                phi_986_ = 5u;
+                                phi_1050_ = 5u;
                             }
-                            let _e767 = phi_986_;
-                            let _e768 = (_e754 < _e767);
-                            if _e768 {
-                                let _e774 = p.member.frame;
-                                let _e778 = p.member.current.size[0u];
-                                let _e780 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e752) {
+                            let _e847 = phi_1050_;
+                            let _e848 = (_e834 < _e847);
+                            if _e848 {
+                                let _e854 = p.member.frame;
+                                let _e858 = p.member.current.size[0u];
+                                let _e860 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e832) {
                                     case 1: {
-                                        let _e790 = lt_mask_pattern_plus(_e754);
-                                        phi_1066_ = vec2<i32>(_e790.x, _e790.y);
+                                        let _e870 = lt_mask_pattern_plus(_e834);
+                                        phi_1130_ = vec2<i32>(_e870.x, _e870.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e794 = lt_mask_pattern_cross(_e754);
-                                        phi_1066_ = vec2<i32>(_e794.x, _e794.y);
+                                        let _e874 = lt_mask_pattern_cross(_e834);
+                                        phi_1130_ = vec2<i32>(_e874.x, _e874.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e800 = lt_mask_pattern_plus_or_cross(_e754, ((_e738.pixel.x + _e738.pixel.y) & 1u));
-                                        phi_1066_ = vec2<i32>(_e800.x, _e800.y);
+                                        let _e880 = lt_mask_pattern_plus_or_cross(_e834, ((_e818.pixel.x + _e818.pixel.y) & 1u));
+                                        phi_1130_ = vec2<i32>(_e880.x, _e880.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e805 = lt_mask_pattern_plus_or_cross(_e754, (_e774 & 1u));
-                                        phi_1066_ = vec2<i32>(_e805.x, _e805.y);
+                                        let _e885 = lt_mask_pattern_plus_or_cross(_e834, (_e854 & 1u));
+                                        phi_1130_ = vec2<i32>(_e885.x, _e885.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e774 & 3u)) {
+                                        switch bitcast<i32>((_e854 & 3u)) {
                                             case 0: {
-                                                phi_1046_ = vec2(-1i);
+                                                phi_1110_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1046_ = vec2(0i);
+                                                phi_1110_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1046_ = vec2<i32>(0i, -1i);
+                                                phi_1110_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1046_ = vec2<i32>(-1i, 0i);
+                                                phi_1110_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e816 = phi_1046_;
-                                        phi_1066_ = (_e816 + vec2<i32>(bitcast<i32>((_e754 & 1u)), bitcast<i32>(((_e754 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e896 = phi_1110_;
+                                        phi_1130_ = (_e896 + vec2<i32>(bitcast<i32>((_e834 & 1u)), bitcast<i32>(((_e834 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1066_ = vec2<i32>((bitcast<i32>((_e754 % 5u)) - 2i), (bitcast<i32>(((_e754 / 5u) % 5u)) - 2i));
+                                        phi_1130_ = vec2<i32>((bitcast<i32>((_e834 % 5u)) - 2i), (bitcast<i32>(((_e834 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e833 = lt_mask_pattern_diamond(_e754);
-                                        phi_1066_ = vec2<i32>(_e833.x, _e833.y);
+                                        let _e913 = lt_mask_pattern_diamond(_e834);
+                                        phi_1130_ = vec2<i32>(_e913.x, _e913.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1066_ = vec2<i32>((bitcast<i32>((_e754 % 3u)) - 1i), (bitcast<i32>(((_e754 / 3u) % 3u)) - 1i));
+                                        phi_1130_ = vec2<i32>((bitcast<i32>((_e834 % 3u)) - 1i), (bitcast<i32>(((_e834 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e838 = phi_1066_;
-                                let _e841 = lt_mask_pattern_step_clamped(_e738.pixel.x, _e838.x, _e778);
-                                let _e842 = lt_mask_pattern_step_clamped(_e738.pixel.y, _e838.y, _e780);
-                                let _e849 = ((((_e842 * _e110) + _e841) * _e106.words) + _e106.light.word);
-                                if (_e106.light.shift > 29u) {
-                                    let _e853 = (_e849 + 1u);
-                                    if (_e853 < _e65) {
+                                let _e918 = phi_1130_;
+                                let _e921 = lt_mask_pattern_step_clamped(_e818.pixel.x, _e918.x, _e858);
+                                let _e922 = lt_mask_pattern_step_clamped(_e818.pixel.y, _e918.y, _e860);
+                                let _e929 = ((((_e922 * _e111) + _e921) * _e107.words) + _e107.light.word);
+                                if (_e107.light.shift > 29u) {
+                                    let _e933 = (_e929 + 1u);
+                                    if (_e933 < _e66) {
                                     } else {
                                         return;
                                     }
-                                    let _e857 = last_bits.member[(0u + _e853)];
-                                    phi_1093_ = _e857;
+                                    let _e937 = last_bits.member[(0u + _e933)];
+                                    phi_1157_ = _e937;
                                 } else {
-                                    phi_1093_ = 0u;
+                                    phi_1157_ = 0u;
                                 }
-                                let _e859 = phi_1093_;
-                                if (_e849 < _e65) {
+                                let _e939 = phi_1157_;
+                                if (_e929 < _e66) {
                                 } else {
                                     return;
                                 }
-                                let _e865 = last_bits.member[(0u + _e849)];
-                                let _e868 = (_e865 >> bitcast<u32>((_e106.light.shift & 31u)));
-                                if (_e106.light.shift > 29u) {
-                                    phi_1112_ = (_e868 | (_e859 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
+                                let _e945 = last_bits.member[(0u + _e929)];
+                                let _e948 = (_e945 >> bitcast<u32>((_e107.light.shift & 31u)));
+                                if (_e107.light.shift > 29u) {
+                                    phi_1176_ = (_e948 | (_e939 << bitcast<u32>(((32u - _e107.light.shift) & 31u))));
                                 } else {
-                                    phi_1112_ = _e868;
+                                    phi_1176_ = _e948;
                                 }
-                                let _e876 = phi_1112_;
-                                if ((_e876 & 2u) == 0u) {
-                                    phi_1120_ = (_e876 & 1u);
+                                let _e956 = phi_1176_;
+                                if ((_e956 & 2u) == 0u) {
+                                    phi_1184_ = (_e956 & 1u);
                                 } else {
-                                    phi_1120_ = (_e876 & 7u);
+                                    phi_1184_ = (_e956 & 7u);
                                 }
-                                let _e882 = phi_1120_;
-                                if _e756.any_expands {
-                                    phi_1208_ = true;
+                                let _e962 = phi_1184_;
+                                if _e836.any_expands {
+                                    phi_1272_ = true;
                                 } else {
-                                    if ((_e882 & 2u) != 0u) {
-                                        let _e889 = (((_e882 & 4u) != 0u) != _e273);
-                                        switch bitcast<i32>(_e745) {
+                                    if ((_e962 & 2u) != 0u) {
+                                        let _e969 = (((_e962 & 4u) != 0u) != _e274);
+                                        switch bitcast<i32>(_e825) {
                                             case 1: {
-                                                phi_1148_ = bool();
-                                                phi_1149_ = false;
-                                                phi_1150_ = true;
-                                                phi_1151_ = false;
-                                                phi_1152_ = false;
+                                                phi_1212_ = bool();
+                                                phi_1213_ = false;
+                                                phi_1214_ = true;
+                                                phi_1215_ = false;
+                                                phi_1216_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e889 {
-                                                    phi_1146_ = (((_e882 & 4u) != 0u) != ((_e882 & 1u) != 0u));
-                                                    phi_1147_ = false;
+                                                if _e969 {
+                                                    phi_1210_ = (((_e962 & 4u) != 0u) != ((_e962 & 1u) != 0u));
+                                                    phi_1211_ = false;
                                                 } else {
-                                                    phi_1146_ = bool();
-                                                    phi_1147_ = true;
+                                                    phi_1210_ = bool();
+                                                    phi_1211_ = true;
                                                 }
-                                                let _e897 = phi_1146_;
-                                                let _e899 = phi_1147_;
-                                                phi_1148_ = _e897;
-                                                phi_1149_ = false;
-                                                phi_1150_ = false;
-                                                phi_1151_ = _e899;
-                                                phi_1152_ = _e889;
+                                                let _e977 = phi_1210_;
+                                                let _e979 = phi_1211_;
+                                                phi_1212_ = _e977;
+                                                phi_1213_ = false;
+                                                phi_1214_ = false;
+                                                phi_1215_ = _e979;
+                                                phi_1216_ = _e969;
                                                 break;
                                             }
                                             default: {
-                                                phi_1148_ = bool();
-                                                phi_1149_ = true;
-                                                phi_1150_ = false;
-                                                phi_1151_ = false;
-                                                phi_1152_ = false;
+                                                phi_1212_ = bool();
+                                                phi_1213_ = true;
+                                                phi_1214_ = false;
+                                                phi_1215_ = false;
+                                                phi_1216_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e901 = phi_1148_;
-                                        let _e903 = phi_1149_;
-                                        let _e905 = phi_1150_;
-                                        let _e907 = phi_1151_;
-                                        let _e909 = phi_1152_;
-                                        phi_1160_ = _e889;
-                                        phi_1161_ = _e901;
-                                        phi_1162_ = _e903;
-                                        phi_1163_ = _e905;
-                                        phi_1164_ = _e907;
-                                        phi_1165_ = _e909;
+                                        let _e981 = phi_1212_;
+                                        let _e983 = phi_1213_;
+                                        let _e985 = phi_1214_;
+                                        let _e987 = phi_1215_;
+                                        let _e989 = phi_1216_;
+                                        phi_1224_ = _e969;
+                                        phi_1225_ = _e981;
+                                        phi_1226_ = _e983;
+                                        phi_1227_ = _e985;
+                                        phi_1228_ = _e987;
+                                        phi_1229_ = _e989;
                                     } else {
-                                        switch bitcast<i32>(_e745) {
+                                        switch bitcast<i32>(_e825) {
                                             case 1: {
-                                                phi_1157_ = false;
-                                                phi_1158_ = true;
-                                                phi_1159_ = false;
+                                                phi_1221_ = false;
+                                                phi_1222_ = true;
+                                                phi_1223_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1157_ = false;
-                                                phi_1158_ = false;
-                                                phi_1159_ = true;
+                                                phi_1221_ = false;
+                                                phi_1222_ = false;
+                                                phi_1223_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_1157_ = true;
-                                                phi_1158_ = false;
-                                                phi_1159_ = false;
+                                                phi_1221_ = true;
+                                                phi_1222_ = false;
+                                                phi_1223_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e912 = phi_1157_;
-                                        let _e914 = phi_1158_;
-                                        let _e916 = phi_1159_;
-                                        phi_1160_ = false;
-                                        phi_1161_ = bool();
-                                        phi_1162_ = _e912;
-                                        phi_1163_ = _e914;
-                                        phi_1164_ = _e916;
-                                        phi_1165_ = false;
+                                        let _e992 = phi_1221_;
+                                        let _e994 = phi_1222_;
+                                        let _e996 = phi_1223_;
+                                        phi_1224_ = false;
+                                        phi_1225_ = bool();
+                                        phi_1226_ = _e992;
+                                        phi_1227_ = _e994;
+                                        phi_1228_ = _e996;
+                                        phi_1229_ = false;
                                     }
-                                    let _e918 = phi_1160_;
-                                    let _e920 = phi_1161_;
-                                    let _e922 = phi_1162_;
-                                    let _e924 = phi_1163_;
-                                    let _e926 = phi_1164_;
-                                    let _e928 = phi_1165_;
-                                    if _e922 {
-                                        if ((_e882 & 2u) != 0u) {
-                                            if (((_e882 & 4u) != 0u) != _e273) {
-                                                phi_1180_ = false;
+                                    let _e998 = phi_1224_;
+                                    let _e1000 = phi_1225_;
+                                    let _e1002 = phi_1226_;
+                                    let _e1004 = phi_1227_;
+                                    let _e1006 = phi_1228_;
+                                    let _e1008 = phi_1229_;
+                                    if _e1002 {
+                                        if ((_e962 & 2u) != 0u) {
+                                            if (((_e962 & 4u) != 0u) != _e274) {
+                                                phi_1244_ = false;
                                             } else {
-                                                phi_1180_ = true;
+                                                phi_1244_ = true;
                                             }
-                                            let _e935 = phi_1180_;
-                                            phi_1181_ = _e935;
+                                            let _e1015 = phi_1244_;
+                                            phi_1245_ = _e1015;
                                         } else {
-                                            phi_1181_ = true;
+                                            phi_1245_ = true;
                                         }
-                                        let _e937 = phi_1181_;
-                                        if _e937 {
-                                            phi_1188_ = (((_e882 & 1u) != 0u) != _e273);
+                                        let _e1017 = phi_1245_;
+                                        if _e1017 {
+                                            phi_1252_ = (((_e962 & 1u) != 0u) != _e274);
                                         } else {
-                                            phi_1188_ = true;
+                                            phi_1252_ = true;
                                         }
-                                        let _e942 = phi_1188_;
-                                        phi_1189_ = _e942;
-                                        phi_1190_ = false;
-                                        phi_1191_ = false;
-                                        phi_1192_ = false;
+                                        let _e1022 = phi_1252_;
+                                        phi_1253_ = _e1022;
+                                        phi_1254_ = false;
+                                        phi_1255_ = false;
+                                        phi_1256_ = false;
                                     } else {
-                                        phi_1189_ = bool();
-                                        phi_1190_ = _e924;
-                                        phi_1191_ = _e926;
-                                        phi_1192_ = _e928;
+                                        phi_1253_ = bool();
+                                        phi_1254_ = _e1004;
+                                        phi_1255_ = _e1006;
+                                        phi_1256_ = _e1008;
                                     }
-                                    let _e944 = phi_1189_;
-                                    let _e946 = phi_1190_;
-                                    let _e948 = phi_1191_;
-                                    let _e950 = phi_1192_;
-                                    if _e946 {
-                                        phi_1196_ = _e918;
-                                        phi_1197_ = false;
-                                        phi_1198_ = false;
+                                    let _e1024 = phi_1253_;
+                                    let _e1026 = phi_1254_;
+                                    let _e1028 = phi_1255_;
+                                    let _e1030 = phi_1256_;
+                                    if _e1026 {
+                                        phi_1260_ = _e998;
+                                        phi_1261_ = false;
+                                        phi_1262_ = false;
                                     } else {
-                                        phi_1196_ = _e944;
-                                        phi_1197_ = _e948;
-                                        phi_1198_ = _e950;
+                                        phi_1260_ = _e1024;
+                                        phi_1261_ = _e1028;
+                                        phi_1262_ = _e1030;
                                     }
-                                    let _e952 = phi_1196_;
-                                    let _e954 = phi_1197_;
-                                    let _e956 = phi_1198_;
-                                    if _e954 {
-                                        phi_1202_ = false;
-                                        phi_1203_ = true;
+                                    let _e1032 = phi_1260_;
+                                    let _e1034 = phi_1261_;
+                                    let _e1036 = phi_1262_;
+                                    if _e1034 {
+                                        phi_1266_ = false;
+                                        phi_1267_ = true;
                                     } else {
-                                        phi_1202_ = _e920;
-                                        phi_1203_ = _e956;
+                                        phi_1266_ = _e1000;
+                                        phi_1267_ = _e1036;
                                     }
-                                    let _e958 = phi_1202_;
-                                    let _e960 = phi_1203_;
-                                    if _e960 {
-                                        phi_1207_ = _e958;
+                                    let _e1038 = phi_1266_;
+                                    let _e1040 = phi_1267_;
+                                    if _e1040 {
+                                        phi_1271_ = _e1038;
                                     } else {
-                                        phi_1207_ = _e952;
+                                        phi_1271_ = _e1032;
                                     }
-                                    let _e962 = phi_1207_;
-                                    phi_1208_ = _e962;
+                                    let _e1042 = phi_1271_;
+                                    phi_1272_ = _e1042;
                                 }
-                                let _e964 = phi_1208_;
-                                if _e756.all_remove {
-                                    if (((_e882 & 1u) != 0u) == _e273) {
-                                        if ((_e882 & 2u) != 0u) {
-                                            phi_1226_ = (((_e882 & 4u) != 0u) == _e273);
+                                let _e1044 = phi_1272_;
+                                if _e836.all_remove {
+                                    if (((_e962 & 1u) != 0u) == _e274) {
+                                        if ((_e962 & 2u) != 0u) {
+                                            phi_1290_ = (((_e962 & 4u) != 0u) == _e274);
                                         } else {
-                                            phi_1226_ = true;
+                                            phi_1290_ = true;
                                         }
-                                        let _e974 = phi_1226_;
-                                        phi_1227_ = _e974;
+                                        let _e1054 = phi_1290_;
+                                        phi_1291_ = _e1054;
                                     } else {
-                                        phi_1227_ = false;
+                                        phi_1291_ = false;
                                     }
-                                    let _e976 = phi_1227_;
-                                    phi_1228_ = _e976;
+                                    let _e1056 = phi_1291_;
+                                    phi_1292_ = _e1056;
                                 } else {
-                                    phi_1228_ = false;
+                                    phi_1292_ = false;
                                 }
-                                let _e978 = phi_1228_;
-                                phi_961_ = (_e754 + 1u);
-                                phi_964_ = lt_mask_Neighbourhood(_e964, _e978);
+                                let _e1058 = phi_1292_;
+                                phi_1025_ = (_e834 + 1u);
+                                phi_1028_ = lt_mask_Neighbourhood(_e1044, _e1058);
                             } else {
-                                phi_961_ = u32();
-                                phi_964_ = lt_mask_Neighbourhood();
+                                phi_1025_ = u32();
+                                phi_1028_ = lt_mask_Neighbourhood();
                             }
-                            let _e982 = phi_961_;
-                            let _e984 = phi_964_;
+                            let _e1062 = phi_1025_;
+                            let _e1064 = phi_1028_;
                             continue;
                             continuing {
-                                phi_960_ = _e982;
-                                phi_963_ = _e984;
-                                break if !(_e768);
+                                phi_1024_ = _e1062;
+                                phi_1027_ = _e1064;
+                                break if !(_e848);
                             }
                         }
-                        let _e1330 = local_1;
-                        phi_1231_ = _e1330;
+                        let _e1428 = local_1;
+                        phi_1295_ = _e1428;
                     }
-                    let _e987 = phi_1231_;
-                    phi_1232_ = _e987;
+                    let _e1067 = phi_1295_;
+                    phi_1296_ = _e1067;
                 } else {
-                    phi_1232_ = _e739;
+                    phi_1296_ = _e819;
                 }
-                let _e989 = phi_1232_;
-                phi_1233_ = _e989;
+                let _e1069 = phi_1296_;
+                phi_1297_ = _e1069;
             } else {
-                phi_1233_ = _e739;
+                phi_1297_ = _e819;
             }
-            let _e991 = phi_1233_;
-            let _e994 = p.member.frame;
-            let _e996 = p.member.refresh;
-            if (_e996 == 0u) {
-                phi_1266_ = false;
+            let _e1071 = phi_1297_;
+            let _e1074 = p.member.frame;
+            let _e1076 = p.member.refresh;
+            if (_e1076 == 0u) {
+                phi_1330_ = false;
             } else {
-                if (_e996 == 0u) {
+                if (_e1076 == 0u) {
                     return;
                 }
-                let _e1005 = ((_e59.x + (_e59.y * (((_e996 * 5u) / 8u) | 1u))) + (_e994 % _e996));
-                if (_e996 == 0u) {
-                    phi_1265_ = (_e1005 == 0u);
+                let _e1085 = ((_e60.x + (_e60.y * (((_e1076 * 5u) / 8u) | 1u))) + (_e1074 % _e1076));
+                if (_e1076 == 0u) {
+                    phi_1329_ = (_e1085 == 0u);
                 } else {
-                    if (_e996 == 0u) {
+                    if (_e1076 == 0u) {
                         return;
                     }
-                    phi_1265_ = ((_e1005 % _e996) == 0u);
+                    phi_1329_ = ((_e1085 % _e1076) == 0u);
                 }
-                let _e1012 = phi_1265_;
-                phi_1266_ = _e1012;
+                let _e1092 = phi_1329_;
+                phi_1330_ = _e1092;
             }
-            let _e1014 = phi_1266_;
-            if _e732 {
-                if _e1014 {
-                    phi_1288_ = bool();
+            let _e1094 = phi_1330_;
+            if _e812 {
+                if _e1094 {
+                    phi_1352_ = bool();
                 } else {
-                    phi_1288_ = ((0u & 2u) != 0u);
+                    phi_1352_ = ((0u & 2u) != 0u);
                 }
-                let _e1020 = phi_1288_;
-                phi_1289_ = _e1020;
-                phi_1290_ = _e1014;
+                let _e1100 = phi_1352_;
+                phi_1353_ = _e1100;
+                phi_1354_ = _e1094;
             } else {
-                phi_1289_ = bool();
-                phi_1290_ = true;
+                phi_1353_ = bool();
+                phi_1354_ = true;
             }
-            let _e1022 = phi_1289_;
-            let _e1024 = phi_1290_;
-            if _e1024 {
-                phi_1294_ = false;
+            let _e1102 = phi_1353_;
+            let _e1104 = phi_1354_;
+            if _e1104 {
+                phi_1358_ = false;
             } else {
-                phi_1294_ = _e1022;
+                phi_1358_ = _e1102;
             }
-            let _e1026 = phi_1294_;
-            if _e1026 {
-                phi_1345_ = 7u;
+            let _e1106 = phi_1358_;
+            if _e1106 {
+                phi_1409_ = 7u;
             } else {
-                if (_e115 != 0.5f) {
-                    if _e732 {
-                        if _e1014 {
-                            phi_1342_ = 6u;
+                if (_e116 != 0.5f) {
+                    if _e812 {
+                        if _e1094 {
+                            phi_1406_ = 6u;
                         } else {
-                            if _e277 {
-                                phi_1317_ = true;
+                            if _e278 {
+                                phi_1381_ = true;
                             } else {
-                                if _e991.any_expands {
-                                    phi_1316_ = false;
+                                if _e1071.any_expands {
+                                    phi_1380_ = false;
                                 } else {
-                                    phi_1316_ = true;
+                                    phi_1380_ = true;
                                 }
-                                let _e1028 = phi_1316_;
-                                phi_1317_ = _e1028;
+                                let _e1108 = phi_1380_;
+                                phi_1381_ = _e1108;
                             }
-                            let _e1030 = phi_1317_;
-                            if _e1030 {
-                                if _e277 {
+                            let _e1110 = phi_1381_;
+                            if _e1110 {
+                                if _e278 {
                                     if false {
-                                        if _e991.all_remove {
-                                            phi_1330_ = false;
+                                        if _e1071.all_remove {
+                                            phi_1394_ = false;
                                         } else {
-                                            phi_1330_ = true;
+                                            phi_1394_ = true;
                                         }
-                                        let _e1032 = phi_1330_;
-                                        phi_1331_ = _e1032;
+                                        let _e1112 = phi_1394_;
+                                        phi_1395_ = _e1112;
                                     } else {
-                                        phi_1331_ = true;
+                                        phi_1395_ = true;
                                     }
-                                    let _e1034 = phi_1331_;
-                                    phi_1332_ = _e1034;
+                                    let _e1114 = phi_1395_;
+                                    phi_1396_ = _e1114;
                                 } else {
-                                    phi_1332_ = true;
+                                    phi_1396_ = true;
                                 }
-                                let _e1036 = phi_1332_;
-                                if _e1036 {
-                                    if _e277 {
-                                        phi_1339_ = 1u;
+                                let _e1116 = phi_1396_;
+                                if _e1116 {
+                                    if _e278 {
+                                        phi_1403_ = 1u;
                                     } else {
-                                        phi_1339_ = 0u;
+                                        phi_1403_ = 0u;
                                     }
-                                    let _e1038 = phi_1339_;
-                                    phi_1340_ = _e1038;
+                                    let _e1118 = phi_1403_;
+                                    phi_1404_ = _e1118;
                                 } else {
-                                    phi_1340_ = 5u;
+                                    phi_1404_ = 5u;
                                 }
-                                let _e1040 = phi_1340_;
-                                phi_1341_ = _e1040;
+                                let _e1120 = phi_1404_;
+                                phi_1405_ = _e1120;
                             } else {
-                                phi_1341_ = 4u;
+                                phi_1405_ = 4u;
                             }
-                            let _e1042 = phi_1341_;
-                            phi_1342_ = _e1042;
+                            let _e1122 = phi_1405_;
+                            phi_1406_ = _e1122;
                         }
-                        let _e1044 = phi_1342_;
-                        phi_1343_ = _e1044;
+                        let _e1124 = phi_1406_;
+                        phi_1407_ = _e1124;
                     } else {
-                        phi_1343_ = 3u;
+                        phi_1407_ = 3u;
                     }
-                    let _e1046 = phi_1343_;
-                    phi_1344_ = _e1046;
+                    let _e1126 = phi_1407_;
+                    phi_1408_ = _e1126;
                 } else {
-                    phi_1344_ = 2u;
+                    phi_1408_ = 2u;
                 }
-                let _e1048 = phi_1344_;
-                phi_1345_ = _e1048;
+                let _e1128 = phi_1408_;
+                phi_1409_ = _e1128;
             }
-            let _e1050 = phi_1345_;
-            if !((_e1050 == 0u)) {
-                if !((_e1050 == 5u)) {
-                    phi_1357_ = !(_e1026);
-                    phi_1358_ = false;
+            let _e1130 = phi_1409_;
+            if !((_e1130 == 0u)) {
+                if !((_e1130 == 5u)) {
+                    phi_1421_ = !(_e1106);
+                    phi_1422_ = false;
                 } else {
-                    phi_1357_ = bool();
-                    phi_1358_ = true;
+                    phi_1421_ = bool();
+                    phi_1422_ = true;
                 }
-                let _e1057 = phi_1357_;
-                let _e1059 = phi_1358_;
-                phi_1359_ = _e1057;
-                phi_1360_ = _e1059;
+                let _e1137 = phi_1421_;
+                let _e1139 = phi_1422_;
+                phi_1423_ = _e1137;
+                phi_1424_ = _e1139;
             } else {
-                phi_1359_ = bool();
-                phi_1360_ = true;
+                phi_1423_ = bool();
+                phi_1424_ = true;
             }
-            let _e1061 = phi_1359_;
-            let _e1063 = phi_1360_;
-            if _e1063 {
-                phi_1364_ = false;
+            let _e1141 = phi_1423_;
+            let _e1143 = phi_1424_;
+            if _e1143 {
+                phi_1428_ = false;
             } else {
-                phi_1364_ = _e1061;
+                phi_1428_ = _e1141;
             }
-            let _e1065 = phi_1364_;
-            if _e1026 {
-                phi_1370_ = ((0u & 4u) != 0u);
+            let _e1145 = phi_1428_;
+            if _e1106 {
+                phi_1434_ = ((0u & 4u) != 0u);
             } else {
-                phi_1370_ = _e273;
+                phi_1434_ = _e274;
             }
-            let _e1069 = phi_1370_;
-            if _e1065 {
-                if _e273 {
-                    phi_1378_ = (2u | 1u);
+            let _e1149 = phi_1434_;
+            if _e1145 {
+                if _e274 {
+                    phi_1442_ = (2u | 1u);
                 } else {
-                    phi_1378_ = 2u;
+                    phi_1442_ = 2u;
                 }
-                let _e1072 = phi_1378_;
+                let _e1152 = phi_1442_;
                 if false {
-                    phi_1383_ = (_e1072 | 4u);
+                    phi_1447_ = (_e1152 | 4u);
                 } else {
-                    phi_1383_ = _e1072;
+                    phi_1447_ = _e1152;
                 }
-                let _e1075 = phi_1383_;
-                phi_1403_ = _e1075;
+                let _e1155 = phi_1447_;
+                phi_1467_ = _e1155;
             } else {
-                if (_e1050 == 7u) {
-                    if _e273 {
-                        phi_1392_ = (2u | 1u);
+                if (_e1130 == 7u) {
+                    if _e274 {
+                        phi_1456_ = (2u | 1u);
                     } else {
-                        phi_1392_ = 2u;
+                        phi_1456_ = 2u;
                     }
-                    let _e1079 = phi_1392_;
-                    if _e1069 {
-                        phi_1397_ = (_e1079 | 4u);
+                    let _e1159 = phi_1456_;
+                    if _e1149 {
+                        phi_1461_ = (_e1159 | 4u);
                     } else {
-                        phi_1397_ = _e1079;
+                        phi_1461_ = _e1159;
                     }
-                    let _e1082 = phi_1397_;
-                    phi_1402_ = _e1082;
+                    let _e1162 = phi_1461_;
+                    phi_1466_ = _e1162;
                 } else {
-                    if _e273 {
-                        phi_1401_ = 1u;
+                    if _e274 {
+                        phi_1465_ = 1u;
                     } else {
-                        phi_1401_ = 0u;
+                        phi_1465_ = 0u;
                     }
-                    let _e1084 = phi_1401_;
-                    phi_1402_ = _e1084;
+                    let _e1164 = phi_1465_;
+                    phi_1466_ = _e1164;
                 }
-                let _e1086 = phi_1402_;
-                phi_1403_ = _e1086;
+                let _e1166 = phi_1466_;
+                phi_1467_ = _e1166;
             }
-            let _e1088 = phi_1403_;
-            if _e1069 {
-                phi_1407_ = 0f;
+            let _e1168 = phi_1467_;
+            if _e1149 {
+                phi_1471_ = 0f;
             } else {
-                phi_1407_ = 1f;
+                phi_1471_ = 1f;
             }
-            let _e1090 = phi_1407_;
-            phi_1409_ = mask_Masked(_e1090, _e1088, _e1065);
+            let _e1170 = phi_1471_;
+            phi_1473_ = mask_Masked(_e1170, _e1168, _e1145);
         }
-        let _e1093 = phi_1409_;
-        visibility.member[_e79.shift] = _e1093.visibility;
-        let _e1098 = p.member.light.number;
-        let _e1099 = (_e1098 * 3u);
-        let _e1101 = (_e1099 % 32u);
-        let _e1103 = p.member.light.mask_words;
-        let _e1105 = ((_e79.shift * _e1103) + (_e1099 / 32u));
-        let _e1107 = bits.member[_e1105];
-        bits.member[_e1105] = ((_e1107 & ~((7u << bitcast<u32>((_e1101 & 31u))))) | (_e1093.bits << bitcast<u32>((_e1101 & 31u))));
-        if (_e1101 > 29u) {
-            let _e1122 = bits.member[(_e1105 + 1u)];
-            let _e1124 = (32u - _e1101);
-            bits.member[(_e1105 + 1u)] = ((_e1122 & ~((7u >> bitcast<u32>((_e1124 & 31u))))) | (_e1093.bits >> bitcast<u32>((_e1124 & 31u))));
+        let _e1173 = phi_1473_;
+        visibility.member[_e80.shift] = _e1173.visibility;
+        let _e1178 = p.member.light.number;
+        let _e1179 = (_e1178 * 3u);
+        let _e1181 = (_e1179 % 32u);
+        let _e1183 = p.member.light.mask_words;
+        let _e1185 = ((_e80.shift * _e1183) + (_e1179 / 32u));
+        let _e1187 = bits.member[_e1185];
+        bits.member[_e1185] = ((_e1187 & ~((7u << bitcast<u32>((_e1181 & 31u))))) | (_e1173.bits << bitcast<u32>((_e1181 & 31u))));
+        if (_e1181 > 29u) {
+            let _e1202 = bits.member[(_e1185 + 1u)];
+            let _e1204 = (32u - _e1181);
+            bits.member[(_e1185 + 1u)] = ((_e1202 & ~((7u >> bitcast<u32>((_e1204 & 31u))))) | (_e1173.bits >> bitcast<u32>((_e1204 & 31u))));
         }
-        let _e1139 = samples.member[_e79.shift].normal[0u];
-        let _e1141 = global[0u];
-        if (_e1139 == _e1141) {
-            let _e1144 = samples.member[_e79.shift].normal[1u];
-            let _e1146 = global[1u];
-            if (_e1144 == _e1146) {
-                let _e1149 = samples.member[_e79.shift].normal[2u];
-                let _e1151 = global[2u];
-                phi_1481_ = (_e1149 == _e1151);
-                phi_1482_ = false;
+        let _e1219 = samples.member[_e80.shift].normal[0u];
+        let _e1221 = global[0u];
+        if (_e1219 == _e1221) {
+            let _e1224 = samples.member[_e80.shift].normal[1u];
+            let _e1226 = global[1u];
+            if (_e1224 == _e1226) {
+                let _e1229 = samples.member[_e80.shift].normal[2u];
+                let _e1231 = global[2u];
+                phi_1545_ = (_e1229 == _e1231);
+                phi_1546_ = false;
             } else {
-                phi_1481_ = bool();
-                phi_1482_ = true;
+                phi_1545_ = bool();
+                phi_1546_ = true;
             }
-            let _e1154 = phi_1481_;
-            let _e1156 = phi_1482_;
-            phi_1483_ = _e1154;
-            phi_1484_ = _e1156;
+            let _e1234 = phi_1545_;
+            let _e1236 = phi_1546_;
+            phi_1547_ = _e1234;
+            phi_1548_ = _e1236;
         } else {
-            phi_1483_ = bool();
-            phi_1484_ = true;
+            phi_1547_ = bool();
+            phi_1548_ = true;
         }
-        let _e1158 = phi_1483_;
-        let _e1160 = phi_1484_;
-        if _e1160 {
-            phi_1488_ = false;
+        let _e1238 = phi_1547_;
+        let _e1240 = phi_1548_;
+        if _e1240 {
+            phi_1552_ = false;
         } else {
-            phi_1488_ = _e1158;
+            phi_1552_ = _e1238;
         }
-        let _e1162 = phi_1488_;
-        if !(_e1162) {
-            let _e1165 = samples.member[_e79.shift].position;
-            let _e1167 = p.member.current.eye;
-            let _e1178 = p.member.current.forward;
-            phi_1516_ = ((((_e1165.x - _e1167.x) * _e1178.x) + ((_e1165.y - _e1167.y) * _e1178.y)) + ((_e1165.z - _e1167.z) * _e1178.z));
+        let _e1242 = phi_1552_;
+        if !(_e1242) {
+            let _e1245 = samples.member[_e80.shift].position;
+            let _e1247 = p.member.current.eye;
+            let _e1258 = p.member.current.forward;
+            phi_1580_ = ((((_e1245.x - _e1247.x) * _e1258.x) + ((_e1245.y - _e1247.y) * _e1258.y)) + ((_e1245.z - _e1247.z) * _e1258.z));
         } else {
-            phi_1516_ = 0f;
+            phi_1580_ = 0f;
         }
-        let _e1188 = phi_1516_;
-        depths.member[_e79.shift] = _e1188;
-        phi_1519_ = _e1093.needs_ray;
-        phi_1520_ = _e79.shift;
+        let _e1268 = phi_1580_;
+        depths.member[_e80.shift] = _e1268;
+        phi_1583_ = _e1173.needs_ray;
+        phi_1584_ = _e80.shift;
     } else {
-        phi_1519_ = false;
-        phi_1520_ = 0u;
+        phi_1583_ = false;
+        phi_1584_ = 0u;
     }
-    let _e1192 = phi_1519_;
-    let _e1194 = phi_1520_;
-    if (_e60 == 0u) {
+    let _e1272 = phi_1583_;
+    let _e1274 = phi_1584_;
+    if (_e61 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1192 {
-        let _e1198 = atomicAdd((&shared_[0u]), 1u);
-        phi_1531_ = _e1198;
+    if _e1272 {
+        let _e1278 = atomicAdd((&shared_[0u]), 1u);
+        phi_1595_ = _e1278;
     } else {
-        phi_1531_ = 0u;
+        phi_1595_ = 0u;
     }
-    let _e1200 = phi_1531_;
+    let _e1280 = phi_1595_;
     workgroupBarrier();
-    if (_e60 == 0u) {
-        let _e1204 = atomicLoad((&shared_[0u]));
-        let _e1205 = atomicAdd((&list.member[3u]), _e1204);
-        atomicStore((&shared_[1u]), _e1205);
+    if (_e61 == 0u) {
+        let _e1284 = atomicLoad((&shared_[0u]));
+        let _e1285 = atomicAdd((&list.member[3u]), _e1284);
+        atomicStore((&shared_[1u]), _e1285);
     }
     workgroupBarrier();
-    if _e1192 {
-        let _e1208 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1208) + _e1200)]), _e1194);
+    if _e1272 {
+        let _e1288 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1288) + _e1280)]), _e1274);
     }
     return;
 }

@@ -123,1457 +123,1560 @@ var<storage> last_depths: type_21;
 var<storage, read_write> depths: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_177_: lt_mask_LightPlace;
-    var phi_178_: bool;
-    var phi_179_: lt_mask_LightPlace;
-    var phi_180_: bool;
-    var phi_185_: lt_mask_LightPlace;
+    var phi_178_: lt_mask_LightPlace;
+    var phi_179_: bool;
+    var phi_180_: lt_mask_LightPlace;
+    var phi_181_: bool;
+    var phi_186_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_177_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_178_ = false;
+            phi_178_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_179_ = false;
         } else {
-            phi_177_ = lt_mask_LightPlace();
-            phi_178_ = true;
+            phi_178_ = lt_mask_LightPlace();
+            phi_179_ = true;
         }
-        let _e72 = phi_177_;
-        let _e74 = phi_178_;
-        phi_179_ = _e72;
-        phi_180_ = _e74;
+        let _e73 = phi_178_;
+        let _e75 = phi_179_;
+        phi_180_ = _e73;
+        phi_181_ = _e75;
     } else {
-        phi_179_ = lt_mask_LightPlace();
-        phi_180_ = true;
+        phi_180_ = lt_mask_LightPlace();
+        phi_181_ = true;
     }
-    let _e76 = phi_179_;
-    let _e78 = phi_180_;
-    if _e78 {
-        phi_185_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e77 = phi_180_;
+    let _e79 = phi_181_;
+    if _e79 {
+        phi_186_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_185_ = _e76;
+        phi_186_ = _e77;
     }
-    let _e83 = phi_185_;
-    return lt_mask_LightPlace(_e83.word, _e83.shift);
+    let _e84 = phi_186_;
+    return lt_mask_LightPlace(_e84.word, _e84.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_203_: vec2<i32>;
+    var phi_204_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_203_ = vec2(0i);
+            phi_204_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_203_ = vec2<i32>(0i, -1i);
+            phi_204_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_203_ = vec2<i32>(-1i, 0i);
+            phi_204_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_203_ = vec2<i32>(1i, 0i);
+            phi_204_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_203_ = vec2<i32>(0i, 1i);
+            phi_204_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e68 = phi_203_;
-    return vec2<i32>(_e68.x, _e68.y);
+    let _e69 = phi_204_;
+    return vec2<i32>(_e69.x, _e69.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_221_: vec2<i32>;
+    var phi_222_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_221_ = vec2(0i);
+            phi_222_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_221_ = vec2(-1i);
+            phi_222_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_221_ = vec2<i32>(1i, -1i);
+            phi_222_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_221_ = vec2<i32>(-1i, 1i);
+            phi_222_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_221_ = vec2(1i);
+            phi_222_ = vec2(1i);
             break;
         }
     }
-    let _e68 = phi_221_;
-    return vec2<i32>(_e68.x, _e68.y);
+    let _e69 = phi_222_;
+    return vec2<i32>(_e69.x, _e69.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_240_: vec2<i32>;
+    var phi_241_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e62 = lt_mask_pattern_plus(param_5);
-        phi_240_ = vec2<i32>(_e62.x, _e62.y);
+        let _e63 = lt_mask_pattern_plus(param_5);
+        phi_241_ = vec2<i32>(_e63.x, _e63.y);
     } else {
-        let _e66 = lt_mask_pattern_cross(param_5);
-        phi_240_ = vec2<i32>(_e66.x, _e66.y);
+        let _e67 = lt_mask_pattern_cross(param_5);
+        phi_241_ = vec2<i32>(_e67.x, _e67.y);
     }
-    let _e71 = phi_240_;
-    return vec2<i32>(_e71.x, _e71.y);
+    let _e72 = phi_241_;
+    return vec2<i32>(_e72.x, _e72.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_265_: vec2<i32>;
+    var phi_266_: vec2<i32>;
 
-    let _e60 = (param_7 % 13u);
-    switch bitcast<i32>(_e60) {
+    let _e61 = (param_7 % 13u);
+    switch bitcast<i32>(_e61) {
         case 9: {
-            phi_265_ = vec2<i32>(0i, -2i);
+            phi_266_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_265_ = vec2<i32>(-2i, 0i);
+            phi_266_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_265_ = vec2<i32>(2i, 0i);
+            phi_266_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_265_ = vec2<i32>(0i, 2i);
+            phi_266_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_265_ = vec2<i32>((bitcast<i32>((_e60 % 3u)) - 1i), (bitcast<i32>(((_e60 / 3u) % 3u)) - 1i));
+            phi_266_ = vec2<i32>((bitcast<i32>((_e61 % 3u)) - 1i), (bitcast<i32>(((_e61 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e75 = phi_265_;
-    return vec2<i32>(_e75.x, _e75.y);
+    let _e76 = phi_266_;
+    return vec2<i32>(_e76.x, _e76.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_286_: u32;
     var phi_287_: u32;
+    var phi_288_: u32;
 
-    let _e63 = (bitcast<i32>(param_8) + param_9);
-    if (_e63 < 0i) {
-        phi_287_ = 0u;
+    let _e64 = (bitcast<i32>(param_8) + param_9);
+    if (_e64 < 0i) {
+        phi_288_ = 0u;
     } else {
-        if (_e63 >= bitcast<i32>(param_10)) {
-            phi_286_ = (param_10 - 1u);
+        if (_e64 >= bitcast<i32>(param_10)) {
+            phi_287_ = (param_10 - 1u);
         } else {
-            phi_286_ = bitcast<u32>(_e63);
+            phi_287_ = bitcast<u32>(_e64);
         }
-        let _e70 = phi_286_;
-        phi_287_ = _e70;
+        let _e71 = phi_287_;
+        phi_288_ = _e71;
     }
-    let _e72 = phi_287_;
-    return _e72;
+    let _e73 = phi_288_;
+    return _e73;
 }
 
 fn function_() {
-    var phi_364_: bool;
     var phi_365_: bool;
     var phi_366_: bool;
     var phi_367_: bool;
-    var phi_371_: bool;
-    var phi_441_: bool;
+    var phi_368_: bool;
+    var phi_372_: bool;
     var phi_442_: bool;
-    var phi_453_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_454_: bool;
-    var phi_455_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_456_: bool;
-    var phi_463_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_467_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_480_: bool;
-    var phi_688_: f32;
-    var phi_693_: f32;
-    var phi_694_: bool;
-    var phi_695_: f32;
-    var phi_696_: bool;
-    var phi_700_: f32;
-    var phi_721_: f32;
-    var phi_726_: f32;
-    var phi_727_: bool;
-    var phi_728_: f32;
-    var phi_729_: bool;
-    var phi_733_: f32;
-    var phi_754_: bool;
-    var phi_773_: vec2<u32>;
+    var phi_443_: bool;
+    var phi_454_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_455_: bool;
+    var phi_456_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_457_: bool;
+    var phi_464_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_468_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_481_: bool;
+    var phi_512_: bool;
+    var phi_513_: bool;
+    var phi_514_: bool;
+    var phi_515_: bool;
+    var phi_519_: bool;
+    var phi_523_: bool;
+    var phi_524_: bool;
+    var phi_735_: f32;
+    var phi_740_: f32;
+    var phi_741_: bool;
+    var phi_742_: f32;
+    var phi_743_: bool;
+    var phi_747_: f32;
+    var phi_768_: f32;
+    var phi_773_: f32;
     var phi_774_: bool;
-    var phi_775_: bool;
+    var phi_775_: f32;
     var phi_776_: bool;
-    var phi_777_: vec2<u32>;
-    var phi_778_: bool;
-    var phi_779_: bool;
-    var phi_780_: bool;
-    var phi_781_: bool;
-    var phi_782_: bool;
-    var phi_783_: bool;
-    var phi_784_: vec2<u32>;
-    var phi_785_: bool;
-    var phi_786_: bool;
-    var phi_787_: bool;
-    var phi_788_: bool;
-    var phi_789_: bool;
-    var phi_790_: bool;
-    var phi_791_: vec2<u32>;
-    var phi_792_: bool;
-    var phi_793_: bool;
-    var phi_794_: bool;
-    var phi_795_: bool;
-    var phi_804_: bool;
-    var phi_805_: bool;
-    var phi_806_: bool;
-    var phi_807_: bool;
-    var phi_811_: bool;
-    var phi_812_: bool;
-    var phi_813_: vec2<u32>;
-    var phi_902_: bool;
-    var phi_906_: f32;
-    var phi_910_: lt_mask_Reprojection;
-    var phi_919_: bool;
-    var phi_920_: bool;
-    var phi_922_: bool;
-    var phi_923_: lt_mask_Reprojection;
-    var phi_924_: lt_mask_Reprojection;
-    var phi_925_: bool;
-    var phi_929_: bool;
-    var phi_930_: lt_mask_Reprojection;
-    var phi_973_: u32;
-    var phi_992_: u32;
-    var phi_1000_: u32;
-    var phi_1001_: u32;
-    var phi_1002_: bool;
-    var phi_1003_: u32;
-    var phi_1004_: bool;
-    var phi_1005_: bool;
-    var phi_1006_: u32;
-    var phi_1007_: bool;
-    var phi_1008_: bool;
-    var phi_1012_: bool;
-    var phi_1016_: u32;
-    var phi_1021_: bool;
-    var phi_1043_: u32;
-    var phi_1045_: u32;
-    var phi_1048_: lt_mask_Neighbourhood;
-    var phi_1060_: bool;
-    var phi_1061_: bool;
+    var phi_780_: f32;
+    var phi_801_: bool;
+    var phi_820_: vec2<u32>;
+    var phi_821_: bool;
+    var phi_822_: bool;
+    var phi_823_: bool;
+    var phi_824_: vec2<u32>;
+    var phi_825_: bool;
+    var phi_826_: bool;
+    var phi_827_: bool;
+    var phi_828_: bool;
+    var phi_829_: bool;
+    var phi_830_: bool;
+    var phi_831_: vec2<u32>;
+    var phi_832_: bool;
+    var phi_833_: bool;
+    var phi_834_: bool;
+    var phi_835_: bool;
+    var phi_836_: bool;
+    var phi_837_: bool;
+    var phi_838_: vec2<u32>;
+    var phi_839_: bool;
+    var phi_840_: bool;
+    var phi_841_: bool;
+    var phi_842_: bool;
+    var phi_851_: bool;
+    var phi_852_: bool;
+    var phi_853_: bool;
+    var phi_854_: bool;
+    var phi_858_: bool;
+    var phi_859_: bool;
+    var phi_860_: vec2<u32>;
+    var phi_898_: bool;
+    var phi_900_: lt_mask_Reprojection;
+    var phi_901_: lt_mask_Reprojection;
+    var phi_902_: lt_mask_Reprojection;
+    var phi_903_: bool;
+    var phi_904_: bool;
+    var phi_905_: lt_mask_Reprojection;
+    var phi_906_: lt_mask_Reprojection;
+    var phi_907_: lt_mask_Reprojection;
+    var phi_908_: bool;
+    var phi_909_: bool;
+    var phi_964_: bool;
+    var phi_968_: f32;
+    var phi_972_: lt_mask_Reprojection;
+    var phi_973_: bool;
+    var phi_985_: bool;
+    var phi_986_: bool;
+    var phi_987_: bool;
+    var phi_988_: lt_mask_Reprojection;
+    var phi_989_: bool;
+    var phi_993_: bool;
+    var phi_994_: lt_mask_Reprojection;
+    var phi_1037_: u32;
+    var phi_1056_: u32;
+    var phi_1064_: u32;
+    var phi_1065_: u32;
+    var phi_1066_: bool;
+    var phi_1067_: u32;
+    var phi_1068_: bool;
+    var phi_1069_: bool;
     var phi_1070_: u32;
-    var phi_1071_: u32;
-    var phi_1131_: vec2<i32>;
-    var phi_1151_: vec2<i32>;
-    var phi_1178_: u32;
-    var phi_1197_: u32;
-    var phi_1205_: u32;
-    var phi_1231_: bool;
-    var phi_1232_: bool;
-    var phi_1233_: bool;
-    var phi_1234_: bool;
-    var phi_1235_: bool;
-    var phi_1236_: bool;
-    var phi_1237_: bool;
-    var phi_1242_: bool;
-    var phi_1243_: bool;
-    var phi_1244_: bool;
-    var phi_1245_: bool;
-    var phi_1246_: bool;
-    var phi_1247_: bool;
-    var phi_1248_: bool;
-    var phi_1249_: bool;
-    var phi_1250_: bool;
-    var phi_1265_: bool;
-    var phi_1266_: bool;
-    var phi_1273_: bool;
-    var phi_1274_: bool;
-    var phi_1275_: bool;
-    var phi_1276_: bool;
-    var phi_1277_: bool;
-    var phi_1281_: bool;
-    var phi_1282_: bool;
-    var phi_1283_: bool;
-    var phi_1287_: bool;
-    var phi_1288_: bool;
-    var phi_1292_: bool;
-    var phi_1293_: bool;
+    var phi_1071_: bool;
+    var phi_1072_: bool;
+    var phi_1076_: bool;
+    var phi_1080_: u32;
+    var phi_1085_: bool;
+    var phi_1107_: u32;
+    var phi_1109_: u32;
+    var phi_1112_: lt_mask_Neighbourhood;
+    var phi_1124_: bool;
+    var phi_1125_: bool;
+    var phi_1134_: u32;
+    var phi_1135_: u32;
+    var phi_1195_: vec2<i32>;
+    var phi_1215_: vec2<i32>;
+    var phi_1242_: u32;
+    var phi_1261_: u32;
+    var phi_1269_: u32;
+    var phi_1295_: bool;
+    var phi_1296_: bool;
+    var phi_1297_: bool;
+    var phi_1298_: bool;
+    var phi_1299_: bool;
+    var phi_1300_: bool;
+    var phi_1301_: bool;
+    var phi_1306_: bool;
+    var phi_1307_: bool;
+    var phi_1308_: bool;
+    var phi_1309_: bool;
+    var phi_1310_: bool;
     var phi_1311_: bool;
     var phi_1312_: bool;
     var phi_1313_: bool;
-    var phi_1046_: u32;
-    var phi_1049_: lt_mask_Neighbourhood;
-    var phi_1316_: lt_mask_Neighbourhood;
-    var phi_1317_: lt_mask_Neighbourhood;
-    var phi_1318_: lt_mask_Neighbourhood;
-    var phi_1350_: bool;
+    var phi_1314_: bool;
+    var phi_1329_: bool;
+    var phi_1330_: bool;
+    var phi_1337_: bool;
+    var phi_1338_: bool;
+    var phi_1339_: bool;
+    var phi_1340_: bool;
+    var phi_1341_: bool;
+    var phi_1345_: bool;
+    var phi_1346_: bool;
+    var phi_1347_: bool;
     var phi_1351_: bool;
-    var phi_1373_: bool;
-    var phi_1374_: bool;
+    var phi_1352_: bool;
+    var phi_1356_: bool;
+    var phi_1357_: bool;
     var phi_1375_: bool;
-    var phi_1379_: bool;
-    var phi_1401_: bool;
-    var phi_1402_: bool;
+    var phi_1376_: bool;
+    var phi_1377_: bool;
+    var phi_1110_: u32;
+    var phi_1113_: lt_mask_Neighbourhood;
+    var phi_1380_: lt_mask_Neighbourhood;
+    var phi_1381_: lt_mask_Neighbourhood;
+    var phi_1382_: lt_mask_Neighbourhood;
+    var phi_1414_: bool;
     var phi_1415_: bool;
-    var phi_1416_: bool;
-    var phi_1417_: bool;
-    var phi_1424_: u32;
-    var phi_1425_: u32;
-    var phi_1426_: u32;
-    var phi_1427_: u32;
-    var phi_1428_: u32;
-    var phi_1429_: u32;
-    var phi_1430_: u32;
-    var phi_1442_: bool;
+    var phi_1437_: bool;
+    var phi_1438_: bool;
+    var phi_1439_: bool;
     var phi_1443_: bool;
-    var phi_1444_: bool;
-    var phi_1445_: bool;
-    var phi_1449_: bool;
-    var phi_1455_: bool;
-    var phi_1463_: u32;
-    var phi_1468_: u32;
-    var phi_1477_: u32;
-    var phi_1482_: u32;
-    var phi_1486_: u32;
-    var phi_1487_: u32;
+    var phi_1465_: bool;
+    var phi_1466_: bool;
+    var phi_1479_: bool;
+    var phi_1480_: bool;
+    var phi_1481_: bool;
     var phi_1488_: u32;
-    var phi_1492_: f32;
-    var phi_1494_: mask_Masked;
-    var phi_1566_: bool;
-    var phi_1567_: bool;
-    var phi_1568_: bool;
-    var phi_1569_: bool;
-    var phi_1573_: bool;
-    var phi_1601_: f32;
-    var phi_1604_: bool;
-    var phi_1605_: u32;
-    var phi_1616_: u32;
+    var phi_1489_: u32;
+    var phi_1490_: u32;
+    var phi_1491_: u32;
+    var phi_1492_: u32;
+    var phi_1493_: u32;
+    var phi_1494_: u32;
+    var phi_1506_: bool;
+    var phi_1507_: bool;
+    var phi_1508_: bool;
+    var phi_1509_: bool;
+    var phi_1513_: bool;
+    var phi_1519_: bool;
+    var phi_1527_: u32;
+    var phi_1532_: u32;
+    var phi_1541_: u32;
+    var phi_1546_: u32;
+    var phi_1550_: u32;
+    var phi_1551_: u32;
+    var phi_1552_: u32;
+    var phi_1556_: f32;
+    var phi_1558_: mask_Masked;
+    var phi_1630_: bool;
+    var phi_1631_: bool;
+    var phi_1632_: bool;
+    var phi_1633_: bool;
+    var phi_1637_: bool;
+    var phi_1665_: f32;
+    var phi_1668_: bool;
+    var phi_1669_: u32;
+    var phi_1680_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e59 = id_1;
-    let _e60 = local_2;
-    let _e65 = arrayLength((&last_bits.member));
-    let _e76 = p.member.current.size[0u];
-    let _e78 = p.member.current.size[1u];
-    let _e79 = lt_shaders_entry_pixel_index(_e59, _e76, _e78);
-    if (bitcast<i32>(_e79.word) != 0i) {
-        let _e86 = p.member.light.number;
-        let _e87 = (_e86 * 3u);
-        let _e91 = p.member.light.mask_words;
-        let _e97 = mask_BitsPlace(lt_mask_LightPlace((_e87 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
-        let _e103 = mask_BitsPlace(lt_mask_LightPlace(_e97.light.word, (_e87 % 32u)), _e97.words);
-        let _e106 = mask_BitsPlace(_e103.light, _e91);
-        let _e110 = p.member.current.size[0u];
-        let _e113 = samples.member[_e79.shift].position;
-        let _e115 = visibility.member[_e79.shift];
-        let _e121 = samples.member[_e79.shift].normal[0u];
-        let _e123 = global[0u];
-        if (_e121 == _e123) {
-            let _e126 = samples.member[_e79.shift].normal[1u];
-            let _e128 = global[1u];
-            if (_e126 == _e128) {
-                let _e131 = samples.member[_e79.shift].normal[2u];
-                let _e133 = global[2u];
-                phi_364_ = (_e131 == _e133);
-                phi_365_ = false;
+    let _e60 = id_1;
+    let _e61 = local_2;
+    let _e66 = arrayLength((&last_bits.member));
+    let _e77 = p.member.current.size[0u];
+    let _e79 = p.member.current.size[1u];
+    let _e80 = lt_shaders_entry_pixel_index(_e60, _e77, _e79);
+    if (bitcast<i32>(_e80.word) != 0i) {
+        let _e87 = p.member.light.number;
+        let _e88 = (_e87 * 3u);
+        let _e92 = p.member.light.mask_words;
+        let _e98 = mask_BitsPlace(lt_mask_LightPlace((_e88 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
+        let _e104 = mask_BitsPlace(lt_mask_LightPlace(_e98.light.word, (_e88 % 32u)), _e98.words);
+        let _e107 = mask_BitsPlace(_e104.light, _e92);
+        let _e111 = p.member.current.size[0u];
+        let _e114 = samples.member[_e80.shift].position;
+        let _e116 = visibility.member[_e80.shift];
+        let _e122 = samples.member[_e80.shift].normal[0u];
+        let _e124 = global[0u];
+        if (_e122 == _e124) {
+            let _e127 = samples.member[_e80.shift].normal[1u];
+            let _e129 = global[1u];
+            if (_e127 == _e129) {
+                let _e132 = samples.member[_e80.shift].normal[2u];
+                let _e134 = global[2u];
+                phi_365_ = (_e132 == _e134);
+                phi_366_ = false;
             } else {
-                phi_364_ = bool();
-                phi_365_ = true;
+                phi_365_ = bool();
+                phi_366_ = true;
             }
-            let _e136 = phi_364_;
-            let _e138 = phi_365_;
-            phi_366_ = _e136;
-            phi_367_ = _e138;
+            let _e137 = phi_365_;
+            let _e139 = phi_366_;
+            phi_367_ = _e137;
+            phi_368_ = _e139;
         } else {
-            phi_366_ = bool();
-            phi_367_ = true;
+            phi_367_ = bool();
+            phi_368_ = true;
         }
-        let _e140 = phi_366_;
-        let _e142 = phi_367_;
-        if _e142 {
-            phi_371_ = false;
+        let _e141 = phi_367_;
+        let _e143 = phi_368_;
+        if _e143 {
+            phi_372_ = false;
         } else {
-            phi_371_ = _e140;
+            phi_372_ = _e141;
         }
-        let _e144 = phi_371_;
-        if !(_e144) {
-            let _e147 = samples.member[_e79.shift].position;
-            let _e149 = p.member.light.place;
-            let _e155 = p.member.light.place[3u];
-            let _e162 = (_e149.x - (_e147.x * _e155));
-            let _e163 = (_e149.y - (_e147.y * _e155));
-            let _e164 = (_e149.z - (_e147.z * _e155));
-            let _e166 = samples.member[_e79.shift].normal;
-            if ((((_e166.x * _e162) + (_e166.y * _e163)) + (_e166.z * _e164)) > 0f) {
-                let _e180 = (((_e162 * _e162) + (_e163 * _e163)) + (_e164 * _e164));
-                let _e182 = p.member.light.axis;
-                let _e194 = p.member.light.place[3u];
-                if (_e194 == 0f) {
-                    phi_442_ = true;
+        let _e145 = phi_372_;
+        if !(_e145) {
+            let _e148 = samples.member[_e80.shift].position;
+            let _e150 = p.member.light.place;
+            let _e156 = p.member.light.place[3u];
+            let _e163 = (_e150.x - (_e148.x * _e156));
+            let _e164 = (_e150.y - (_e148.y * _e156));
+            let _e165 = (_e150.z - (_e148.z * _e156));
+            let _e167 = samples.member[_e80.shift].normal;
+            if ((((_e167.x * _e163) + (_e167.y * _e164)) + (_e167.z * _e165)) > 0f) {
+                let _e181 = (((_e163 * _e163) + (_e164 * _e164)) + (_e165 * _e165));
+                let _e183 = p.member.light.axis;
+                let _e195 = p.member.light.place[3u];
+                if (_e195 == 0f) {
+                    phi_443_ = true;
                 } else {
-                    let _e197 = p.member.light.range_squared;
-                    if (_e180 <= _e197) {
-                        let _e200 = p.member.light.cos_outer;
-                        phi_441_ = (-((((_e162 * _e182.x) + (_e163 * _e182.y)) + (_e164 * _e182.z))) >= (_e200 * sqrt(_e180)));
+                    let _e198 = p.member.light.range_squared;
+                    if (_e181 <= _e198) {
+                        let _e201 = p.member.light.cos_outer;
+                        phi_442_ = (-((((_e163 * _e183.x) + (_e164 * _e183.y)) + (_e165 * _e183.z))) >= (_e201 * sqrt(_e181)));
                     } else {
-                        phi_441_ = false;
+                        phi_442_ = false;
                     }
-                    let _e205 = phi_441_;
-                    phi_442_ = _e205;
+                    let _e206 = phi_442_;
+                    phi_443_ = _e206;
                 }
-                let _e207 = phi_442_;
-                if _e207 {
-                    let _e209 = samples.member[_e79.shift].flags;
-                    let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e223 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e217.unnamed.visibility, false), _e217.unnamed_1);
-                    phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e223.unnamed, ((_e209 & 1u) == 0u));
-                    phi_454_ = false;
+                let _e208 = phi_443_;
+                if _e208 {
+                    let _e210 = samples.member[_e80.shift].flags;
+                    let _e218 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e224 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e218.unnamed.visibility, false), _e218.unnamed_1);
+                    phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e224.unnamed, ((_e210 & 1u) == 0u));
+                    phi_455_ = false;
                 } else {
-                    phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_454_ = true;
+                    phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_455_ = true;
                 }
-                let _e228 = phi_453_;
-                let _e230 = phi_454_;
-                phi_455_ = _e228;
-                phi_456_ = _e230;
+                let _e229 = phi_454_;
+                let _e231 = phi_455_;
+                phi_456_ = _e229;
+                phi_457_ = _e231;
             } else {
-                phi_455_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_456_ = true;
+                phi_456_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_457_ = true;
             }
-            let _e232 = phi_455_;
-            let _e234 = phi_456_;
-            if _e234 {
-                let _e240 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e246 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e240.unnamed.visibility, false), _e240.unnamed_1);
-                phi_463_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e246.unnamed, true);
+            let _e233 = phi_456_;
+            let _e235 = phi_457_;
+            if _e235 {
+                let _e241 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e247 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e241.unnamed.visibility, false), _e241.unnamed_1);
+                phi_464_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e247.unnamed, true);
             } else {
-                phi_463_ = _e232;
+                phi_464_ = _e233;
             }
-            let _e251 = phi_463_;
-            phi_467_ = _e251;
+            let _e252 = phi_464_;
+            phi_468_ = _e252;
         } else {
-            let _e257 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e263 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e257.unnamed.visibility, false), _e257.unnamed_1);
-            phi_467_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e263.unnamed, true);
+            let _e258 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e264 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e258.unnamed.visibility, false), _e258.unnamed_1);
+            phi_468_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e264.unnamed, true);
         }
-        let _e268 = phi_467_;
-        if _e268.unnamed_1 {
-            phi_1494_ = mask_Masked(_e268.unnamed.visibility, 0u, false);
+        let _e269 = phi_468_;
+        if _e269.unnamed_1 {
+            phi_1558_ = mask_Masked(_e269.unnamed.visibility, 0u, false);
         } else {
-            let _e273 = (_e115 < 0.5f);
-            if (_e115 > 0f) {
-                phi_480_ = (_e115 < 1f);
+            let _e274 = (_e116 < 0.5f);
+            if (_e116 > 0f) {
+                phi_481_ = (_e116 < 1f);
             } else {
-                phi_480_ = false;
+                phi_481_ = false;
             }
-            let _e277 = phi_480_;
-            let _e279 = samples.member[_e79.shift].position;
-            let _e283 = p.member.previous.eye;
-            let _e286 = (_e113.x - _e283.x);
-            let _e289 = (_e113.y - _e283.y);
-            let _e292 = (_e113.z - _e283.z);
-            let _e294 = p.member.previous.forward;
-            let _e302 = (((_e286 * _e294.x) + (_e289 * _e294.y)) + (_e292 * _e294.z));
-            let _e304 = p.member.previous.right;
-            let _e314 = p.member.previous.right;
-            let _e329 = p.member.previous.up;
-            let _e339 = p.member.previous.up;
-            let _e354 = p.member.current.eye;
-            let _e357 = (_e279.x - _e354.x);
-            let _e360 = (_e279.y - _e354.y);
-            let _e363 = (_e279.z - _e354.z);
-            let _e365 = p.member.current.forward;
-            let _e373 = (((_e357 * _e365.x) + (_e360 * _e365.y)) + (_e363 * _e365.z));
-            let _e375 = p.member.current.right;
-            let _e385 = p.member.current.right;
-            let _e400 = p.member.current.up;
-            let _e410 = p.member.current.up;
-            let _e429 = p.member.current.size[0u];
-            let _e431 = (((((((_e286 * _e304.x) + (_e289 * _e304.y)) + (_e292 * _e304.z)) / ((((_e314.x * _e314.x) + (_e314.y * _e314.y)) + (_e314.z * _e314.z)) * _e302)) - ((((_e357 * _e375.x) + (_e360 * _e375.y)) + (_e363 * _e375.z)) / ((((_e385.x * _e385.x) + (_e385.y * _e385.y)) + (_e385.z * _e385.z)) * _e373))) * 0.5f) * f32(_e429));
-            let _e435 = p.member.current.size[1u];
-            let _e437 = (((((((_e286 * _e329.x) + (_e289 * _e329.y)) + (_e292 * _e329.z)) / ((((_e339.x * _e339.x) + (_e339.y * _e339.y)) + (_e339.z * _e339.z)) * _e302)) - ((((_e357 * _e400.x) + (_e360 * _e400.y)) + (_e363 * _e400.z)) / ((((_e410.x * _e410.x) + (_e410.y * _e410.y)) + (_e410.z * _e410.z)) * _e373))) * -0.5f) * f32(_e435));
-            let _e441 = p.member.current.grid[0u];
-            let _e443 = p.member.current.grid[1u];
-            let _e463 = p.member.current.size[0u];
-            let _e465 = p.member.current.size[1u];
-            let _e467 = ((f32(_e59.x) + ((f32((_e59.y & (_e443 - 1u))) + 0.5f) / f32(_e443))) + _e431);
-            if (_e467 > -8388608f) {
-                let _e479 = f32(select(0i, select(select(i32(_e467), i32(-2147483648), (_e467 < bitcast<f32>(3472883712u))), 2147483647i, (_e467 > bitcast<f32>(1325400063u))), (_e467 == _e467)));
-                if (_e479 > _e467) {
-                    phi_688_ = 1f;
-                } else {
-                    phi_688_ = 0f;
-                }
-                let _e482 = phi_688_;
-                if (_e467 < 8388608f) {
-                    phi_693_ = (_e479 - _e482);
-                    phi_694_ = false;
-                } else {
-                    phi_693_ = f32();
-                    phi_694_ = true;
-                }
-                let _e485 = phi_693_;
-                let _e487 = phi_694_;
-                phi_695_ = _e485;
-                phi_696_ = _e487;
+            let _e278 = phi_481_;
+            let _e285 = lt_mask_Reprojection(vec2<u32>(_e60.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e292 = lt_mask_Reprojection(vec2<u32>(_e285.pixel.x, _e60.y), _e285.is_valid, _e285.has_moved);
+            let _e296 = lt_mask_Reprojection(_e292.pixel, true, _e292.has_moved);
+            let _e302 = p.member.flags;
+            if ((_e302 & 16u) == 0u) {
+                phi_524_ = true;
             } else {
-                phi_695_ = f32();
-                phi_696_ = true;
-            }
-            let _e489 = phi_695_;
-            let _e491 = phi_696_;
-            if _e491 {
-                phi_700_ = _e467;
-            } else {
-                phi_700_ = _e489;
-            }
-            let _e493 = phi_700_;
-            let _e494 = ((f32(_e59.y) + ((f32((_e59.x & (_e441 - 1u))) + 0.5f) / f32(_e441))) + _e437);
-            if (_e494 > -8388608f) {
-                let _e506 = f32(select(0i, select(select(i32(_e494), i32(-2147483648), (_e494 < bitcast<f32>(3472883712u))), 2147483647i, (_e494 > bitcast<f32>(1325400063u))), (_e494 == _e494)));
-                if (_e506 > _e494) {
-                    phi_721_ = 1f;
-                } else {
-                    phi_721_ = 0f;
-                }
-                let _e509 = phi_721_;
-                if (_e494 < 8388608f) {
-                    phi_726_ = (_e506 - _e509);
-                    phi_727_ = false;
-                } else {
-                    phi_726_ = f32();
-                    phi_727_ = true;
-                }
-                let _e512 = phi_726_;
-                let _e514 = phi_727_;
-                phi_728_ = _e512;
-                phi_729_ = _e514;
-            } else {
-                phi_728_ = f32();
-                phi_729_ = true;
-            }
-            let _e516 = phi_728_;
-            let _e518 = phi_729_;
-            if _e518 {
-                phi_733_ = _e494;
-            } else {
-                phi_733_ = _e516;
-            }
-            let _e520 = phi_733_;
-            if (_e493 >= 0f) {
-                if (_e520 >= 0f) {
-                    if (_e493 < f32(_e463)) {
-                        let _e526 = (_e520 < f32(_e465));
-                        if (_e431 == 0f) {
-                            phi_754_ = (_e437 == 0f);
-                        } else {
-                            phi_754_ = false;
-                        }
-                        let _e530 = phi_754_;
-                        if _e526 {
-                            phi_773_ = vec2<u32>(select(select(u32(_e493), 0u, (_e493 < bitcast<f32>(0u))), 4294967295u, (_e493 > bitcast<f32>(1333788671u))), select(select(u32(_e520), 0u, (_e520 < bitcast<f32>(0u))), 4294967295u, (_e520 > bitcast<f32>(1333788671u))));
-                            phi_774_ = false;
-                        } else {
-                            phi_773_ = vec2<u32>();
-                            phi_774_ = true;
-                        }
-                        let _e547 = phi_773_;
-                        let _e549 = phi_774_;
-                        phi_775_ = _e530;
-                        phi_776_ = _e526;
-                        phi_777_ = _e547;
-                        phi_778_ = _e530;
-                        phi_779_ = _e526;
-                        phi_780_ = false;
-                        phi_781_ = _e549;
+                let _e308 = samples.member[_e80.shift].position[0u];
+                if (_e114.x == _e308) {
+                    let _e312 = samples.member[_e80.shift].position[1u];
+                    if (_e114.y == _e312) {
+                        let _e316 = samples.member[_e80.shift].position[2u];
+                        phi_512_ = (_e114.z == _e316);
+                        phi_513_ = false;
                     } else {
-                        phi_775_ = bool();
-                        phi_776_ = bool();
-                        phi_777_ = vec2<u32>();
-                        phi_778_ = bool();
-                        phi_779_ = bool();
-                        phi_780_ = true;
-                        phi_781_ = false;
+                        phi_512_ = bool();
+                        phi_513_ = true;
                     }
-                    let _e551 = phi_775_;
-                    let _e553 = phi_776_;
-                    let _e555 = phi_777_;
-                    let _e557 = phi_778_;
-                    let _e559 = phi_779_;
-                    let _e561 = phi_780_;
-                    let _e563 = phi_781_;
-                    phi_782_ = _e551;
-                    phi_783_ = _e553;
-                    phi_784_ = _e555;
-                    phi_785_ = _e557;
-                    phi_786_ = _e559;
-                    phi_787_ = _e561;
-                    phi_788_ = _e563;
+                    let _e319 = phi_512_;
+                    let _e321 = phi_513_;
+                    phi_514_ = _e319;
+                    phi_515_ = _e321;
                 } else {
-                    phi_782_ = bool();
-                    phi_783_ = bool();
-                    phi_784_ = vec2<u32>();
-                    phi_785_ = bool();
-                    phi_786_ = bool();
-                    phi_787_ = true;
-                    phi_788_ = false;
+                    phi_514_ = bool();
+                    phi_515_ = true;
                 }
-                let _e565 = phi_782_;
-                let _e567 = phi_783_;
-                let _e569 = phi_784_;
-                let _e571 = phi_785_;
-                let _e573 = phi_786_;
-                let _e575 = phi_787_;
-                let _e577 = phi_788_;
-                phi_789_ = _e565;
-                phi_790_ = _e567;
-                phi_791_ = _e569;
-                phi_792_ = _e571;
-                phi_793_ = _e573;
-                phi_794_ = _e575;
-                phi_795_ = _e577;
-            } else {
-                phi_789_ = bool();
-                phi_790_ = bool();
-                phi_791_ = vec2<u32>();
-                phi_792_ = bool();
-                phi_793_ = bool();
-                phi_794_ = true;
-                phi_795_ = false;
-            }
-            let _e579 = phi_789_;
-            let _e581 = phi_790_;
-            let _e583 = phi_791_;
-            let _e585 = phi_792_;
-            let _e587 = phi_793_;
-            let _e589 = phi_794_;
-            let _e591 = phi_795_;
-            if _e589 {
-                if (_e431 == 0f) {
-                    phi_804_ = (_e437 == 0f);
+                let _e323 = phi_514_;
+                let _e325 = phi_515_;
+                if _e325 {
+                    phi_519_ = false;
                 } else {
-                    phi_804_ = false;
+                    phi_519_ = _e323;
                 }
-                let _e595 = phi_804_;
-                phi_805_ = _e595;
-                phi_806_ = false;
-                phi_807_ = true;
-            } else {
-                phi_805_ = _e585;
-                phi_806_ = _e587;
-                phi_807_ = _e591;
+                let _e327 = phi_519_;
+                if _e327 {
+                    phi_523_ = false;
+                } else {
+                    phi_523_ = true;
+                }
+                let _e329 = phi_523_;
+                phi_524_ = _e329;
             }
-            let _e597 = phi_805_;
-            let _e599 = phi_806_;
-            let _e601 = phi_807_;
-            if _e601 {
-                phi_811_ = _e597;
-                phi_812_ = _e599;
-                phi_813_ = vec2<u32>(_e59.x, _e59.y);
-            } else {
-                phi_811_ = _e579;
-                phi_812_ = _e581;
-                phi_813_ = _e583;
-            }
-            let _e603 = phi_811_;
-            let _e605 = phi_812_;
-            let _e607 = phi_813_;
-            let _e617 = lt_mask_Reprojection(vec2<u32>(_e607.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e624 = lt_mask_Reprojection(vec2<u32>(_e617.pixel.x, _e607.y), _e617.is_valid, _e617.has_moved);
-            let _e628 = lt_mask_Reprojection(_e624.pixel, _e605, _e624.has_moved);
-            let _e632 = lt_mask_Reprojection(_e628.pixel, _e628.is_valid, !(_e603));
-            if _e605 {
-                let _e635 = p.member.previous.eye;
-                let _e646 = p.member.previous.forward;
-                let _e655 = (((((_e113.x - _e635.x) * _e646.x) + ((_e113.y - _e635.y) * _e646.y)) + ((_e113.z - _e635.z) * _e646.z)) > 0f);
-                let _e659 = lt_mask_Reprojection(_e632.pixel, _e655, _e632.has_moved);
+            let _e331 = phi_524_;
+            if _e331 {
+                let _e333 = samples.member[_e80.shift].position;
+                let _e337 = p.member.previous.eye;
+                let _e340 = (_e114.x - _e337.x);
+                let _e343 = (_e114.y - _e337.y);
+                let _e346 = (_e114.z - _e337.z);
+                let _e348 = p.member.previous.forward;
+                let _e356 = (((_e340 * _e348.x) + (_e343 * _e348.y)) + (_e346 * _e348.z));
+                let _e358 = p.member.previous.right;
+                let _e368 = p.member.previous.right;
+                let _e383 = p.member.previous.up;
+                let _e393 = p.member.previous.up;
+                let _e408 = p.member.current.eye;
+                let _e411 = (_e333.x - _e408.x);
+                let _e414 = (_e333.y - _e408.y);
+                let _e417 = (_e333.z - _e408.z);
+                let _e419 = p.member.current.forward;
+                let _e427 = (((_e411 * _e419.x) + (_e414 * _e419.y)) + (_e417 * _e419.z));
+                let _e429 = p.member.current.right;
+                let _e439 = p.member.current.right;
+                let _e454 = p.member.current.up;
+                let _e464 = p.member.current.up;
+                let _e483 = p.member.current.size[0u];
+                let _e485 = (((((((_e340 * _e358.x) + (_e343 * _e358.y)) + (_e346 * _e358.z)) / ((((_e368.x * _e368.x) + (_e368.y * _e368.y)) + (_e368.z * _e368.z)) * _e356)) - ((((_e411 * _e429.x) + (_e414 * _e429.y)) + (_e417 * _e429.z)) / ((((_e439.x * _e439.x) + (_e439.y * _e439.y)) + (_e439.z * _e439.z)) * _e427))) * 0.5f) * f32(_e483));
+                let _e489 = p.member.current.size[1u];
+                let _e491 = (((((((_e340 * _e383.x) + (_e343 * _e383.y)) + (_e346 * _e383.z)) / ((((_e393.x * _e393.x) + (_e393.y * _e393.y)) + (_e393.z * _e393.z)) * _e356)) - ((((_e411 * _e454.x) + (_e414 * _e454.y)) + (_e417 * _e454.z)) / ((((_e464.x * _e464.x) + (_e464.y * _e464.y)) + (_e464.z * _e464.z)) * _e427))) * -0.5f) * f32(_e489));
+                let _e495 = p.member.current.grid[0u];
+                let _e497 = p.member.current.grid[1u];
+                let _e517 = p.member.current.size[0u];
+                let _e519 = p.member.current.size[1u];
+                let _e521 = ((f32(_e60.x) + ((f32((_e60.y & (_e497 - 1u))) + 0.5f) / f32(_e497))) + _e485);
+                if (_e521 > -8388608f) {
+                    let _e533 = f32(select(0i, select(select(i32(_e521), i32(-2147483648), (_e521 < bitcast<f32>(3472883712u))), 2147483647i, (_e521 > bitcast<f32>(1325400063u))), (_e521 == _e521)));
+                    if (_e533 > _e521) {
+                        phi_735_ = 1f;
+                    } else {
+                        phi_735_ = 0f;
+                    }
+                    let _e536 = phi_735_;
+                    if (_e521 < 8388608f) {
+                        phi_740_ = (_e533 - _e536);
+                        phi_741_ = false;
+                    } else {
+                        phi_740_ = f32();
+                        phi_741_ = true;
+                    }
+                    let _e539 = phi_740_;
+                    let _e541 = phi_741_;
+                    phi_742_ = _e539;
+                    phi_743_ = _e541;
+                } else {
+                    phi_742_ = f32();
+                    phi_743_ = true;
+                }
+                let _e543 = phi_742_;
+                let _e545 = phi_743_;
+                if _e545 {
+                    phi_747_ = _e521;
+                } else {
+                    phi_747_ = _e543;
+                }
+                let _e547 = phi_747_;
+                let _e548 = ((f32(_e60.y) + ((f32((_e60.x & (_e495 - 1u))) + 0.5f) / f32(_e495))) + _e491);
+                if (_e548 > -8388608f) {
+                    let _e560 = f32(select(0i, select(select(i32(_e548), i32(-2147483648), (_e548 < bitcast<f32>(3472883712u))), 2147483647i, (_e548 > bitcast<f32>(1325400063u))), (_e548 == _e548)));
+                    if (_e560 > _e548) {
+                        phi_768_ = 1f;
+                    } else {
+                        phi_768_ = 0f;
+                    }
+                    let _e563 = phi_768_;
+                    if (_e548 < 8388608f) {
+                        phi_773_ = (_e560 - _e563);
+                        phi_774_ = false;
+                    } else {
+                        phi_773_ = f32();
+                        phi_774_ = true;
+                    }
+                    let _e566 = phi_773_;
+                    let _e568 = phi_774_;
+                    phi_775_ = _e566;
+                    phi_776_ = _e568;
+                } else {
+                    phi_775_ = f32();
+                    phi_776_ = true;
+                }
+                let _e570 = phi_775_;
+                let _e572 = phi_776_;
+                if _e572 {
+                    phi_780_ = _e548;
+                } else {
+                    phi_780_ = _e570;
+                }
+                let _e574 = phi_780_;
+                if (_e547 >= 0f) {
+                    if (_e574 >= 0f) {
+                        if (_e547 < f32(_e517)) {
+                            let _e580 = (_e574 < f32(_e519));
+                            if (_e485 == 0f) {
+                                phi_801_ = (_e491 == 0f);
+                            } else {
+                                phi_801_ = false;
+                            }
+                            let _e584 = phi_801_;
+                            if _e580 {
+                                phi_820_ = vec2<u32>(select(select(u32(_e547), 0u, (_e547 < bitcast<f32>(0u))), 4294967295u, (_e547 > bitcast<f32>(1333788671u))), select(select(u32(_e574), 0u, (_e574 < bitcast<f32>(0u))), 4294967295u, (_e574 > bitcast<f32>(1333788671u))));
+                                phi_821_ = false;
+                            } else {
+                                phi_820_ = vec2<u32>();
+                                phi_821_ = true;
+                            }
+                            let _e601 = phi_820_;
+                            let _e603 = phi_821_;
+                            phi_822_ = _e584;
+                            phi_823_ = _e580;
+                            phi_824_ = _e601;
+                            phi_825_ = _e584;
+                            phi_826_ = _e580;
+                            phi_827_ = false;
+                            phi_828_ = _e603;
+                        } else {
+                            phi_822_ = bool();
+                            phi_823_ = bool();
+                            phi_824_ = vec2<u32>();
+                            phi_825_ = bool();
+                            phi_826_ = bool();
+                            phi_827_ = true;
+                            phi_828_ = false;
+                        }
+                        let _e605 = phi_822_;
+                        let _e607 = phi_823_;
+                        let _e609 = phi_824_;
+                        let _e611 = phi_825_;
+                        let _e613 = phi_826_;
+                        let _e615 = phi_827_;
+                        let _e617 = phi_828_;
+                        phi_829_ = _e605;
+                        phi_830_ = _e607;
+                        phi_831_ = _e609;
+                        phi_832_ = _e611;
+                        phi_833_ = _e613;
+                        phi_834_ = _e615;
+                        phi_835_ = _e617;
+                    } else {
+                        phi_829_ = bool();
+                        phi_830_ = bool();
+                        phi_831_ = vec2<u32>();
+                        phi_832_ = bool();
+                        phi_833_ = bool();
+                        phi_834_ = true;
+                        phi_835_ = false;
+                    }
+                    let _e619 = phi_829_;
+                    let _e621 = phi_830_;
+                    let _e623 = phi_831_;
+                    let _e625 = phi_832_;
+                    let _e627 = phi_833_;
+                    let _e629 = phi_834_;
+                    let _e631 = phi_835_;
+                    phi_836_ = _e619;
+                    phi_837_ = _e621;
+                    phi_838_ = _e623;
+                    phi_839_ = _e625;
+                    phi_840_ = _e627;
+                    phi_841_ = _e629;
+                    phi_842_ = _e631;
+                } else {
+                    phi_836_ = bool();
+                    phi_837_ = bool();
+                    phi_838_ = vec2<u32>();
+                    phi_839_ = bool();
+                    phi_840_ = bool();
+                    phi_841_ = true;
+                    phi_842_ = false;
+                }
+                let _e633 = phi_836_;
+                let _e635 = phi_837_;
+                let _e637 = phi_838_;
+                let _e639 = phi_839_;
+                let _e641 = phi_840_;
+                let _e643 = phi_841_;
+                let _e645 = phi_842_;
+                if _e643 {
+                    if (_e485 == 0f) {
+                        phi_851_ = (_e491 == 0f);
+                    } else {
+                        phi_851_ = false;
+                    }
+                    let _e649 = phi_851_;
+                    phi_852_ = _e649;
+                    phi_853_ = false;
+                    phi_854_ = true;
+                } else {
+                    phi_852_ = _e639;
+                    phi_853_ = _e641;
+                    phi_854_ = _e645;
+                }
+                let _e651 = phi_852_;
+                let _e653 = phi_853_;
+                let _e655 = phi_854_;
                 if _e655 {
-                    let _e662 = p.member.previous.eye;
-                    let _e673 = p.member.previous.forward;
-                    let _e681 = ((((_e113.x - _e662.x) * _e673.x) + ((_e113.y - _e662.y) * _e673.y)) + ((_e113.z - _e662.z) * _e673.z));
-                    let _e683 = ((_e607.y * _e110) + _e607.x);
-                    if (_e683 < arrayLength((&last_depths.member))) {
-                    } else {
-                        return;
-                    }
-                    let _e687 = last_depths.member[(0u + _e683)];
-                    let _e689 = p.member.depth_tolerance;
-                    let _e692 = abs(_e681);
-                    let _e693 = abs(_e687);
-                    if ((bitcast<u32>(_e693) & 2147483647u) > 2139095040u) {
-                        phi_902_ = true;
-                    } else {
-                        let _e697 = (_e693 > _e692);
-                        if _e697 {
-                        }
-                        phi_902_ = _e697;
-                    }
-                    let _e699 = phi_902_;
-                    if _e699 {
-                        phi_906_ = _e693;
-                    } else {
-                        phi_906_ = _e692;
-                    }
-                    let _e701 = phi_906_;
-                    phi_910_ = lt_mask_Reprojection(_e659.pixel, (abs((_e681 - _e687)) <= (_e689 * _e701)), _e659.has_moved);
+                    phi_858_ = _e651;
+                    phi_859_ = _e653;
+                    phi_860_ = vec2<u32>(_e60.x, _e60.y);
                 } else {
-                    phi_910_ = _e659;
+                    phi_858_ = _e633;
+                    phi_859_ = _e635;
+                    phi_860_ = _e637;
                 }
-                let _e709 = phi_910_;
-                if _e709.is_valid {
-                    let _e712 = p.member.flags;
-                    phi_919_ = ((_e712 & 1u) != 0u);
-                    phi_920_ = false;
+                let _e657 = phi_858_;
+                let _e659 = phi_859_;
+                let _e661 = phi_860_;
+                let _e671 = lt_mask_Reprojection(vec2<u32>(_e661.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e678 = lt_mask_Reprojection(vec2<u32>(_e671.pixel.x, _e661.y), _e671.is_valid, _e671.has_moved);
+                let _e682 = lt_mask_Reprojection(_e678.pixel, _e659, _e678.has_moved);
+                let _e686 = lt_mask_Reprojection(_e682.pixel, _e682.is_valid, !(_e657));
+                if _e659 {
+                    let _e689 = p.member.previous.eye;
+                    let _e700 = p.member.previous.forward;
+                    let _e709 = (((((_e114.x - _e689.x) * _e700.x) + ((_e114.y - _e689.y) * _e700.y)) + ((_e114.z - _e689.z) * _e700.z)) > 0f);
+                    let _e713 = lt_mask_Reprojection(_e686.pixel, _e709, _e686.has_moved);
+                    if _e709 {
+                        phi_898_ = false;
+                    } else {
+                        phi_898_ = true;
+                    }
+                    let _e715 = phi_898_;
+                    phi_900_ = _e713;
+                    phi_901_ = _e713;
+                    phi_902_ = lt_mask_Reprojection();
+                    phi_903_ = _e709;
+                    phi_904_ = _e715;
                 } else {
-                    phi_919_ = bool();
-                    phi_920_ = true;
+                    phi_900_ = lt_mask_Reprojection();
+                    phi_901_ = lt_mask_Reprojection();
+                    phi_902_ = lt_mask_Reprojection(_e686.pixel, false, _e686.has_moved);
+                    phi_903_ = false;
+                    phi_904_ = false;
                 }
-                let _e716 = phi_919_;
-                let _e718 = phi_920_;
-                phi_922_ = _e716;
-                phi_923_ = _e709;
-                phi_924_ = _e709;
-                phi_925_ = _e718;
+                let _e721 = phi_900_;
+                let _e723 = phi_901_;
+                let _e725 = phi_902_;
+                let _e727 = phi_903_;
+                let _e729 = phi_904_;
+                phi_905_ = _e721;
+                phi_906_ = _e723;
+                phi_907_ = _e725;
+                phi_908_ = _e727;
+                phi_909_ = _e729;
             } else {
-                phi_922_ = bool();
-                phi_923_ = lt_mask_Reprojection();
-                phi_924_ = lt_mask_Reprojection(_e632.pixel, false, _e632.has_moved);
-                phi_925_ = true;
+                phi_905_ = lt_mask_Reprojection(_e296.pixel, _e296.is_valid, false);
+                phi_906_ = lt_mask_Reprojection();
+                phi_907_ = lt_mask_Reprojection();
+                phi_908_ = true;
+                phi_909_ = false;
             }
-            let _e724 = phi_922_;
-            let _e726 = phi_923_;
-            let _e728 = phi_924_;
-            let _e730 = phi_925_;
-            if _e730 {
-                phi_929_ = false;
-                phi_930_ = _e728;
+            let _e731 = phi_905_;
+            let _e733 = phi_906_;
+            let _e735 = phi_907_;
+            let _e737 = phi_908_;
+            let _e739 = phi_909_;
+            if _e737 {
+                let _e742 = p.member.previous.eye;
+                let _e753 = p.member.previous.forward;
+                let _e761 = ((((_e114.x - _e742.x) * _e753.x) + ((_e114.y - _e742.y) * _e753.y)) + ((_e114.z - _e742.z) * _e753.z));
+                let _e767 = ((_e731.pixel.y * _e111) + _e731.pixel.x);
+                if (_e767 < arrayLength((&last_depths.member))) {
+                } else {
+                    return;
+                }
+                let _e771 = last_depths.member[(0u + _e767)];
+                let _e773 = p.member.depth_tolerance;
+                let _e776 = abs(_e761);
+                let _e777 = abs(_e771);
+                if ((bitcast<u32>(_e777) & 2147483647u) > 2139095040u) {
+                    phi_964_ = true;
+                } else {
+                    let _e781 = (_e777 > _e776);
+                    if _e781 {
+                    }
+                    phi_964_ = _e781;
+                }
+                let _e783 = phi_964_;
+                if _e783 {
+                    phi_968_ = _e777;
+                } else {
+                    phi_968_ = _e776;
+                }
+                let _e785 = phi_968_;
+                phi_972_ = lt_mask_Reprojection(_e731.pixel, (abs((_e761 - _e771)) <= (_e773 * _e785)), _e731.has_moved);
+                phi_973_ = true;
             } else {
-                phi_929_ = _e724;
-                phi_930_ = _e726;
+                phi_972_ = _e733;
+                phi_973_ = _e739;
             }
-            let _e732 = phi_929_;
-            let _e734 = phi_930_;
-            let _e738 = lt_mask_Reprojection(_e734.pixel, _e732, _e734.has_moved);
-            let _e740 = p.member.flags;
-            let _e742 = ((_e740 & 2u) != 0u);
-            let _e744 = p.member.flags;
-            if ((_e744 & 4u) == 0u) {
-                phi_1006_ = u32();
-                phi_1007_ = true;
-                phi_1008_ = false;
+            let _e793 = phi_972_;
+            let _e795 = phi_973_;
+            if _e795 {
+                if _e793.is_valid {
+                    let _e798 = p.member.flags;
+                    phi_985_ = ((_e798 & 1u) != 0u);
+                    phi_986_ = false;
+                } else {
+                    phi_985_ = bool();
+                    phi_986_ = true;
+                }
+                let _e802 = phi_985_;
+                let _e804 = phi_986_;
+                phi_987_ = _e802;
+                phi_988_ = _e793;
+                phi_989_ = _e804;
             } else {
-                if _e732 {
-                    if !(_e738.has_moved) {
-                        let _e755 = ((((_e59.y * _e110) + _e59.x) * _e106.words) + _e106.light.word);
-                        if (_e106.light.shift > 29u) {
-                            let _e759 = (_e755 + 1u);
-                            if (_e759 < _e65) {
+                phi_987_ = bool();
+                phi_988_ = _e735;
+                phi_989_ = true;
+            }
+            let _e806 = phi_987_;
+            let _e808 = phi_988_;
+            let _e810 = phi_989_;
+            if _e810 {
+                phi_993_ = false;
+                phi_994_ = _e808;
+            } else {
+                phi_993_ = _e806;
+                phi_994_ = _e793;
+            }
+            let _e812 = phi_993_;
+            let _e814 = phi_994_;
+            let _e818 = lt_mask_Reprojection(_e814.pixel, _e812, _e814.has_moved);
+            let _e820 = p.member.flags;
+            let _e822 = ((_e820 & 2u) != 0u);
+            let _e824 = p.member.flags;
+            if ((_e824 & 4u) == 0u) {
+                phi_1070_ = u32();
+                phi_1071_ = true;
+                phi_1072_ = false;
+            } else {
+                if _e812 {
+                    if !(_e818.has_moved) {
+                        let _e835 = ((((_e60.y * _e111) + _e60.x) * _e107.words) + _e107.light.word);
+                        if (_e107.light.shift > 29u) {
+                            let _e839 = (_e835 + 1u);
+                            if (_e839 < _e66) {
                             } else {
                                 return;
                             }
-                            let _e763 = last_bits.member[(0u + _e759)];
-                            phi_973_ = _e763;
+                            let _e843 = last_bits.member[(0u + _e839)];
+                            phi_1037_ = _e843;
                         } else {
-                            phi_973_ = 0u;
+                            phi_1037_ = 0u;
                         }
-                        let _e765 = phi_973_;
-                        if (_e755 < _e65) {
+                        let _e845 = phi_1037_;
+                        if (_e835 < _e66) {
                         } else {
                             return;
                         }
-                        let _e771 = last_bits.member[(0u + _e755)];
-                        let _e774 = (_e771 >> bitcast<u32>((_e106.light.shift & 31u)));
-                        if (_e106.light.shift > 29u) {
-                            phi_992_ = (_e774 | (_e765 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
+                        let _e851 = last_bits.member[(0u + _e835)];
+                        let _e854 = (_e851 >> bitcast<u32>((_e107.light.shift & 31u)));
+                        if (_e107.light.shift > 29u) {
+                            phi_1056_ = (_e854 | (_e845 << bitcast<u32>(((32u - _e107.light.shift) & 31u))));
                         } else {
-                            phi_992_ = _e774;
+                            phi_1056_ = _e854;
                         }
-                        let _e782 = phi_992_;
-                        if ((_e782 & 2u) == 0u) {
-                            phi_1000_ = (_e782 & 1u);
+                        let _e862 = phi_1056_;
+                        if ((_e862 & 2u) == 0u) {
+                            phi_1064_ = (_e862 & 1u);
                         } else {
-                            phi_1000_ = (_e782 & 7u);
+                            phi_1064_ = (_e862 & 7u);
                         }
-                        let _e788 = phi_1000_;
-                        phi_1001_ = _e788;
-                        phi_1002_ = false;
+                        let _e868 = phi_1064_;
+                        phi_1065_ = _e868;
+                        phi_1066_ = false;
                     } else {
-                        phi_1001_ = u32();
-                        phi_1002_ = true;
+                        phi_1065_ = u32();
+                        phi_1066_ = true;
                     }
-                    let _e790 = phi_1001_;
-                    let _e792 = phi_1002_;
-                    phi_1003_ = _e790;
-                    phi_1004_ = false;
-                    phi_1005_ = _e792;
+                    let _e870 = phi_1065_;
+                    let _e872 = phi_1066_;
+                    phi_1067_ = _e870;
+                    phi_1068_ = false;
+                    phi_1069_ = _e872;
                 } else {
-                    phi_1003_ = u32();
-                    phi_1004_ = true;
-                    phi_1005_ = false;
+                    phi_1067_ = u32();
+                    phi_1068_ = true;
+                    phi_1069_ = false;
                 }
-                let _e794 = phi_1003_;
-                let _e796 = phi_1004_;
-                let _e798 = phi_1005_;
-                phi_1006_ = _e794;
-                phi_1007_ = _e796;
-                phi_1008_ = _e798;
+                let _e874 = phi_1067_;
+                let _e876 = phi_1068_;
+                let _e878 = phi_1069_;
+                phi_1070_ = _e874;
+                phi_1071_ = _e876;
+                phi_1072_ = _e878;
             }
-            let _e800 = phi_1006_;
-            let _e802 = phi_1007_;
-            let _e804 = phi_1008_;
-            if _e802 {
-                phi_1012_ = true;
+            let _e880 = phi_1070_;
+            let _e882 = phi_1071_;
+            let _e884 = phi_1072_;
+            if _e882 {
+                phi_1076_ = true;
             } else {
-                phi_1012_ = _e804;
+                phi_1076_ = _e884;
             }
-            let _e806 = phi_1012_;
-            if _e806 {
-                phi_1016_ = 0u;
+            let _e886 = phi_1076_;
+            if _e886 {
+                phi_1080_ = 0u;
             } else {
-                phi_1016_ = _e800;
+                phi_1080_ = _e880;
             }
-            let _e808 = phi_1016_;
-            let _e809 = lt_mask_Neighbourhood(false, true);
-            if _e277 {
-                phi_1021_ = _e742;
+            let _e888 = phi_1080_;
+            let _e889 = lt_mask_Neighbourhood(false, true);
+            if _e278 {
+                phi_1085_ = _e822;
             } else {
-                phi_1021_ = false;
+                phi_1085_ = false;
             }
-            let _e811 = phi_1021_;
-            if _e811 {
-                if _e732 {
-                    if ((_e808 & 2u) != 0u) {
-                        phi_1316_ = _e809;
+            let _e891 = phi_1085_;
+            if _e891 {
+                if _e812 {
+                    if ((_e888 & 2u) != 0u) {
+                        phi_1380_ = _e889;
                     } else {
-                        let _e815 = p.member.expansion;
-                        if _e738.has_moved {
-                            let _e818 = p.member.moving_pattern;
-                            phi_1043_ = _e818;
+                        let _e895 = p.member.expansion;
+                        if _e818.has_moved {
+                            let _e898 = p.member.moving_pattern;
+                            phi_1107_ = _e898;
                         } else {
-                            let _e820 = p.member.still_pattern;
-                            phi_1043_ = _e820;
+                            let _e900 = p.member.still_pattern;
+                            phi_1107_ = _e900;
                         }
-                        let _e822 = phi_1043_;
-                        phi_1045_ = 0u;
-                        phi_1048_ = _e809;
+                        let _e902 = phi_1107_;
+                        phi_1109_ = 0u;
+                        phi_1112_ = _e889;
                         loop {
-                            let _e824 = phi_1045_;
-                            let _e826 = phi_1048_;
-                            local_1 = _e826;
-                            if (1u <= _e822) {
-                                if (_e822 <= 4u) {
-                                    phi_1060_ = false;
+                            let _e904 = phi_1109_;
+                            let _e906 = phi_1112_;
+                            local_1 = _e906;
+                            if (1u <= _e902) {
+                                if (_e902 <= 4u) {
+                                    phi_1124_ = false;
                                 } else {
-                                    phi_1060_ = true;
+                                    phi_1124_ = true;
                                 }
-                                let _e830 = phi_1060_;
-                                phi_1061_ = _e830;
+                                let _e910 = phi_1124_;
+                                phi_1125_ = _e910;
                             } else {
-                                phi_1061_ = true;
+                                phi_1125_ = true;
                             }
-                            let _e832 = phi_1061_;
-                            if _e832 {
-                                switch bitcast<i32>(_e822) {
+                            let _e912 = phi_1125_;
+                            if _e912 {
+                                switch bitcast<i32>(_e902) {
                                     case 5: {
-                                        phi_1070_ = 4u;
+                                        phi_1134_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_1070_ = 25u;
+                                        phi_1134_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_1070_ = 13u;
+                                        phi_1134_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_1070_ = 9u;
+                                        phi_1134_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e835 = phi_1070_;
-                                phi_1071_ = _e835;
+                                let _e915 = phi_1134_;
+                                phi_1135_ = _e915;
                             } else {
-                                phi_1071_ = 5u;
+                                phi_1135_ = 5u;
                             }
-                            let _e837 = phi_1071_;
-                            let _e838 = (_e824 < _e837);
-                            if _e838 {
-                                let _e844 = p.member.frame;
-                                let _e848 = p.member.current.size[0u];
-                                let _e850 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e822) {
+                            let _e917 = phi_1135_;
+                            let _e918 = (_e904 < _e917);
+                            if _e918 {
+                                let _e924 = p.member.frame;
+                                let _e928 = p.member.current.size[0u];
+                                let _e930 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e902) {
                                     case 1: {
-                                        let _e860 = lt_mask_pattern_plus(_e824);
-                                        phi_1151_ = vec2<i32>(_e860.x, _e860.y);
+                                        let _e940 = lt_mask_pattern_plus(_e904);
+                                        phi_1215_ = vec2<i32>(_e940.x, _e940.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e864 = lt_mask_pattern_cross(_e824);
-                                        phi_1151_ = vec2<i32>(_e864.x, _e864.y);
+                                        let _e944 = lt_mask_pattern_cross(_e904);
+                                        phi_1215_ = vec2<i32>(_e944.x, _e944.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e870 = lt_mask_pattern_plus_or_cross(_e824, ((_e738.pixel.x + _e738.pixel.y) & 1u));
-                                        phi_1151_ = vec2<i32>(_e870.x, _e870.y);
+                                        let _e950 = lt_mask_pattern_plus_or_cross(_e904, ((_e818.pixel.x + _e818.pixel.y) & 1u));
+                                        phi_1215_ = vec2<i32>(_e950.x, _e950.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e875 = lt_mask_pattern_plus_or_cross(_e824, (_e844 & 1u));
-                                        phi_1151_ = vec2<i32>(_e875.x, _e875.y);
+                                        let _e955 = lt_mask_pattern_plus_or_cross(_e904, (_e924 & 1u));
+                                        phi_1215_ = vec2<i32>(_e955.x, _e955.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e844 & 3u)) {
+                                        switch bitcast<i32>((_e924 & 3u)) {
                                             case 0: {
-                                                phi_1131_ = vec2(-1i);
+                                                phi_1195_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1131_ = vec2(0i);
+                                                phi_1195_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1131_ = vec2<i32>(0i, -1i);
+                                                phi_1195_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1131_ = vec2<i32>(-1i, 0i);
+                                                phi_1195_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e886 = phi_1131_;
-                                        phi_1151_ = (_e886 + vec2<i32>(bitcast<i32>((_e824 & 1u)), bitcast<i32>(((_e824 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e966 = phi_1195_;
+                                        phi_1215_ = (_e966 + vec2<i32>(bitcast<i32>((_e904 & 1u)), bitcast<i32>(((_e904 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1151_ = vec2<i32>((bitcast<i32>((_e824 % 5u)) - 2i), (bitcast<i32>(((_e824 / 5u) % 5u)) - 2i));
+                                        phi_1215_ = vec2<i32>((bitcast<i32>((_e904 % 5u)) - 2i), (bitcast<i32>(((_e904 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e903 = lt_mask_pattern_diamond(_e824);
-                                        phi_1151_ = vec2<i32>(_e903.x, _e903.y);
+                                        let _e983 = lt_mask_pattern_diamond(_e904);
+                                        phi_1215_ = vec2<i32>(_e983.x, _e983.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1151_ = vec2<i32>((bitcast<i32>((_e824 % 3u)) - 1i), (bitcast<i32>(((_e824 / 3u) % 3u)) - 1i));
+                                        phi_1215_ = vec2<i32>((bitcast<i32>((_e904 % 3u)) - 1i), (bitcast<i32>(((_e904 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e908 = phi_1151_;
-                                let _e911 = lt_mask_pattern_step_clamped(_e738.pixel.x, _e908.x, _e848);
-                                let _e912 = lt_mask_pattern_step_clamped(_e738.pixel.y, _e908.y, _e850);
-                                let _e919 = ((((_e912 * _e110) + _e911) * _e106.words) + _e106.light.word);
-                                if (_e106.light.shift > 29u) {
-                                    let _e923 = (_e919 + 1u);
-                                    if (_e923 < _e65) {
+                                let _e988 = phi_1215_;
+                                let _e991 = lt_mask_pattern_step_clamped(_e818.pixel.x, _e988.x, _e928);
+                                let _e992 = lt_mask_pattern_step_clamped(_e818.pixel.y, _e988.y, _e930);
+                                let _e999 = ((((_e992 * _e111) + _e991) * _e107.words) + _e107.light.word);
+                                if (_e107.light.shift > 29u) {
+                                    let _e1003 = (_e999 + 1u);
+                                    if (_e1003 < _e66) {
                                     } else {
                                         return;
                                     }
-                                    let _e927 = last_bits.member[(0u + _e923)];
-                                    phi_1178_ = _e927;
+                                    let _e1007 = last_bits.member[(0u + _e1003)];
+                                    phi_1242_ = _e1007;
                                 } else {
-                                    phi_1178_ = 0u;
+                                    phi_1242_ = 0u;
                                 }
-                                let _e929 = phi_1178_;
-                                if (_e919 < _e65) {
+                                let _e1009 = phi_1242_;
+                                if (_e999 < _e66) {
                                 } else {
                                     return;
                                 }
-                                let _e935 = last_bits.member[(0u + _e919)];
-                                let _e938 = (_e935 >> bitcast<u32>((_e106.light.shift & 31u)));
-                                if (_e106.light.shift > 29u) {
-                                    phi_1197_ = (_e938 | (_e929 << bitcast<u32>(((32u - _e106.light.shift) & 31u))));
+                                let _e1015 = last_bits.member[(0u + _e999)];
+                                let _e1018 = (_e1015 >> bitcast<u32>((_e107.light.shift & 31u)));
+                                if (_e107.light.shift > 29u) {
+                                    phi_1261_ = (_e1018 | (_e1009 << bitcast<u32>(((32u - _e107.light.shift) & 31u))));
                                 } else {
-                                    phi_1197_ = _e938;
+                                    phi_1261_ = _e1018;
                                 }
-                                let _e946 = phi_1197_;
-                                if ((_e946 & 2u) == 0u) {
-                                    phi_1205_ = (_e946 & 1u);
+                                let _e1026 = phi_1261_;
+                                if ((_e1026 & 2u) == 0u) {
+                                    phi_1269_ = (_e1026 & 1u);
                                 } else {
-                                    phi_1205_ = (_e946 & 7u);
+                                    phi_1269_ = (_e1026 & 7u);
                                 }
-                                let _e952 = phi_1205_;
-                                if _e826.any_expands {
-                                    phi_1293_ = true;
+                                let _e1032 = phi_1269_;
+                                if _e906.any_expands {
+                                    phi_1357_ = true;
                                 } else {
-                                    if ((_e952 & 2u) != 0u) {
-                                        let _e959 = (((_e952 & 4u) != 0u) != _e273);
-                                        switch bitcast<i32>(_e815) {
+                                    if ((_e1032 & 2u) != 0u) {
+                                        let _e1039 = (((_e1032 & 4u) != 0u) != _e274);
+                                        switch bitcast<i32>(_e895) {
                                             case 1: {
-                                                phi_1233_ = bool();
-                                                phi_1234_ = false;
-                                                phi_1235_ = true;
-                                                phi_1236_ = false;
-                                                phi_1237_ = false;
+                                                phi_1297_ = bool();
+                                                phi_1298_ = false;
+                                                phi_1299_ = true;
+                                                phi_1300_ = false;
+                                                phi_1301_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e959 {
-                                                    phi_1231_ = (((_e952 & 4u) != 0u) != ((_e952 & 1u) != 0u));
-                                                    phi_1232_ = false;
+                                                if _e1039 {
+                                                    phi_1295_ = (((_e1032 & 4u) != 0u) != ((_e1032 & 1u) != 0u));
+                                                    phi_1296_ = false;
                                                 } else {
-                                                    phi_1231_ = bool();
-                                                    phi_1232_ = true;
+                                                    phi_1295_ = bool();
+                                                    phi_1296_ = true;
                                                 }
-                                                let _e967 = phi_1231_;
-                                                let _e969 = phi_1232_;
-                                                phi_1233_ = _e967;
-                                                phi_1234_ = false;
-                                                phi_1235_ = false;
-                                                phi_1236_ = _e969;
-                                                phi_1237_ = _e959;
+                                                let _e1047 = phi_1295_;
+                                                let _e1049 = phi_1296_;
+                                                phi_1297_ = _e1047;
+                                                phi_1298_ = false;
+                                                phi_1299_ = false;
+                                                phi_1300_ = _e1049;
+                                                phi_1301_ = _e1039;
                                                 break;
                                             }
                                             default: {
-                                                phi_1233_ = bool();
-                                                phi_1234_ = true;
-                                                phi_1235_ = false;
-                                                phi_1236_ = false;
-                                                phi_1237_ = false;
+                                                phi_1297_ = bool();
+                                                phi_1298_ = true;
+                                                phi_1299_ = false;
+                                                phi_1300_ = false;
+                                                phi_1301_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e971 = phi_1233_;
-                                        let _e973 = phi_1234_;
-                                        let _e975 = phi_1235_;
-                                        let _e977 = phi_1236_;
-                                        let _e979 = phi_1237_;
-                                        phi_1245_ = _e959;
-                                        phi_1246_ = _e971;
-                                        phi_1247_ = _e973;
-                                        phi_1248_ = _e975;
-                                        phi_1249_ = _e977;
-                                        phi_1250_ = _e979;
+                                        let _e1051 = phi_1297_;
+                                        let _e1053 = phi_1298_;
+                                        let _e1055 = phi_1299_;
+                                        let _e1057 = phi_1300_;
+                                        let _e1059 = phi_1301_;
+                                        phi_1309_ = _e1039;
+                                        phi_1310_ = _e1051;
+                                        phi_1311_ = _e1053;
+                                        phi_1312_ = _e1055;
+                                        phi_1313_ = _e1057;
+                                        phi_1314_ = _e1059;
                                     } else {
-                                        switch bitcast<i32>(_e815) {
+                                        switch bitcast<i32>(_e895) {
                                             case 1: {
-                                                phi_1242_ = false;
-                                                phi_1243_ = true;
-                                                phi_1244_ = false;
+                                                phi_1306_ = false;
+                                                phi_1307_ = true;
+                                                phi_1308_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1242_ = false;
-                                                phi_1243_ = false;
-                                                phi_1244_ = true;
+                                                phi_1306_ = false;
+                                                phi_1307_ = false;
+                                                phi_1308_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_1242_ = true;
-                                                phi_1243_ = false;
-                                                phi_1244_ = false;
+                                                phi_1306_ = true;
+                                                phi_1307_ = false;
+                                                phi_1308_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e982 = phi_1242_;
-                                        let _e984 = phi_1243_;
-                                        let _e986 = phi_1244_;
-                                        phi_1245_ = false;
-                                        phi_1246_ = bool();
-                                        phi_1247_ = _e982;
-                                        phi_1248_ = _e984;
-                                        phi_1249_ = _e986;
-                                        phi_1250_ = false;
+                                        let _e1062 = phi_1306_;
+                                        let _e1064 = phi_1307_;
+                                        let _e1066 = phi_1308_;
+                                        phi_1309_ = false;
+                                        phi_1310_ = bool();
+                                        phi_1311_ = _e1062;
+                                        phi_1312_ = _e1064;
+                                        phi_1313_ = _e1066;
+                                        phi_1314_ = false;
                                     }
-                                    let _e988 = phi_1245_;
-                                    let _e990 = phi_1246_;
-                                    let _e992 = phi_1247_;
-                                    let _e994 = phi_1248_;
-                                    let _e996 = phi_1249_;
-                                    let _e998 = phi_1250_;
-                                    if _e992 {
-                                        if ((_e952 & 2u) != 0u) {
-                                            if (((_e952 & 4u) != 0u) != _e273) {
-                                                phi_1265_ = false;
+                                    let _e1068 = phi_1309_;
+                                    let _e1070 = phi_1310_;
+                                    let _e1072 = phi_1311_;
+                                    let _e1074 = phi_1312_;
+                                    let _e1076 = phi_1313_;
+                                    let _e1078 = phi_1314_;
+                                    if _e1072 {
+                                        if ((_e1032 & 2u) != 0u) {
+                                            if (((_e1032 & 4u) != 0u) != _e274) {
+                                                phi_1329_ = false;
                                             } else {
-                                                phi_1265_ = true;
+                                                phi_1329_ = true;
                                             }
-                                            let _e1005 = phi_1265_;
-                                            phi_1266_ = _e1005;
+                                            let _e1085 = phi_1329_;
+                                            phi_1330_ = _e1085;
                                         } else {
-                                            phi_1266_ = true;
+                                            phi_1330_ = true;
                                         }
-                                        let _e1007 = phi_1266_;
-                                        if _e1007 {
-                                            phi_1273_ = (((_e952 & 1u) != 0u) != _e273);
+                                        let _e1087 = phi_1330_;
+                                        if _e1087 {
+                                            phi_1337_ = (((_e1032 & 1u) != 0u) != _e274);
                                         } else {
-                                            phi_1273_ = true;
+                                            phi_1337_ = true;
                                         }
-                                        let _e1012 = phi_1273_;
-                                        phi_1274_ = _e1012;
-                                        phi_1275_ = false;
-                                        phi_1276_ = false;
-                                        phi_1277_ = false;
+                                        let _e1092 = phi_1337_;
+                                        phi_1338_ = _e1092;
+                                        phi_1339_ = false;
+                                        phi_1340_ = false;
+                                        phi_1341_ = false;
                                     } else {
-                                        phi_1274_ = bool();
-                                        phi_1275_ = _e994;
-                                        phi_1276_ = _e996;
-                                        phi_1277_ = _e998;
+                                        phi_1338_ = bool();
+                                        phi_1339_ = _e1074;
+                                        phi_1340_ = _e1076;
+                                        phi_1341_ = _e1078;
                                     }
-                                    let _e1014 = phi_1274_;
-                                    let _e1016 = phi_1275_;
-                                    let _e1018 = phi_1276_;
-                                    let _e1020 = phi_1277_;
-                                    if _e1016 {
-                                        phi_1281_ = _e988;
-                                        phi_1282_ = false;
-                                        phi_1283_ = false;
+                                    let _e1094 = phi_1338_;
+                                    let _e1096 = phi_1339_;
+                                    let _e1098 = phi_1340_;
+                                    let _e1100 = phi_1341_;
+                                    if _e1096 {
+                                        phi_1345_ = _e1068;
+                                        phi_1346_ = false;
+                                        phi_1347_ = false;
                                     } else {
-                                        phi_1281_ = _e1014;
-                                        phi_1282_ = _e1018;
-                                        phi_1283_ = _e1020;
+                                        phi_1345_ = _e1094;
+                                        phi_1346_ = _e1098;
+                                        phi_1347_ = _e1100;
                                     }
-                                    let _e1022 = phi_1281_;
-                                    let _e1024 = phi_1282_;
-                                    let _e1026 = phi_1283_;
-                                    if _e1024 {
-                                        phi_1287_ = false;
-                                        phi_1288_ = true;
+                                    let _e1102 = phi_1345_;
+                                    let _e1104 = phi_1346_;
+                                    let _e1106 = phi_1347_;
+                                    if _e1104 {
+                                        phi_1351_ = false;
+                                        phi_1352_ = true;
                                     } else {
-                                        phi_1287_ = _e990;
-                                        phi_1288_ = _e1026;
+                                        phi_1351_ = _e1070;
+                                        phi_1352_ = _e1106;
                                     }
-                                    let _e1028 = phi_1287_;
-                                    let _e1030 = phi_1288_;
-                                    if _e1030 {
-                                        phi_1292_ = _e1028;
+                                    let _e1108 = phi_1351_;
+                                    let _e1110 = phi_1352_;
+                                    if _e1110 {
+                                        phi_1356_ = _e1108;
                                     } else {
-                                        phi_1292_ = _e1022;
+                                        phi_1356_ = _e1102;
                                     }
-                                    let _e1032 = phi_1292_;
-                                    phi_1293_ = _e1032;
+                                    let _e1112 = phi_1356_;
+                                    phi_1357_ = _e1112;
                                 }
-                                let _e1034 = phi_1293_;
-                                if _e826.all_remove {
-                                    if (((_e952 & 1u) != 0u) == _e273) {
-                                        if ((_e952 & 2u) != 0u) {
-                                            phi_1311_ = (((_e952 & 4u) != 0u) == _e273);
+                                let _e1114 = phi_1357_;
+                                if _e906.all_remove {
+                                    if (((_e1032 & 1u) != 0u) == _e274) {
+                                        if ((_e1032 & 2u) != 0u) {
+                                            phi_1375_ = (((_e1032 & 4u) != 0u) == _e274);
                                         } else {
-                                            phi_1311_ = true;
+                                            phi_1375_ = true;
                                         }
-                                        let _e1044 = phi_1311_;
-                                        phi_1312_ = _e1044;
+                                        let _e1124 = phi_1375_;
+                                        phi_1376_ = _e1124;
                                     } else {
-                                        phi_1312_ = false;
+                                        phi_1376_ = false;
                                     }
-                                    let _e1046 = phi_1312_;
-                                    phi_1313_ = _e1046;
+                                    let _e1126 = phi_1376_;
+                                    phi_1377_ = _e1126;
                                 } else {
-                                    phi_1313_ = false;
+                                    phi_1377_ = false;
                                 }
-                                let _e1048 = phi_1313_;
-                                phi_1046_ = (_e824 + 1u);
-                                phi_1049_ = lt_mask_Neighbourhood(_e1034, _e1048);
+                                let _e1128 = phi_1377_;
+                                phi_1110_ = (_e904 + 1u);
+                                phi_1113_ = lt_mask_Neighbourhood(_e1114, _e1128);
                             } else {
-                                phi_1046_ = u32();
-                                phi_1049_ = lt_mask_Neighbourhood();
+                                phi_1110_ = u32();
+                                phi_1113_ = lt_mask_Neighbourhood();
                             }
-                            let _e1052 = phi_1046_;
-                            let _e1054 = phi_1049_;
+                            let _e1132 = phi_1110_;
+                            let _e1134 = phi_1113_;
                             continue;
                             continuing {
-                                phi_1045_ = _e1052;
-                                phi_1048_ = _e1054;
-                                break if !(_e838);
+                                phi_1109_ = _e1132;
+                                phi_1112_ = _e1134;
+                                break if !(_e918);
                             }
                         }
-                        let _e1413 = local_1;
-                        phi_1316_ = _e1413;
+                        let _e1511 = local_1;
+                        phi_1380_ = _e1511;
                     }
-                    let _e1057 = phi_1316_;
-                    phi_1317_ = _e1057;
+                    let _e1137 = phi_1380_;
+                    phi_1381_ = _e1137;
                 } else {
-                    phi_1317_ = _e809;
+                    phi_1381_ = _e889;
                 }
-                let _e1059 = phi_1317_;
-                phi_1318_ = _e1059;
+                let _e1139 = phi_1381_;
+                phi_1382_ = _e1139;
             } else {
-                phi_1318_ = _e809;
+                phi_1382_ = _e889;
             }
-            let _e1061 = phi_1318_;
-            let _e1064 = p.member.frame;
-            let _e1066 = p.member.refresh;
-            if (_e1066 == 0u) {
-                phi_1351_ = false;
+            let _e1141 = phi_1382_;
+            let _e1144 = p.member.frame;
+            let _e1146 = p.member.refresh;
+            if (_e1146 == 0u) {
+                phi_1415_ = false;
             } else {
-                if (_e1066 == 0u) {
+                if (_e1146 == 0u) {
                     return;
                 }
-                let _e1075 = ((_e59.x + (_e59.y * (((_e1066 * 5u) / 8u) | 1u))) + (_e1064 % _e1066));
-                if (_e1066 == 0u) {
-                    phi_1350_ = (_e1075 == 0u);
+                let _e1155 = ((_e60.x + (_e60.y * (((_e1146 * 5u) / 8u) | 1u))) + (_e1144 % _e1146));
+                if (_e1146 == 0u) {
+                    phi_1414_ = (_e1155 == 0u);
                 } else {
-                    if (_e1066 == 0u) {
+                    if (_e1146 == 0u) {
                         return;
                     }
-                    phi_1350_ = ((_e1075 % _e1066) == 0u);
+                    phi_1414_ = ((_e1155 % _e1146) == 0u);
                 }
-                let _e1082 = phi_1350_;
-                phi_1351_ = _e1082;
+                let _e1162 = phi_1414_;
+                phi_1415_ = _e1162;
             }
-            let _e1084 = phi_1351_;
-            if _e732 {
-                if _e1084 {
-                    phi_1373_ = bool();
+            let _e1164 = phi_1415_;
+            if _e812 {
+                if _e1164 {
+                    phi_1437_ = bool();
                 } else {
-                    phi_1373_ = ((_e808 & 2u) != 0u);
+                    phi_1437_ = ((_e888 & 2u) != 0u);
                 }
-                let _e1090 = phi_1373_;
-                phi_1374_ = _e1090;
-                phi_1375_ = _e1084;
+                let _e1170 = phi_1437_;
+                phi_1438_ = _e1170;
+                phi_1439_ = _e1164;
             } else {
-                phi_1374_ = bool();
-                phi_1375_ = true;
+                phi_1438_ = bool();
+                phi_1439_ = true;
             }
-            let _e1092 = phi_1374_;
-            let _e1094 = phi_1375_;
-            if _e1094 {
-                phi_1379_ = false;
+            let _e1172 = phi_1438_;
+            let _e1174 = phi_1439_;
+            if _e1174 {
+                phi_1443_ = false;
             } else {
-                phi_1379_ = _e1092;
+                phi_1443_ = _e1172;
             }
-            let _e1096 = phi_1379_;
-            if _e1096 {
-                phi_1430_ = 7u;
+            let _e1176 = phi_1443_;
+            if _e1176 {
+                phi_1494_ = 7u;
             } else {
-                if (_e115 != 0.5f) {
-                    if _e732 {
-                        if _e1084 {
-                            phi_1427_ = 6u;
+                if (_e116 != 0.5f) {
+                    if _e812 {
+                        if _e1164 {
+                            phi_1491_ = 6u;
                         } else {
-                            if _e277 {
-                                phi_1402_ = true;
+                            if _e278 {
+                                phi_1466_ = true;
                             } else {
-                                if _e1061.any_expands {
-                                    phi_1401_ = false;
+                                if _e1141.any_expands {
+                                    phi_1465_ = false;
                                 } else {
-                                    phi_1401_ = true;
+                                    phi_1465_ = true;
                                 }
-                                let _e1098 = phi_1401_;
-                                phi_1402_ = _e1098;
+                                let _e1178 = phi_1465_;
+                                phi_1466_ = _e1178;
                             }
-                            let _e1100 = phi_1402_;
-                            if _e1100 {
-                                if _e277 {
-                                    if _e742 {
-                                        if _e1061.all_remove {
-                                            phi_1415_ = false;
+                            let _e1180 = phi_1466_;
+                            if _e1180 {
+                                if _e278 {
+                                    if _e822 {
+                                        if _e1141.all_remove {
+                                            phi_1479_ = false;
                                         } else {
-                                            phi_1415_ = true;
+                                            phi_1479_ = true;
                                         }
-                                        let _e1102 = phi_1415_;
-                                        phi_1416_ = _e1102;
+                                        let _e1182 = phi_1479_;
+                                        phi_1480_ = _e1182;
                                     } else {
-                                        phi_1416_ = true;
+                                        phi_1480_ = true;
                                     }
-                                    let _e1104 = phi_1416_;
-                                    phi_1417_ = _e1104;
+                                    let _e1184 = phi_1480_;
+                                    phi_1481_ = _e1184;
                                 } else {
-                                    phi_1417_ = true;
+                                    phi_1481_ = true;
                                 }
-                                let _e1106 = phi_1417_;
-                                if _e1106 {
-                                    if _e277 {
-                                        phi_1424_ = 1u;
+                                let _e1186 = phi_1481_;
+                                if _e1186 {
+                                    if _e278 {
+                                        phi_1488_ = 1u;
                                     } else {
-                                        phi_1424_ = 0u;
+                                        phi_1488_ = 0u;
                                     }
-                                    let _e1108 = phi_1424_;
-                                    phi_1425_ = _e1108;
+                                    let _e1188 = phi_1488_;
+                                    phi_1489_ = _e1188;
                                 } else {
-                                    phi_1425_ = 5u;
+                                    phi_1489_ = 5u;
                                 }
-                                let _e1110 = phi_1425_;
-                                phi_1426_ = _e1110;
+                                let _e1190 = phi_1489_;
+                                phi_1490_ = _e1190;
                             } else {
-                                phi_1426_ = 4u;
+                                phi_1490_ = 4u;
                             }
-                            let _e1112 = phi_1426_;
-                            phi_1427_ = _e1112;
+                            let _e1192 = phi_1490_;
+                            phi_1491_ = _e1192;
                         }
-                        let _e1114 = phi_1427_;
-                        phi_1428_ = _e1114;
+                        let _e1194 = phi_1491_;
+                        phi_1492_ = _e1194;
                     } else {
-                        phi_1428_ = 3u;
+                        phi_1492_ = 3u;
                     }
-                    let _e1116 = phi_1428_;
-                    phi_1429_ = _e1116;
+                    let _e1196 = phi_1492_;
+                    phi_1493_ = _e1196;
                 } else {
-                    phi_1429_ = 2u;
+                    phi_1493_ = 2u;
                 }
-                let _e1118 = phi_1429_;
-                phi_1430_ = _e1118;
+                let _e1198 = phi_1493_;
+                phi_1494_ = _e1198;
             }
-            let _e1120 = phi_1430_;
-            if !((_e1120 == 0u)) {
-                if !((_e1120 == 5u)) {
-                    phi_1442_ = !(_e1096);
-                    phi_1443_ = false;
+            let _e1200 = phi_1494_;
+            if !((_e1200 == 0u)) {
+                if !((_e1200 == 5u)) {
+                    phi_1506_ = !(_e1176);
+                    phi_1507_ = false;
                 } else {
-                    phi_1442_ = bool();
-                    phi_1443_ = true;
+                    phi_1506_ = bool();
+                    phi_1507_ = true;
                 }
-                let _e1127 = phi_1442_;
-                let _e1129 = phi_1443_;
-                phi_1444_ = _e1127;
-                phi_1445_ = _e1129;
+                let _e1207 = phi_1506_;
+                let _e1209 = phi_1507_;
+                phi_1508_ = _e1207;
+                phi_1509_ = _e1209;
             } else {
-                phi_1444_ = bool();
-                phi_1445_ = true;
+                phi_1508_ = bool();
+                phi_1509_ = true;
             }
-            let _e1131 = phi_1444_;
-            let _e1133 = phi_1445_;
-            if _e1133 {
-                phi_1449_ = false;
+            let _e1211 = phi_1508_;
+            let _e1213 = phi_1509_;
+            if _e1213 {
+                phi_1513_ = false;
             } else {
-                phi_1449_ = _e1131;
+                phi_1513_ = _e1211;
             }
-            let _e1135 = phi_1449_;
-            if _e1096 {
-                phi_1455_ = ((_e808 & 4u) != 0u);
+            let _e1215 = phi_1513_;
+            if _e1176 {
+                phi_1519_ = ((_e888 & 4u) != 0u);
             } else {
-                phi_1455_ = _e273;
+                phi_1519_ = _e274;
             }
-            let _e1139 = phi_1455_;
-            if _e1135 {
-                if _e273 {
-                    phi_1463_ = (2u | 1u);
+            let _e1219 = phi_1519_;
+            if _e1215 {
+                if _e274 {
+                    phi_1527_ = (2u | 1u);
                 } else {
-                    phi_1463_ = 2u;
+                    phi_1527_ = 2u;
                 }
-                let _e1142 = phi_1463_;
+                let _e1222 = phi_1527_;
                 if false {
-                    phi_1468_ = (_e1142 | 4u);
+                    phi_1532_ = (_e1222 | 4u);
                 } else {
-                    phi_1468_ = _e1142;
+                    phi_1532_ = _e1222;
                 }
-                let _e1145 = phi_1468_;
-                phi_1488_ = _e1145;
+                let _e1225 = phi_1532_;
+                phi_1552_ = _e1225;
             } else {
-                if (_e1120 == 7u) {
-                    if _e273 {
-                        phi_1477_ = (2u | 1u);
+                if (_e1200 == 7u) {
+                    if _e274 {
+                        phi_1541_ = (2u | 1u);
                     } else {
-                        phi_1477_ = 2u;
+                        phi_1541_ = 2u;
                     }
-                    let _e1149 = phi_1477_;
-                    if _e1139 {
-                        phi_1482_ = (_e1149 | 4u);
+                    let _e1229 = phi_1541_;
+                    if _e1219 {
+                        phi_1546_ = (_e1229 | 4u);
                     } else {
-                        phi_1482_ = _e1149;
+                        phi_1546_ = _e1229;
                     }
-                    let _e1152 = phi_1482_;
-                    phi_1487_ = _e1152;
+                    let _e1232 = phi_1546_;
+                    phi_1551_ = _e1232;
                 } else {
-                    if _e273 {
-                        phi_1486_ = 1u;
+                    if _e274 {
+                        phi_1550_ = 1u;
                     } else {
-                        phi_1486_ = 0u;
+                        phi_1550_ = 0u;
                     }
-                    let _e1154 = phi_1486_;
-                    phi_1487_ = _e1154;
+                    let _e1234 = phi_1550_;
+                    phi_1551_ = _e1234;
                 }
-                let _e1156 = phi_1487_;
-                phi_1488_ = _e1156;
+                let _e1236 = phi_1551_;
+                phi_1552_ = _e1236;
             }
-            let _e1158 = phi_1488_;
-            if _e1139 {
-                phi_1492_ = 0f;
+            let _e1238 = phi_1552_;
+            if _e1219 {
+                phi_1556_ = 0f;
             } else {
-                phi_1492_ = 1f;
+                phi_1556_ = 1f;
             }
-            let _e1160 = phi_1492_;
-            phi_1494_ = mask_Masked(_e1160, _e1158, _e1135);
+            let _e1240 = phi_1556_;
+            phi_1558_ = mask_Masked(_e1240, _e1238, _e1215);
         }
-        let _e1163 = phi_1494_;
-        visibility.member[_e79.shift] = _e1163.visibility;
-        let _e1168 = p.member.light.number;
-        let _e1169 = (_e1168 * 3u);
-        let _e1171 = (_e1169 % 32u);
-        let _e1173 = p.member.light.mask_words;
-        let _e1175 = ((_e79.shift * _e1173) + (_e1169 / 32u));
-        let _e1177 = bits.member[_e1175];
-        bits.member[_e1175] = ((_e1177 & ~((7u << bitcast<u32>((_e1171 & 31u))))) | (_e1163.bits << bitcast<u32>((_e1171 & 31u))));
-        if (_e1171 > 29u) {
-            let _e1192 = bits.member[(_e1175 + 1u)];
-            let _e1194 = (32u - _e1171);
-            bits.member[(_e1175 + 1u)] = ((_e1192 & ~((7u >> bitcast<u32>((_e1194 & 31u))))) | (_e1163.bits >> bitcast<u32>((_e1194 & 31u))));
+        let _e1243 = phi_1558_;
+        visibility.member[_e80.shift] = _e1243.visibility;
+        let _e1248 = p.member.light.number;
+        let _e1249 = (_e1248 * 3u);
+        let _e1251 = (_e1249 % 32u);
+        let _e1253 = p.member.light.mask_words;
+        let _e1255 = ((_e80.shift * _e1253) + (_e1249 / 32u));
+        let _e1257 = bits.member[_e1255];
+        bits.member[_e1255] = ((_e1257 & ~((7u << bitcast<u32>((_e1251 & 31u))))) | (_e1243.bits << bitcast<u32>((_e1251 & 31u))));
+        if (_e1251 > 29u) {
+            let _e1272 = bits.member[(_e1255 + 1u)];
+            let _e1274 = (32u - _e1251);
+            bits.member[(_e1255 + 1u)] = ((_e1272 & ~((7u >> bitcast<u32>((_e1274 & 31u))))) | (_e1243.bits >> bitcast<u32>((_e1274 & 31u))));
         }
-        let _e1209 = samples.member[_e79.shift].normal[0u];
-        let _e1211 = global[0u];
-        if (_e1209 == _e1211) {
-            let _e1214 = samples.member[_e79.shift].normal[1u];
-            let _e1216 = global[1u];
-            if (_e1214 == _e1216) {
-                let _e1219 = samples.member[_e79.shift].normal[2u];
-                let _e1221 = global[2u];
-                phi_1566_ = (_e1219 == _e1221);
-                phi_1567_ = false;
+        let _e1289 = samples.member[_e80.shift].normal[0u];
+        let _e1291 = global[0u];
+        if (_e1289 == _e1291) {
+            let _e1294 = samples.member[_e80.shift].normal[1u];
+            let _e1296 = global[1u];
+            if (_e1294 == _e1296) {
+                let _e1299 = samples.member[_e80.shift].normal[2u];
+                let _e1301 = global[2u];
+                phi_1630_ = (_e1299 == _e1301);
+                phi_1631_ = false;
             } else {
-                phi_1566_ = bool();
-                phi_1567_ = true;
+                phi_1630_ = bool();
+                phi_1631_ = true;
             }
-            let _e1224 = phi_1566_;
-            let _e1226 = phi_1567_;
-            phi_1568_ = _e1224;
-            phi_1569_ = _e1226;
+            let _e1304 = phi_1630_;
+            let _e1306 = phi_1631_;
+            phi_1632_ = _e1304;
+            phi_1633_ = _e1306;
         } else {
-            phi_1568_ = bool();
-            phi_1569_ = true;
+            phi_1632_ = bool();
+            phi_1633_ = true;
         }
-        let _e1228 = phi_1568_;
-        let _e1230 = phi_1569_;
-        if _e1230 {
-            phi_1573_ = false;
+        let _e1308 = phi_1632_;
+        let _e1310 = phi_1633_;
+        if _e1310 {
+            phi_1637_ = false;
         } else {
-            phi_1573_ = _e1228;
+            phi_1637_ = _e1308;
         }
-        let _e1232 = phi_1573_;
-        if !(_e1232) {
-            let _e1235 = samples.member[_e79.shift].position;
-            let _e1237 = p.member.current.eye;
-            let _e1248 = p.member.current.forward;
-            phi_1601_ = ((((_e1235.x - _e1237.x) * _e1248.x) + ((_e1235.y - _e1237.y) * _e1248.y)) + ((_e1235.z - _e1237.z) * _e1248.z));
+        let _e1312 = phi_1637_;
+        if !(_e1312) {
+            let _e1315 = samples.member[_e80.shift].position;
+            let _e1317 = p.member.current.eye;
+            let _e1328 = p.member.current.forward;
+            phi_1665_ = ((((_e1315.x - _e1317.x) * _e1328.x) + ((_e1315.y - _e1317.y) * _e1328.y)) + ((_e1315.z - _e1317.z) * _e1328.z));
         } else {
-            phi_1601_ = 0f;
+            phi_1665_ = 0f;
         }
-        let _e1258 = phi_1601_;
-        depths.member[_e79.shift] = _e1258;
-        phi_1604_ = _e1163.needs_ray;
-        phi_1605_ = _e79.shift;
+        let _e1338 = phi_1665_;
+        depths.member[_e80.shift] = _e1338;
+        phi_1668_ = _e1243.needs_ray;
+        phi_1669_ = _e80.shift;
     } else {
-        phi_1604_ = false;
-        phi_1605_ = 0u;
+        phi_1668_ = false;
+        phi_1669_ = 0u;
     }
-    let _e1262 = phi_1604_;
-    let _e1264 = phi_1605_;
-    if (_e60 == 0u) {
+    let _e1342 = phi_1668_;
+    let _e1344 = phi_1669_;
+    if (_e61 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1262 {
-        let _e1268 = atomicAdd((&shared_[0u]), 1u);
-        phi_1616_ = _e1268;
+    if _e1342 {
+        let _e1348 = atomicAdd((&shared_[0u]), 1u);
+        phi_1680_ = _e1348;
     } else {
-        phi_1616_ = 0u;
+        phi_1680_ = 0u;
     }
-    let _e1270 = phi_1616_;
+    let _e1350 = phi_1680_;
     workgroupBarrier();
-    if (_e60 == 0u) {
-        let _e1274 = atomicLoad((&shared_[0u]));
-        let _e1275 = atomicAdd((&list.member[3u]), _e1274);
-        atomicStore((&shared_[1u]), _e1275);
+    if (_e61 == 0u) {
+        let _e1354 = atomicLoad((&shared_[0u]));
+        let _e1355 = atomicAdd((&list.member[3u]), _e1354);
+        atomicStore((&shared_[1u]), _e1355);
     }
     workgroupBarrier();
-    if _e1262 {
-        let _e1278 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1278) + _e1270)]), _e1264);
+    if _e1342 {
+        let _e1358 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1358) + _e1350)]), _e1344);
     }
     return;
 }

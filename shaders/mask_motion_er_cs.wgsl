@@ -114,1281 +114,1345 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_171_: lt_mask_LightPlace;
-    var phi_172_: bool;
-    var phi_173_: lt_mask_LightPlace;
-    var phi_174_: bool;
-    var phi_179_: lt_mask_LightPlace;
+    var phi_172_: lt_mask_LightPlace;
+    var phi_173_: bool;
+    var phi_174_: lt_mask_LightPlace;
+    var phi_175_: bool;
+    var phi_180_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_171_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_172_ = false;
+            phi_172_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_173_ = false;
         } else {
-            phi_171_ = lt_mask_LightPlace();
-            phi_172_ = true;
+            phi_172_ = lt_mask_LightPlace();
+            phi_173_ = true;
         }
-        let _e67 = phi_171_;
-        let _e69 = phi_172_;
-        phi_173_ = _e67;
-        phi_174_ = _e69;
+        let _e68 = phi_172_;
+        let _e70 = phi_173_;
+        phi_174_ = _e68;
+        phi_175_ = _e70;
     } else {
-        phi_173_ = lt_mask_LightPlace();
-        phi_174_ = true;
+        phi_174_ = lt_mask_LightPlace();
+        phi_175_ = true;
     }
-    let _e71 = phi_173_;
-    let _e73 = phi_174_;
-    if _e73 {
-        phi_179_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e72 = phi_174_;
+    let _e74 = phi_175_;
+    if _e74 {
+        phi_180_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_179_ = _e71;
+        phi_180_ = _e72;
     }
-    let _e78 = phi_179_;
-    return lt_mask_LightPlace(_e78.word, _e78.shift);
+    let _e79 = phi_180_;
+    return lt_mask_LightPlace(_e79.word, _e79.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_197_: vec2<i32>;
+    var phi_198_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_197_ = vec2(0i);
+            phi_198_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_197_ = vec2<i32>(0i, -1i);
+            phi_198_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_197_ = vec2<i32>(-1i, 0i);
+            phi_198_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_197_ = vec2<i32>(1i, 0i);
+            phi_198_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_197_ = vec2<i32>(0i, 1i);
+            phi_198_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e63 = phi_197_;
-    return vec2<i32>(_e63.x, _e63.y);
+    let _e64 = phi_198_;
+    return vec2<i32>(_e64.x, _e64.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_215_: vec2<i32>;
+    var phi_216_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_215_ = vec2(0i);
+            phi_216_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_215_ = vec2(-1i);
+            phi_216_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_215_ = vec2<i32>(1i, -1i);
+            phi_216_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_215_ = vec2<i32>(-1i, 1i);
+            phi_216_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_215_ = vec2(1i);
+            phi_216_ = vec2(1i);
             break;
         }
     }
-    let _e63 = phi_215_;
-    return vec2<i32>(_e63.x, _e63.y);
+    let _e64 = phi_216_;
+    return vec2<i32>(_e64.x, _e64.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_234_: vec2<i32>;
+    var phi_235_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e57 = lt_mask_pattern_plus(param_5);
-        phi_234_ = vec2<i32>(_e57.x, _e57.y);
+        let _e58 = lt_mask_pattern_plus(param_5);
+        phi_235_ = vec2<i32>(_e58.x, _e58.y);
     } else {
-        let _e61 = lt_mask_pattern_cross(param_5);
-        phi_234_ = vec2<i32>(_e61.x, _e61.y);
+        let _e62 = lt_mask_pattern_cross(param_5);
+        phi_235_ = vec2<i32>(_e62.x, _e62.y);
     }
-    let _e66 = phi_234_;
-    return vec2<i32>(_e66.x, _e66.y);
+    let _e67 = phi_235_;
+    return vec2<i32>(_e67.x, _e67.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_259_: vec2<i32>;
+    var phi_260_: vec2<i32>;
 
-    let _e55 = (param_7 % 13u);
-    switch bitcast<i32>(_e55) {
+    let _e56 = (param_7 % 13u);
+    switch bitcast<i32>(_e56) {
         case 9: {
-            phi_259_ = vec2<i32>(0i, -2i);
+            phi_260_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_259_ = vec2<i32>(-2i, 0i);
+            phi_260_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_259_ = vec2<i32>(2i, 0i);
+            phi_260_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_259_ = vec2<i32>(0i, 2i);
+            phi_260_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_259_ = vec2<i32>((bitcast<i32>((_e55 % 3u)) - 1i), (bitcast<i32>(((_e55 / 3u) % 3u)) - 1i));
+            phi_260_ = vec2<i32>((bitcast<i32>((_e56 % 3u)) - 1i), (bitcast<i32>(((_e56 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e70 = phi_259_;
-    return vec2<i32>(_e70.x, _e70.y);
+    let _e71 = phi_260_;
+    return vec2<i32>(_e71.x, _e71.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_280_: u32;
     var phi_281_: u32;
+    var phi_282_: u32;
 
-    let _e58 = (bitcast<i32>(param_8) + param_9);
-    if (_e58 < 0i) {
-        phi_281_ = 0u;
+    let _e59 = (bitcast<i32>(param_8) + param_9);
+    if (_e59 < 0i) {
+        phi_282_ = 0u;
     } else {
-        if (_e58 >= bitcast<i32>(param_10)) {
-            phi_280_ = (param_10 - 1u);
+        if (_e59 >= bitcast<i32>(param_10)) {
+            phi_281_ = (param_10 - 1u);
         } else {
-            phi_280_ = bitcast<u32>(_e58);
+            phi_281_ = bitcast<u32>(_e59);
         }
-        let _e65 = phi_280_;
-        phi_281_ = _e65;
+        let _e66 = phi_281_;
+        phi_282_ = _e66;
     }
-    let _e67 = phi_281_;
-    return _e67;
+    let _e68 = phi_282_;
+    return _e68;
 }
 
 fn function_() {
-    var phi_353_: bool;
     var phi_354_: bool;
     var phi_355_: bool;
     var phi_356_: bool;
-    var phi_360_: bool;
-    var phi_430_: bool;
+    var phi_357_: bool;
+    var phi_361_: bool;
     var phi_431_: bool;
-    var phi_442_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_443_: bool;
-    var phi_444_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_445_: bool;
-    var phi_452_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_456_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_469_: bool;
-    var phi_677_: f32;
-    var phi_682_: f32;
-    var phi_683_: bool;
-    var phi_684_: f32;
-    var phi_685_: bool;
-    var phi_689_: f32;
-    var phi_710_: f32;
-    var phi_715_: f32;
-    var phi_716_: bool;
-    var phi_717_: f32;
-    var phi_718_: bool;
-    var phi_722_: f32;
-    var phi_743_: bool;
-    var phi_762_: vec2<u32>;
+    var phi_432_: bool;
+    var phi_443_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_444_: bool;
+    var phi_445_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_446_: bool;
+    var phi_453_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_457_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_470_: bool;
+    var phi_501_: bool;
+    var phi_502_: bool;
+    var phi_503_: bool;
+    var phi_504_: bool;
+    var phi_508_: bool;
+    var phi_512_: bool;
+    var phi_513_: bool;
+    var phi_724_: f32;
+    var phi_729_: f32;
+    var phi_730_: bool;
+    var phi_731_: f32;
+    var phi_732_: bool;
+    var phi_736_: f32;
+    var phi_757_: f32;
+    var phi_762_: f32;
     var phi_763_: bool;
-    var phi_764_: bool;
+    var phi_764_: f32;
     var phi_765_: bool;
-    var phi_766_: vec2<u32>;
-    var phi_767_: bool;
-    var phi_768_: bool;
-    var phi_769_: bool;
-    var phi_770_: bool;
-    var phi_771_: bool;
-    var phi_772_: bool;
-    var phi_773_: vec2<u32>;
-    var phi_774_: bool;
-    var phi_775_: bool;
-    var phi_776_: bool;
-    var phi_777_: bool;
-    var phi_778_: bool;
-    var phi_779_: bool;
-    var phi_780_: vec2<u32>;
-    var phi_781_: bool;
-    var phi_782_: bool;
-    var phi_783_: bool;
-    var phi_784_: bool;
-    var phi_793_: bool;
-    var phi_794_: bool;
-    var phi_795_: bool;
-    var phi_796_: bool;
-    var phi_800_: bool;
-    var phi_801_: bool;
-    var phi_802_: vec2<u32>;
-    var phi_844_: bool;
-    var phi_845_: bool;
+    var phi_769_: f32;
+    var phi_790_: bool;
+    var phi_809_: vec2<u32>;
+    var phi_810_: bool;
+    var phi_811_: bool;
+    var phi_812_: bool;
+    var phi_813_: vec2<u32>;
+    var phi_814_: bool;
+    var phi_815_: bool;
+    var phi_816_: bool;
+    var phi_817_: bool;
+    var phi_818_: bool;
+    var phi_819_: bool;
+    var phi_820_: vec2<u32>;
+    var phi_821_: bool;
+    var phi_822_: bool;
+    var phi_823_: bool;
+    var phi_824_: bool;
+    var phi_825_: bool;
+    var phi_826_: bool;
+    var phi_827_: vec2<u32>;
+    var phi_828_: bool;
+    var phi_829_: bool;
+    var phi_830_: bool;
+    var phi_831_: bool;
+    var phi_840_: bool;
+    var phi_841_: bool;
+    var phi_842_: bool;
+    var phi_843_: bool;
     var phi_847_: bool;
-    var phi_848_: lt_mask_Reprojection;
-    var phi_849_: lt_mask_Reprojection;
-    var phi_850_: bool;
-    var phi_854_: bool;
-    var phi_855_: lt_mask_Reprojection;
-    var phi_861_: bool;
-    var phi_883_: u32;
-    var phi_885_: u32;
-    var phi_888_: lt_mask_Neighbourhood;
-    var phi_900_: bool;
-    var phi_901_: bool;
-    var phi_910_: u32;
-    var phi_911_: u32;
-    var phi_971_: vec2<i32>;
-    var phi_991_: vec2<i32>;
-    var phi_1016_: u32;
-    var phi_1035_: u32;
-    var phi_1043_: u32;
-    var phi_1069_: bool;
-    var phi_1070_: bool;
-    var phi_1071_: bool;
-    var phi_1072_: bool;
-    var phi_1073_: bool;
-    var phi_1074_: bool;
-    var phi_1075_: bool;
-    var phi_1080_: bool;
-    var phi_1081_: bool;
-    var phi_1082_: bool;
-    var phi_1083_: bool;
-    var phi_1084_: bool;
-    var phi_1085_: bool;
-    var phi_1086_: bool;
-    var phi_1087_: bool;
-    var phi_1088_: bool;
-    var phi_1103_: bool;
-    var phi_1104_: bool;
-    var phi_1111_: bool;
-    var phi_1112_: bool;
-    var phi_1113_: bool;
-    var phi_1114_: bool;
-    var phi_1115_: bool;
-    var phi_1119_: bool;
-    var phi_1120_: bool;
+    var phi_848_: bool;
+    var phi_849_: vec2<u32>;
+    var phi_887_: bool;
+    var phi_889_: lt_mask_Reprojection;
+    var phi_890_: lt_mask_Reprojection;
+    var phi_891_: bool;
+    var phi_895_: bool;
+    var phi_896_: lt_mask_Reprojection;
+    var phi_897_: lt_mask_Reprojection;
+    var phi_898_: bool;
+    var phi_906_: bool;
+    var phi_907_: lt_mask_Reprojection;
+    var phi_913_: bool;
+    var phi_935_: u32;
+    var phi_937_: u32;
+    var phi_940_: lt_mask_Neighbourhood;
+    var phi_952_: bool;
+    var phi_953_: bool;
+    var phi_962_: u32;
+    var phi_963_: u32;
+    var phi_1023_: vec2<i32>;
+    var phi_1043_: vec2<i32>;
+    var phi_1068_: u32;
+    var phi_1087_: u32;
+    var phi_1095_: u32;
     var phi_1121_: bool;
+    var phi_1122_: bool;
+    var phi_1123_: bool;
+    var phi_1124_: bool;
     var phi_1125_: bool;
     var phi_1126_: bool;
-    var phi_1130_: bool;
-    var phi_1131_: bool;
-    var phi_1149_: bool;
-    var phi_1150_: bool;
-    var phi_1151_: bool;
-    var phi_886_: u32;
-    var phi_889_: lt_mask_Neighbourhood;
-    var phi_1154_: lt_mask_Neighbourhood;
-    var phi_1155_: lt_mask_Neighbourhood;
-    var phi_1156_: lt_mask_Neighbourhood;
-    var phi_1188_: bool;
-    var phi_1189_: bool;
-    var phi_1211_: bool;
-    var phi_1212_: bool;
-    var phi_1213_: bool;
-    var phi_1217_: bool;
-    var phi_1239_: bool;
+    var phi_1127_: bool;
+    var phi_1132_: bool;
+    var phi_1133_: bool;
+    var phi_1134_: bool;
+    var phi_1135_: bool;
+    var phi_1136_: bool;
+    var phi_1137_: bool;
+    var phi_1138_: bool;
+    var phi_1139_: bool;
+    var phi_1140_: bool;
+    var phi_1155_: bool;
+    var phi_1156_: bool;
+    var phi_1163_: bool;
+    var phi_1164_: bool;
+    var phi_1165_: bool;
+    var phi_1166_: bool;
+    var phi_1167_: bool;
+    var phi_1171_: bool;
+    var phi_1172_: bool;
+    var phi_1173_: bool;
+    var phi_1177_: bool;
+    var phi_1178_: bool;
+    var phi_1182_: bool;
+    var phi_1183_: bool;
+    var phi_1201_: bool;
+    var phi_1202_: bool;
+    var phi_1203_: bool;
+    var phi_938_: u32;
+    var phi_941_: lt_mask_Neighbourhood;
+    var phi_1206_: lt_mask_Neighbourhood;
+    var phi_1207_: lt_mask_Neighbourhood;
+    var phi_1208_: lt_mask_Neighbourhood;
     var phi_1240_: bool;
-    var phi_1253_: bool;
-    var phi_1254_: bool;
-    var phi_1255_: bool;
-    var phi_1262_: u32;
-    var phi_1263_: u32;
-    var phi_1264_: u32;
-    var phi_1265_: u32;
-    var phi_1266_: u32;
-    var phi_1267_: u32;
-    var phi_1268_: u32;
-    var phi_1280_: bool;
-    var phi_1281_: bool;
-    var phi_1282_: bool;
-    var phi_1283_: bool;
-    var phi_1287_: bool;
-    var phi_1293_: bool;
-    var phi_1301_: u32;
-    var phi_1306_: u32;
+    var phi_1241_: bool;
+    var phi_1263_: bool;
+    var phi_1264_: bool;
+    var phi_1265_: bool;
+    var phi_1269_: bool;
+    var phi_1291_: bool;
+    var phi_1292_: bool;
+    var phi_1305_: bool;
+    var phi_1306_: bool;
+    var phi_1307_: bool;
+    var phi_1314_: u32;
     var phi_1315_: u32;
+    var phi_1316_: u32;
+    var phi_1317_: u32;
+    var phi_1318_: u32;
+    var phi_1319_: u32;
     var phi_1320_: u32;
-    var phi_1324_: u32;
-    var phi_1325_: u32;
-    var phi_1326_: u32;
-    var phi_1330_: f32;
-    var phi_1332_: mask_Masked;
-    var phi_1382_: bool;
-    var phi_1383_: u32;
-    var phi_1394_: u32;
+    var phi_1332_: bool;
+    var phi_1333_: bool;
+    var phi_1334_: bool;
+    var phi_1335_: bool;
+    var phi_1339_: bool;
+    var phi_1345_: bool;
+    var phi_1353_: u32;
+    var phi_1358_: u32;
+    var phi_1367_: u32;
+    var phi_1372_: u32;
+    var phi_1376_: u32;
+    var phi_1377_: u32;
+    var phi_1378_: u32;
+    var phi_1382_: f32;
+    var phi_1384_: mask_Masked;
+    var phi_1434_: bool;
+    var phi_1435_: u32;
+    var phi_1446_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e54 = id_1;
-    let _e55 = local_2;
-    let _e60 = arrayLength((&last_bits.member));
-    let _e67 = p.member.current.size[0u];
-    let _e69 = p.member.current.size[1u];
-    let _e70 = lt_shaders_entry_pixel_index(_e54, _e67, _e69);
-    if (bitcast<i32>(_e70.word) != 0i) {
-        let _e77 = p.member.light.number;
-        let _e78 = (_e77 * 3u);
-        let _e80 = (_e78 % 32u);
-        let _e82 = p.member.light.mask_words;
-        let _e86 = p.member.current.size[0u];
-        let _e89 = samples.member[_e70.shift].position;
-        let _e91 = visibility.member[_e70.shift];
-        let _e97 = samples.member[_e70.shift].normal[0u];
-        let _e99 = global[0u];
-        if (_e97 == _e99) {
-            let _e102 = samples.member[_e70.shift].normal[1u];
-            let _e104 = global[1u];
-            if (_e102 == _e104) {
-                let _e107 = samples.member[_e70.shift].normal[2u];
-                let _e109 = global[2u];
-                phi_353_ = (_e107 == _e109);
-                phi_354_ = false;
+    let _e55 = id_1;
+    let _e56 = local_2;
+    let _e61 = arrayLength((&last_bits.member));
+    let _e68 = p.member.current.size[0u];
+    let _e70 = p.member.current.size[1u];
+    let _e71 = lt_shaders_entry_pixel_index(_e55, _e68, _e70);
+    if (bitcast<i32>(_e71.word) != 0i) {
+        let _e78 = p.member.light.number;
+        let _e79 = (_e78 * 3u);
+        let _e81 = (_e79 % 32u);
+        let _e83 = p.member.light.mask_words;
+        let _e87 = p.member.current.size[0u];
+        let _e90 = samples.member[_e71.shift].position;
+        let _e92 = visibility.member[_e71.shift];
+        let _e98 = samples.member[_e71.shift].normal[0u];
+        let _e100 = global[0u];
+        if (_e98 == _e100) {
+            let _e103 = samples.member[_e71.shift].normal[1u];
+            let _e105 = global[1u];
+            if (_e103 == _e105) {
+                let _e108 = samples.member[_e71.shift].normal[2u];
+                let _e110 = global[2u];
+                phi_354_ = (_e108 == _e110);
+                phi_355_ = false;
             } else {
-                phi_353_ = bool();
-                phi_354_ = true;
+                phi_354_ = bool();
+                phi_355_ = true;
             }
-            let _e112 = phi_353_;
-            let _e114 = phi_354_;
-            phi_355_ = _e112;
-            phi_356_ = _e114;
+            let _e113 = phi_354_;
+            let _e115 = phi_355_;
+            phi_356_ = _e113;
+            phi_357_ = _e115;
         } else {
-            phi_355_ = bool();
-            phi_356_ = true;
+            phi_356_ = bool();
+            phi_357_ = true;
         }
-        let _e116 = phi_355_;
-        let _e118 = phi_356_;
-        if _e118 {
-            phi_360_ = false;
+        let _e117 = phi_356_;
+        let _e119 = phi_357_;
+        if _e119 {
+            phi_361_ = false;
         } else {
-            phi_360_ = _e116;
+            phi_361_ = _e117;
         }
-        let _e120 = phi_360_;
-        if !(_e120) {
-            let _e123 = samples.member[_e70.shift].position;
-            let _e125 = p.member.light.place;
-            let _e131 = p.member.light.place[3u];
-            let _e138 = (_e125.x - (_e123.x * _e131));
-            let _e139 = (_e125.y - (_e123.y * _e131));
-            let _e140 = (_e125.z - (_e123.z * _e131));
-            let _e142 = samples.member[_e70.shift].normal;
-            if ((((_e142.x * _e138) + (_e142.y * _e139)) + (_e142.z * _e140)) > 0f) {
-                let _e156 = (((_e138 * _e138) + (_e139 * _e139)) + (_e140 * _e140));
-                let _e158 = p.member.light.axis;
-                let _e170 = p.member.light.place[3u];
-                if (_e170 == 0f) {
-                    phi_431_ = true;
+        let _e121 = phi_361_;
+        if !(_e121) {
+            let _e124 = samples.member[_e71.shift].position;
+            let _e126 = p.member.light.place;
+            let _e132 = p.member.light.place[3u];
+            let _e139 = (_e126.x - (_e124.x * _e132));
+            let _e140 = (_e126.y - (_e124.y * _e132));
+            let _e141 = (_e126.z - (_e124.z * _e132));
+            let _e143 = samples.member[_e71.shift].normal;
+            if ((((_e143.x * _e139) + (_e143.y * _e140)) + (_e143.z * _e141)) > 0f) {
+                let _e157 = (((_e139 * _e139) + (_e140 * _e140)) + (_e141 * _e141));
+                let _e159 = p.member.light.axis;
+                let _e171 = p.member.light.place[3u];
+                if (_e171 == 0f) {
+                    phi_432_ = true;
                 } else {
-                    let _e173 = p.member.light.range_squared;
-                    if (_e156 <= _e173) {
-                        let _e176 = p.member.light.cos_outer;
-                        phi_430_ = (-((((_e138 * _e158.x) + (_e139 * _e158.y)) + (_e140 * _e158.z))) >= (_e176 * sqrt(_e156)));
+                    let _e174 = p.member.light.range_squared;
+                    if (_e157 <= _e174) {
+                        let _e177 = p.member.light.cos_outer;
+                        phi_431_ = (-((((_e139 * _e159.x) + (_e140 * _e159.y)) + (_e141 * _e159.z))) >= (_e177 * sqrt(_e157)));
                     } else {
-                        phi_430_ = false;
+                        phi_431_ = false;
                     }
-                    let _e181 = phi_430_;
-                    phi_431_ = _e181;
+                    let _e182 = phi_431_;
+                    phi_432_ = _e182;
                 }
-                let _e183 = phi_431_;
-                if _e183 {
-                    let _e185 = samples.member[_e70.shift].flags;
-                    let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e193.unnamed.visibility, false), _e193.unnamed_1);
-                    phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e199.unnamed, ((_e185 & 1u) == 0u));
-                    phi_443_ = false;
+                let _e184 = phi_432_;
+                if _e184 {
+                    let _e186 = samples.member[_e71.shift].flags;
+                    let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e194.unnamed.visibility, false), _e194.unnamed_1);
+                    phi_443_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e200.unnamed, ((_e186 & 1u) == 0u));
+                    phi_444_ = false;
                 } else {
-                    phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_443_ = true;
+                    phi_443_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_444_ = true;
                 }
-                let _e204 = phi_442_;
-                let _e206 = phi_443_;
-                phi_444_ = _e204;
-                phi_445_ = _e206;
+                let _e205 = phi_443_;
+                let _e207 = phi_444_;
+                phi_445_ = _e205;
+                phi_446_ = _e207;
             } else {
-                phi_444_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_445_ = true;
+                phi_445_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_446_ = true;
             }
-            let _e208 = phi_444_;
-            let _e210 = phi_445_;
-            if _e210 {
-                let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e216.unnamed.visibility, false), _e216.unnamed_1);
-                phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e222.unnamed, true);
+            let _e209 = phi_445_;
+            let _e211 = phi_446_;
+            if _e211 {
+                let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e223 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e217.unnamed.visibility, false), _e217.unnamed_1);
+                phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e223.unnamed, true);
             } else {
-                phi_452_ = _e208;
+                phi_453_ = _e209;
             }
-            let _e227 = phi_452_;
-            phi_456_ = _e227;
+            let _e228 = phi_453_;
+            phi_457_ = _e228;
         } else {
-            let _e233 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e239 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e233.unnamed.visibility, false), _e233.unnamed_1);
-            phi_456_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e239.unnamed, true);
+            let _e234 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e240 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e234.unnamed.visibility, false), _e234.unnamed_1);
+            phi_457_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e240.unnamed, true);
         }
-        let _e244 = phi_456_;
-        if _e244.unnamed_1 {
-            phi_1332_ = mask_Masked(_e244.unnamed.visibility, 0u, false);
+        let _e245 = phi_457_;
+        if _e245.unnamed_1 {
+            phi_1384_ = mask_Masked(_e245.unnamed.visibility, 0u, false);
         } else {
-            let _e249 = (_e91 < 0.5f);
-            if (_e91 > 0f) {
-                phi_469_ = (_e91 < 1f);
+            let _e250 = (_e92 < 0.5f);
+            if (_e92 > 0f) {
+                phi_470_ = (_e92 < 1f);
             } else {
-                phi_469_ = false;
+                phi_470_ = false;
             }
-            let _e253 = phi_469_;
-            let _e255 = samples.member[_e70.shift].position;
-            let _e259 = p.member.previous.eye;
-            let _e262 = (_e89.x - _e259.x);
-            let _e265 = (_e89.y - _e259.y);
-            let _e268 = (_e89.z - _e259.z);
-            let _e270 = p.member.previous.forward;
-            let _e278 = (((_e262 * _e270.x) + (_e265 * _e270.y)) + (_e268 * _e270.z));
-            let _e280 = p.member.previous.right;
-            let _e290 = p.member.previous.right;
-            let _e305 = p.member.previous.up;
-            let _e315 = p.member.previous.up;
-            let _e330 = p.member.current.eye;
-            let _e333 = (_e255.x - _e330.x);
-            let _e336 = (_e255.y - _e330.y);
-            let _e339 = (_e255.z - _e330.z);
-            let _e341 = p.member.current.forward;
-            let _e349 = (((_e333 * _e341.x) + (_e336 * _e341.y)) + (_e339 * _e341.z));
-            let _e351 = p.member.current.right;
-            let _e361 = p.member.current.right;
-            let _e376 = p.member.current.up;
-            let _e386 = p.member.current.up;
-            let _e405 = p.member.current.size[0u];
-            let _e407 = (((((((_e262 * _e280.x) + (_e265 * _e280.y)) + (_e268 * _e280.z)) / ((((_e290.x * _e290.x) + (_e290.y * _e290.y)) + (_e290.z * _e290.z)) * _e278)) - ((((_e333 * _e351.x) + (_e336 * _e351.y)) + (_e339 * _e351.z)) / ((((_e361.x * _e361.x) + (_e361.y * _e361.y)) + (_e361.z * _e361.z)) * _e349))) * 0.5f) * f32(_e405));
-            let _e411 = p.member.current.size[1u];
-            let _e413 = (((((((_e262 * _e305.x) + (_e265 * _e305.y)) + (_e268 * _e305.z)) / ((((_e315.x * _e315.x) + (_e315.y * _e315.y)) + (_e315.z * _e315.z)) * _e278)) - ((((_e333 * _e376.x) + (_e336 * _e376.y)) + (_e339 * _e376.z)) / ((((_e386.x * _e386.x) + (_e386.y * _e386.y)) + (_e386.z * _e386.z)) * _e349))) * -0.5f) * f32(_e411));
-            let _e417 = p.member.current.grid[0u];
-            let _e419 = p.member.current.grid[1u];
-            let _e439 = p.member.current.size[0u];
-            let _e441 = p.member.current.size[1u];
-            let _e443 = ((f32(_e54.x) + ((f32((_e54.y & (_e419 - 1u))) + 0.5f) / f32(_e419))) + _e407);
-            if (_e443 > -8388608f) {
-                let _e455 = f32(select(0i, select(select(i32(_e443), i32(-2147483648), (_e443 < bitcast<f32>(3472883712u))), 2147483647i, (_e443 > bitcast<f32>(1325400063u))), (_e443 == _e443)));
-                if (_e455 > _e443) {
-                    phi_677_ = 1f;
-                } else {
-                    phi_677_ = 0f;
-                }
-                let _e458 = phi_677_;
-                if (_e443 < 8388608f) {
-                    phi_682_ = (_e455 - _e458);
-                    phi_683_ = false;
-                } else {
-                    phi_682_ = f32();
-                    phi_683_ = true;
-                }
-                let _e461 = phi_682_;
-                let _e463 = phi_683_;
-                phi_684_ = _e461;
-                phi_685_ = _e463;
+            let _e254 = phi_470_;
+            let _e261 = lt_mask_Reprojection(vec2<u32>(_e55.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e268 = lt_mask_Reprojection(vec2<u32>(_e261.pixel.x, _e55.y), _e261.is_valid, _e261.has_moved);
+            let _e272 = lt_mask_Reprojection(_e268.pixel, true, _e268.has_moved);
+            let _e278 = p.member.flags;
+            if ((_e278 & 16u) == 0u) {
+                phi_513_ = true;
             } else {
-                phi_684_ = f32();
-                phi_685_ = true;
-            }
-            let _e465 = phi_684_;
-            let _e467 = phi_685_;
-            if _e467 {
-                phi_689_ = _e443;
-            } else {
-                phi_689_ = _e465;
-            }
-            let _e469 = phi_689_;
-            let _e470 = ((f32(_e54.y) + ((f32((_e54.x & (_e417 - 1u))) + 0.5f) / f32(_e417))) + _e413);
-            if (_e470 > -8388608f) {
-                let _e482 = f32(select(0i, select(select(i32(_e470), i32(-2147483648), (_e470 < bitcast<f32>(3472883712u))), 2147483647i, (_e470 > bitcast<f32>(1325400063u))), (_e470 == _e470)));
-                if (_e482 > _e470) {
-                    phi_710_ = 1f;
-                } else {
-                    phi_710_ = 0f;
-                }
-                let _e485 = phi_710_;
-                if (_e470 < 8388608f) {
-                    phi_715_ = (_e482 - _e485);
-                    phi_716_ = false;
-                } else {
-                    phi_715_ = f32();
-                    phi_716_ = true;
-                }
-                let _e488 = phi_715_;
-                let _e490 = phi_716_;
-                phi_717_ = _e488;
-                phi_718_ = _e490;
-            } else {
-                phi_717_ = f32();
-                phi_718_ = true;
-            }
-            let _e492 = phi_717_;
-            let _e494 = phi_718_;
-            if _e494 {
-                phi_722_ = _e470;
-            } else {
-                phi_722_ = _e492;
-            }
-            let _e496 = phi_722_;
-            if (_e469 >= 0f) {
-                if (_e496 >= 0f) {
-                    if (_e469 < f32(_e439)) {
-                        let _e502 = (_e496 < f32(_e441));
-                        if (_e407 == 0f) {
-                            phi_743_ = (_e413 == 0f);
-                        } else {
-                            phi_743_ = false;
-                        }
-                        let _e506 = phi_743_;
-                        if _e502 {
-                            phi_762_ = vec2<u32>(select(select(u32(_e469), 0u, (_e469 < bitcast<f32>(0u))), 4294967295u, (_e469 > bitcast<f32>(1333788671u))), select(select(u32(_e496), 0u, (_e496 < bitcast<f32>(0u))), 4294967295u, (_e496 > bitcast<f32>(1333788671u))));
-                            phi_763_ = false;
-                        } else {
-                            phi_762_ = vec2<u32>();
-                            phi_763_ = true;
-                        }
-                        let _e523 = phi_762_;
-                        let _e525 = phi_763_;
-                        phi_764_ = _e506;
-                        phi_765_ = _e502;
-                        phi_766_ = _e523;
-                        phi_767_ = _e506;
-                        phi_768_ = _e502;
-                        phi_769_ = false;
-                        phi_770_ = _e525;
+                let _e284 = samples.member[_e71.shift].position[0u];
+                if (_e90.x == _e284) {
+                    let _e288 = samples.member[_e71.shift].position[1u];
+                    if (_e90.y == _e288) {
+                        let _e292 = samples.member[_e71.shift].position[2u];
+                        phi_501_ = (_e90.z == _e292);
+                        phi_502_ = false;
                     } else {
-                        phi_764_ = bool();
-                        phi_765_ = bool();
-                        phi_766_ = vec2<u32>();
-                        phi_767_ = bool();
-                        phi_768_ = bool();
-                        phi_769_ = true;
-                        phi_770_ = false;
+                        phi_501_ = bool();
+                        phi_502_ = true;
                     }
-                    let _e527 = phi_764_;
-                    let _e529 = phi_765_;
-                    let _e531 = phi_766_;
-                    let _e533 = phi_767_;
-                    let _e535 = phi_768_;
-                    let _e537 = phi_769_;
-                    let _e539 = phi_770_;
-                    phi_771_ = _e527;
-                    phi_772_ = _e529;
-                    phi_773_ = _e531;
-                    phi_774_ = _e533;
-                    phi_775_ = _e535;
-                    phi_776_ = _e537;
-                    phi_777_ = _e539;
+                    let _e295 = phi_501_;
+                    let _e297 = phi_502_;
+                    phi_503_ = _e295;
+                    phi_504_ = _e297;
                 } else {
-                    phi_771_ = bool();
-                    phi_772_ = bool();
-                    phi_773_ = vec2<u32>();
-                    phi_774_ = bool();
-                    phi_775_ = bool();
-                    phi_776_ = true;
-                    phi_777_ = false;
+                    phi_503_ = bool();
+                    phi_504_ = true;
                 }
-                let _e541 = phi_771_;
-                let _e543 = phi_772_;
-                let _e545 = phi_773_;
-                let _e547 = phi_774_;
-                let _e549 = phi_775_;
-                let _e551 = phi_776_;
-                let _e553 = phi_777_;
-                phi_778_ = _e541;
-                phi_779_ = _e543;
-                phi_780_ = _e545;
-                phi_781_ = _e547;
-                phi_782_ = _e549;
-                phi_783_ = _e551;
-                phi_784_ = _e553;
-            } else {
-                phi_778_ = bool();
-                phi_779_ = bool();
-                phi_780_ = vec2<u32>();
-                phi_781_ = bool();
-                phi_782_ = bool();
-                phi_783_ = true;
-                phi_784_ = false;
-            }
-            let _e555 = phi_778_;
-            let _e557 = phi_779_;
-            let _e559 = phi_780_;
-            let _e561 = phi_781_;
-            let _e563 = phi_782_;
-            let _e565 = phi_783_;
-            let _e567 = phi_784_;
-            if _e565 {
-                if (_e407 == 0f) {
-                    phi_793_ = (_e413 == 0f);
+                let _e299 = phi_503_;
+                let _e301 = phi_504_;
+                if _e301 {
+                    phi_508_ = false;
                 } else {
-                    phi_793_ = false;
+                    phi_508_ = _e299;
                 }
-                let _e571 = phi_793_;
-                phi_794_ = _e571;
-                phi_795_ = false;
-                phi_796_ = true;
-            } else {
-                phi_794_ = _e561;
-                phi_795_ = _e563;
-                phi_796_ = _e567;
-            }
-            let _e573 = phi_794_;
-            let _e575 = phi_795_;
-            let _e577 = phi_796_;
-            if _e577 {
-                phi_800_ = _e573;
-                phi_801_ = _e575;
-                phi_802_ = vec2<u32>(_e54.x, _e54.y);
-            } else {
-                phi_800_ = _e555;
-                phi_801_ = _e557;
-                phi_802_ = _e559;
-            }
-            let _e579 = phi_800_;
-            let _e581 = phi_801_;
-            let _e583 = phi_802_;
-            let _e593 = lt_mask_Reprojection(vec2<u32>(_e583.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e600 = lt_mask_Reprojection(vec2<u32>(_e593.pixel.x, _e583.y), _e593.is_valid, _e593.has_moved);
-            let _e604 = lt_mask_Reprojection(_e600.pixel, _e581, _e600.has_moved);
-            let _e608 = lt_mask_Reprojection(_e604.pixel, _e604.is_valid, !(_e579));
-            if _e581 {
-                let _e611 = p.member.previous.eye;
-                let _e622 = p.member.previous.forward;
-                let _e631 = (((((_e89.x - _e611.x) * _e622.x) + ((_e89.y - _e611.y) * _e622.y)) + ((_e89.z - _e611.z) * _e622.z)) > 0f);
-                let _e635 = lt_mask_Reprojection(_e608.pixel, _e631, _e608.has_moved);
-                if _e631 {
-                    let _e637 = p.member.flags;
-                    phi_844_ = ((_e637 & 1u) != 0u);
-                    phi_845_ = false;
+                let _e303 = phi_508_;
+                if _e303 {
+                    phi_512_ = false;
                 } else {
-                    phi_844_ = bool();
-                    phi_845_ = true;
+                    phi_512_ = true;
                 }
-                let _e641 = phi_844_;
-                let _e643 = phi_845_;
-                phi_847_ = _e641;
-                phi_848_ = _e635;
-                phi_849_ = _e635;
-                phi_850_ = _e643;
-            } else {
-                phi_847_ = bool();
-                phi_848_ = lt_mask_Reprojection();
-                phi_849_ = lt_mask_Reprojection(_e608.pixel, false, _e608.has_moved);
-                phi_850_ = true;
+                let _e305 = phi_512_;
+                phi_513_ = _e305;
             }
-            let _e649 = phi_847_;
-            let _e651 = phi_848_;
-            let _e653 = phi_849_;
-            let _e655 = phi_850_;
-            if _e655 {
-                phi_854_ = false;
-                phi_855_ = _e653;
-            } else {
-                phi_854_ = _e649;
-                phi_855_ = _e651;
-            }
-            let _e657 = phi_854_;
-            let _e659 = phi_855_;
-            let _e663 = lt_mask_Reprojection(_e659.pixel, _e657, _e659.has_moved);
-            let _e664 = lt_mask_Neighbourhood(false, true);
-            if _e253 {
-                phi_861_ = false;
-            } else {
-                phi_861_ = true;
-            }
-            let _e666 = phi_861_;
-            if _e666 {
-                if _e657 {
-                    if ((0u & 2u) != 0u) {
-                        phi_1154_ = _e664;
+            let _e307 = phi_513_;
+            if _e307 {
+                let _e309 = samples.member[_e71.shift].position;
+                let _e313 = p.member.previous.eye;
+                let _e316 = (_e90.x - _e313.x);
+                let _e319 = (_e90.y - _e313.y);
+                let _e322 = (_e90.z - _e313.z);
+                let _e324 = p.member.previous.forward;
+                let _e332 = (((_e316 * _e324.x) + (_e319 * _e324.y)) + (_e322 * _e324.z));
+                let _e334 = p.member.previous.right;
+                let _e344 = p.member.previous.right;
+                let _e359 = p.member.previous.up;
+                let _e369 = p.member.previous.up;
+                let _e384 = p.member.current.eye;
+                let _e387 = (_e309.x - _e384.x);
+                let _e390 = (_e309.y - _e384.y);
+                let _e393 = (_e309.z - _e384.z);
+                let _e395 = p.member.current.forward;
+                let _e403 = (((_e387 * _e395.x) + (_e390 * _e395.y)) + (_e393 * _e395.z));
+                let _e405 = p.member.current.right;
+                let _e415 = p.member.current.right;
+                let _e430 = p.member.current.up;
+                let _e440 = p.member.current.up;
+                let _e459 = p.member.current.size[0u];
+                let _e461 = (((((((_e316 * _e334.x) + (_e319 * _e334.y)) + (_e322 * _e334.z)) / ((((_e344.x * _e344.x) + (_e344.y * _e344.y)) + (_e344.z * _e344.z)) * _e332)) - ((((_e387 * _e405.x) + (_e390 * _e405.y)) + (_e393 * _e405.z)) / ((((_e415.x * _e415.x) + (_e415.y * _e415.y)) + (_e415.z * _e415.z)) * _e403))) * 0.5f) * f32(_e459));
+                let _e465 = p.member.current.size[1u];
+                let _e467 = (((((((_e316 * _e359.x) + (_e319 * _e359.y)) + (_e322 * _e359.z)) / ((((_e369.x * _e369.x) + (_e369.y * _e369.y)) + (_e369.z * _e369.z)) * _e332)) - ((((_e387 * _e430.x) + (_e390 * _e430.y)) + (_e393 * _e430.z)) / ((((_e440.x * _e440.x) + (_e440.y * _e440.y)) + (_e440.z * _e440.z)) * _e403))) * -0.5f) * f32(_e465));
+                let _e471 = p.member.current.grid[0u];
+                let _e473 = p.member.current.grid[1u];
+                let _e493 = p.member.current.size[0u];
+                let _e495 = p.member.current.size[1u];
+                let _e497 = ((f32(_e55.x) + ((f32((_e55.y & (_e473 - 1u))) + 0.5f) / f32(_e473))) + _e461);
+                if (_e497 > -8388608f) {
+                    let _e509 = f32(select(0i, select(select(i32(_e497), i32(-2147483648), (_e497 < bitcast<f32>(3472883712u))), 2147483647i, (_e497 > bitcast<f32>(1325400063u))), (_e497 == _e497)));
+                    if (_e509 > _e497) {
+                        phi_724_ = 1f;
                     } else {
-                        let _e670 = p.member.expansion;
-                        if _e663.has_moved {
-                            let _e673 = p.member.moving_pattern;
-                            phi_883_ = _e673;
-                        } else {
-                            let _e675 = p.member.still_pattern;
-                            phi_883_ = _e675;
-                        }
-                        let _e677 = phi_883_;
-                        phi_885_ = 0u;
-                        phi_888_ = _e664;
-                        loop {
-                            let _e679 = phi_885_;
-                            let _e681 = phi_888_;
-                            local_1 = _e681;
-                            if (1u <= _e677) {
-                                if (_e677 <= 4u) {
-                                    phi_900_ = false;
-                                } else {
-                                    phi_900_ = true;
-                                }
-                                let _e685 = phi_900_;
-                                phi_901_ = _e685;
+                        phi_724_ = 0f;
+                    }
+                    let _e512 = phi_724_;
+                    if (_e497 < 8388608f) {
+                        phi_729_ = (_e509 - _e512);
+                        phi_730_ = false;
+                    } else {
+                        phi_729_ = f32();
+                        phi_730_ = true;
+                    }
+                    let _e515 = phi_729_;
+                    let _e517 = phi_730_;
+                    phi_731_ = _e515;
+                    phi_732_ = _e517;
+                } else {
+                    phi_731_ = f32();
+                    phi_732_ = true;
+                }
+                let _e519 = phi_731_;
+                let _e521 = phi_732_;
+                if _e521 {
+                    phi_736_ = _e497;
+                } else {
+                    phi_736_ = _e519;
+                }
+                let _e523 = phi_736_;
+                let _e524 = ((f32(_e55.y) + ((f32((_e55.x & (_e471 - 1u))) + 0.5f) / f32(_e471))) + _e467);
+                if (_e524 > -8388608f) {
+                    let _e536 = f32(select(0i, select(select(i32(_e524), i32(-2147483648), (_e524 < bitcast<f32>(3472883712u))), 2147483647i, (_e524 > bitcast<f32>(1325400063u))), (_e524 == _e524)));
+                    if (_e536 > _e524) {
+                        phi_757_ = 1f;
+                    } else {
+                        phi_757_ = 0f;
+                    }
+                    let _e539 = phi_757_;
+                    if (_e524 < 8388608f) {
+                        phi_762_ = (_e536 - _e539);
+                        phi_763_ = false;
+                    } else {
+                        phi_762_ = f32();
+                        phi_763_ = true;
+                    }
+                    let _e542 = phi_762_;
+                    let _e544 = phi_763_;
+                    phi_764_ = _e542;
+                    phi_765_ = _e544;
+                } else {
+                    phi_764_ = f32();
+                    phi_765_ = true;
+                }
+                let _e546 = phi_764_;
+                let _e548 = phi_765_;
+                if _e548 {
+                    phi_769_ = _e524;
+                } else {
+                    phi_769_ = _e546;
+                }
+                let _e550 = phi_769_;
+                if (_e523 >= 0f) {
+                    if (_e550 >= 0f) {
+                        if (_e523 < f32(_e493)) {
+                            let _e556 = (_e550 < f32(_e495));
+                            if (_e461 == 0f) {
+                                phi_790_ = (_e467 == 0f);
                             } else {
-                                phi_901_ = true;
+                                phi_790_ = false;
                             }
-                            let _e687 = phi_901_;
-                            if _e687 {
-                                switch bitcast<i32>(_e677) {
+                            let _e560 = phi_790_;
+                            if _e556 {
+                                phi_809_ = vec2<u32>(select(select(u32(_e523), 0u, (_e523 < bitcast<f32>(0u))), 4294967295u, (_e523 > bitcast<f32>(1333788671u))), select(select(u32(_e550), 0u, (_e550 < bitcast<f32>(0u))), 4294967295u, (_e550 > bitcast<f32>(1333788671u))));
+                                phi_810_ = false;
+                            } else {
+                                phi_809_ = vec2<u32>();
+                                phi_810_ = true;
+                            }
+                            let _e577 = phi_809_;
+                            let _e579 = phi_810_;
+                            phi_811_ = _e560;
+                            phi_812_ = _e556;
+                            phi_813_ = _e577;
+                            phi_814_ = _e560;
+                            phi_815_ = _e556;
+                            phi_816_ = false;
+                            phi_817_ = _e579;
+                        } else {
+                            phi_811_ = bool();
+                            phi_812_ = bool();
+                            phi_813_ = vec2<u32>();
+                            phi_814_ = bool();
+                            phi_815_ = bool();
+                            phi_816_ = true;
+                            phi_817_ = false;
+                        }
+                        let _e581 = phi_811_;
+                        let _e583 = phi_812_;
+                        let _e585 = phi_813_;
+                        let _e587 = phi_814_;
+                        let _e589 = phi_815_;
+                        let _e591 = phi_816_;
+                        let _e593 = phi_817_;
+                        phi_818_ = _e581;
+                        phi_819_ = _e583;
+                        phi_820_ = _e585;
+                        phi_821_ = _e587;
+                        phi_822_ = _e589;
+                        phi_823_ = _e591;
+                        phi_824_ = _e593;
+                    } else {
+                        phi_818_ = bool();
+                        phi_819_ = bool();
+                        phi_820_ = vec2<u32>();
+                        phi_821_ = bool();
+                        phi_822_ = bool();
+                        phi_823_ = true;
+                        phi_824_ = false;
+                    }
+                    let _e595 = phi_818_;
+                    let _e597 = phi_819_;
+                    let _e599 = phi_820_;
+                    let _e601 = phi_821_;
+                    let _e603 = phi_822_;
+                    let _e605 = phi_823_;
+                    let _e607 = phi_824_;
+                    phi_825_ = _e595;
+                    phi_826_ = _e597;
+                    phi_827_ = _e599;
+                    phi_828_ = _e601;
+                    phi_829_ = _e603;
+                    phi_830_ = _e605;
+                    phi_831_ = _e607;
+                } else {
+                    phi_825_ = bool();
+                    phi_826_ = bool();
+                    phi_827_ = vec2<u32>();
+                    phi_828_ = bool();
+                    phi_829_ = bool();
+                    phi_830_ = true;
+                    phi_831_ = false;
+                }
+                let _e609 = phi_825_;
+                let _e611 = phi_826_;
+                let _e613 = phi_827_;
+                let _e615 = phi_828_;
+                let _e617 = phi_829_;
+                let _e619 = phi_830_;
+                let _e621 = phi_831_;
+                if _e619 {
+                    if (_e461 == 0f) {
+                        phi_840_ = (_e467 == 0f);
+                    } else {
+                        phi_840_ = false;
+                    }
+                    let _e625 = phi_840_;
+                    phi_841_ = _e625;
+                    phi_842_ = false;
+                    phi_843_ = true;
+                } else {
+                    phi_841_ = _e615;
+                    phi_842_ = _e617;
+                    phi_843_ = _e621;
+                }
+                let _e627 = phi_841_;
+                let _e629 = phi_842_;
+                let _e631 = phi_843_;
+                if _e631 {
+                    phi_847_ = _e627;
+                    phi_848_ = _e629;
+                    phi_849_ = vec2<u32>(_e55.x, _e55.y);
+                } else {
+                    phi_847_ = _e609;
+                    phi_848_ = _e611;
+                    phi_849_ = _e613;
+                }
+                let _e633 = phi_847_;
+                let _e635 = phi_848_;
+                let _e637 = phi_849_;
+                let _e647 = lt_mask_Reprojection(vec2<u32>(_e637.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e654 = lt_mask_Reprojection(vec2<u32>(_e647.pixel.x, _e637.y), _e647.is_valid, _e647.has_moved);
+                let _e658 = lt_mask_Reprojection(_e654.pixel, _e635, _e654.has_moved);
+                let _e662 = lt_mask_Reprojection(_e658.pixel, _e658.is_valid, !(_e633));
+                if _e635 {
+                    let _e665 = p.member.previous.eye;
+                    let _e676 = p.member.previous.forward;
+                    let _e685 = (((((_e90.x - _e665.x) * _e676.x) + ((_e90.y - _e665.y) * _e676.y)) + ((_e90.z - _e665.z) * _e676.z)) > 0f);
+                    let _e689 = lt_mask_Reprojection(_e662.pixel, _e685, _e662.has_moved);
+                    if _e685 {
+                        phi_887_ = false;
+                    } else {
+                        phi_887_ = true;
+                    }
+                    let _e691 = phi_887_;
+                    phi_889_ = _e689;
+                    phi_890_ = _e689;
+                    phi_891_ = _e691;
+                } else {
+                    phi_889_ = lt_mask_Reprojection();
+                    phi_890_ = lt_mask_Reprojection(_e662.pixel, false, _e662.has_moved);
+                    phi_891_ = true;
+                }
+                let _e697 = phi_889_;
+                let _e699 = phi_890_;
+                let _e701 = phi_891_;
+                if _e701 {
+                    phi_895_ = false;
+                } else {
+                    phi_895_ = true;
+                }
+                let _e703 = phi_895_;
+                phi_896_ = _e699;
+                phi_897_ = _e697;
+                phi_898_ = _e703;
+            } else {
+                phi_896_ = lt_mask_Reprojection();
+                phi_897_ = lt_mask_Reprojection(_e272.pixel, _e272.is_valid, false);
+                phi_898_ = true;
+            }
+            let _e705 = phi_896_;
+            let _e707 = phi_897_;
+            let _e709 = phi_898_;
+            if _e709 {
+                let _e711 = p.member.flags;
+                phi_906_ = ((_e711 & 1u) != 0u);
+                phi_907_ = _e707;
+            } else {
+                phi_906_ = false;
+                phi_907_ = _e705;
+            }
+            let _e715 = phi_906_;
+            let _e717 = phi_907_;
+            let _e721 = lt_mask_Reprojection(_e717.pixel, _e715, _e717.has_moved);
+            let _e722 = lt_mask_Neighbourhood(false, true);
+            if _e254 {
+                phi_913_ = false;
+            } else {
+                phi_913_ = true;
+            }
+            let _e724 = phi_913_;
+            if _e724 {
+                if _e715 {
+                    if ((0u & 2u) != 0u) {
+                        phi_1206_ = _e722;
+                    } else {
+                        let _e728 = p.member.expansion;
+                        if _e721.has_moved {
+                            let _e731 = p.member.moving_pattern;
+                            phi_935_ = _e731;
+                        } else {
+                            let _e733 = p.member.still_pattern;
+                            phi_935_ = _e733;
+                        }
+                        let _e735 = phi_935_;
+                        phi_937_ = 0u;
+                        phi_940_ = _e722;
+                        loop {
+                            let _e737 = phi_937_;
+                            let _e739 = phi_940_;
+                            local_1 = _e739;
+                            if (1u <= _e735) {
+                                if (_e735 <= 4u) {
+                                    phi_952_ = false;
+                                } else {
+                                    phi_952_ = true;
+                                }
+                                let _e743 = phi_952_;
+                                phi_953_ = _e743;
+                            } else {
+                                phi_953_ = true;
+                            }
+                            let _e745 = phi_953_;
+                            if _e745 {
+                                switch bitcast<i32>(_e735) {
                                     case 5: {
-                                        phi_910_ = 4u;
+                                        phi_962_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_910_ = 25u;
+                                        phi_962_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_910_ = 13u;
+                                        phi_962_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_910_ = 9u;
+                                        phi_962_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e690 = phi_910_;
-                                phi_911_ = _e690;
+                                let _e748 = phi_962_;
+                                phi_963_ = _e748;
                             } else {
-                                phi_911_ = 5u;
+                                phi_963_ = 5u;
                             }
-                            let _e692 = phi_911_;
-                            let _e693 = (_e679 < _e692);
-                            if _e693 {
-                                let _e699 = p.member.frame;
-                                let _e703 = p.member.current.size[0u];
-                                let _e705 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e677) {
+                            let _e750 = phi_963_;
+                            let _e751 = (_e737 < _e750);
+                            if _e751 {
+                                let _e757 = p.member.frame;
+                                let _e761 = p.member.current.size[0u];
+                                let _e763 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e735) {
                                     case 1: {
-                                        let _e715 = lt_mask_pattern_plus(_e679);
-                                        phi_991_ = vec2<i32>(_e715.x, _e715.y);
+                                        let _e773 = lt_mask_pattern_plus(_e737);
+                                        phi_1043_ = vec2<i32>(_e773.x, _e773.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e719 = lt_mask_pattern_cross(_e679);
-                                        phi_991_ = vec2<i32>(_e719.x, _e719.y);
+                                        let _e777 = lt_mask_pattern_cross(_e737);
+                                        phi_1043_ = vec2<i32>(_e777.x, _e777.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e725 = lt_mask_pattern_plus_or_cross(_e679, ((_e663.pixel.x + _e663.pixel.y) & 1u));
-                                        phi_991_ = vec2<i32>(_e725.x, _e725.y);
+                                        let _e783 = lt_mask_pattern_plus_or_cross(_e737, ((_e721.pixel.x + _e721.pixel.y) & 1u));
+                                        phi_1043_ = vec2<i32>(_e783.x, _e783.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e730 = lt_mask_pattern_plus_or_cross(_e679, (_e699 & 1u));
-                                        phi_991_ = vec2<i32>(_e730.x, _e730.y);
+                                        let _e788 = lt_mask_pattern_plus_or_cross(_e737, (_e757 & 1u));
+                                        phi_1043_ = vec2<i32>(_e788.x, _e788.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e699 & 3u)) {
+                                        switch bitcast<i32>((_e757 & 3u)) {
                                             case 0: {
-                                                phi_971_ = vec2(-1i);
+                                                phi_1023_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_971_ = vec2(0i);
+                                                phi_1023_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_971_ = vec2<i32>(0i, -1i);
+                                                phi_1023_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_971_ = vec2<i32>(-1i, 0i);
+                                                phi_1023_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e741 = phi_971_;
-                                        phi_991_ = (_e741 + vec2<i32>(bitcast<i32>((_e679 & 1u)), bitcast<i32>(((_e679 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e799 = phi_1023_;
+                                        phi_1043_ = (_e799 + vec2<i32>(bitcast<i32>((_e737 & 1u)), bitcast<i32>(((_e737 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_991_ = vec2<i32>((bitcast<i32>((_e679 % 5u)) - 2i), (bitcast<i32>(((_e679 / 5u) % 5u)) - 2i));
+                                        phi_1043_ = vec2<i32>((bitcast<i32>((_e737 % 5u)) - 2i), (bitcast<i32>(((_e737 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e758 = lt_mask_pattern_diamond(_e679);
-                                        phi_991_ = vec2<i32>(_e758.x, _e758.y);
+                                        let _e816 = lt_mask_pattern_diamond(_e737);
+                                        phi_1043_ = vec2<i32>(_e816.x, _e816.y);
                                         break;
                                     }
                                     default: {
-                                        phi_991_ = vec2<i32>((bitcast<i32>((_e679 % 3u)) - 1i), (bitcast<i32>(((_e679 / 3u) % 3u)) - 1i));
+                                        phi_1043_ = vec2<i32>((bitcast<i32>((_e737 % 3u)) - 1i), (bitcast<i32>(((_e737 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e763 = phi_991_;
-                                let _e766 = lt_mask_pattern_step_clamped(_e663.pixel.x, _e763.x, _e703);
-                                let _e767 = lt_mask_pattern_step_clamped(_e663.pixel.y, _e763.y, _e705);
-                                let _e771 = ((((_e767 * _e86) + _e766) * _e82) + (_e78 / 32u));
-                                if (_e80 > 29u) {
-                                    let _e773 = (_e771 + 1u);
-                                    if (_e773 < _e60) {
+                                let _e821 = phi_1043_;
+                                let _e824 = lt_mask_pattern_step_clamped(_e721.pixel.x, _e821.x, _e761);
+                                let _e825 = lt_mask_pattern_step_clamped(_e721.pixel.y, _e821.y, _e763);
+                                let _e829 = ((((_e825 * _e87) + _e824) * _e83) + (_e79 / 32u));
+                                if (_e81 > 29u) {
+                                    let _e831 = (_e829 + 1u);
+                                    if (_e831 < _e61) {
                                     } else {
                                         return;
                                     }
-                                    let _e777 = last_bits.member[(0u + _e773)];
-                                    phi_1016_ = _e777;
+                                    let _e835 = last_bits.member[(0u + _e831)];
+                                    phi_1068_ = _e835;
                                 } else {
-                                    phi_1016_ = 0u;
+                                    phi_1068_ = 0u;
                                 }
-                                let _e779 = phi_1016_;
-                                if (_e771 < _e60) {
+                                let _e837 = phi_1068_;
+                                if (_e829 < _e61) {
                                 } else {
                                     return;
                                 }
-                                let _e783 = last_bits.member[(0u + _e771)];
-                                let _e786 = (_e783 >> bitcast<u32>((_e80 & 31u)));
-                                if (_e80 > 29u) {
-                                    phi_1035_ = (_e786 | (_e779 << bitcast<u32>(((32u - _e80) & 31u))));
+                                let _e841 = last_bits.member[(0u + _e829)];
+                                let _e844 = (_e841 >> bitcast<u32>((_e81 & 31u)));
+                                if (_e81 > 29u) {
+                                    phi_1087_ = (_e844 | (_e837 << bitcast<u32>(((32u - _e81) & 31u))));
                                 } else {
-                                    phi_1035_ = _e786;
+                                    phi_1087_ = _e844;
                                 }
-                                let _e794 = phi_1035_;
-                                if ((_e794 & 2u) == 0u) {
-                                    phi_1043_ = (_e794 & 1u);
+                                let _e852 = phi_1087_;
+                                if ((_e852 & 2u) == 0u) {
+                                    phi_1095_ = (_e852 & 1u);
                                 } else {
-                                    phi_1043_ = (_e794 & 7u);
+                                    phi_1095_ = (_e852 & 7u);
                                 }
-                                let _e800 = phi_1043_;
-                                if _e681.any_expands {
-                                    phi_1131_ = true;
+                                let _e858 = phi_1095_;
+                                if _e739.any_expands {
+                                    phi_1183_ = true;
                                 } else {
-                                    if ((_e800 & 2u) != 0u) {
-                                        let _e807 = (((_e800 & 4u) != 0u) != _e249);
-                                        switch bitcast<i32>(_e670) {
+                                    if ((_e858 & 2u) != 0u) {
+                                        let _e865 = (((_e858 & 4u) != 0u) != _e250);
+                                        switch bitcast<i32>(_e728) {
                                             case 1: {
-                                                phi_1071_ = bool();
-                                                phi_1072_ = false;
-                                                phi_1073_ = true;
-                                                phi_1074_ = false;
-                                                phi_1075_ = false;
+                                                phi_1123_ = bool();
+                                                phi_1124_ = false;
+                                                phi_1125_ = true;
+                                                phi_1126_ = false;
+                                                phi_1127_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e807 {
-                                                    phi_1069_ = (((_e800 & 4u) != 0u) != ((_e800 & 1u) != 0u));
-                                                    phi_1070_ = false;
+                                                if _e865 {
+                                                    phi_1121_ = (((_e858 & 4u) != 0u) != ((_e858 & 1u) != 0u));
+                                                    phi_1122_ = false;
                                                 } else {
-                                                    phi_1069_ = bool();
-                                                    phi_1070_ = true;
+                                                    phi_1121_ = bool();
+                                                    phi_1122_ = true;
                                                 }
-                                                let _e815 = phi_1069_;
-                                                let _e817 = phi_1070_;
-                                                phi_1071_ = _e815;
-                                                phi_1072_ = false;
-                                                phi_1073_ = false;
-                                                phi_1074_ = _e817;
-                                                phi_1075_ = _e807;
+                                                let _e873 = phi_1121_;
+                                                let _e875 = phi_1122_;
+                                                phi_1123_ = _e873;
+                                                phi_1124_ = false;
+                                                phi_1125_ = false;
+                                                phi_1126_ = _e875;
+                                                phi_1127_ = _e865;
                                                 break;
                                             }
                                             default: {
-                                                phi_1071_ = bool();
-                                                phi_1072_ = true;
-                                                phi_1073_ = false;
-                                                phi_1074_ = false;
-                                                phi_1075_ = false;
+                                                phi_1123_ = bool();
+                                                phi_1124_ = true;
+                                                phi_1125_ = false;
+                                                phi_1126_ = false;
+                                                phi_1127_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e819 = phi_1071_;
-                                        let _e821 = phi_1072_;
-                                        let _e823 = phi_1073_;
-                                        let _e825 = phi_1074_;
-                                        let _e827 = phi_1075_;
-                                        phi_1083_ = _e807;
-                                        phi_1084_ = _e819;
-                                        phi_1085_ = _e821;
-                                        phi_1086_ = _e823;
-                                        phi_1087_ = _e825;
-                                        phi_1088_ = _e827;
+                                        let _e877 = phi_1123_;
+                                        let _e879 = phi_1124_;
+                                        let _e881 = phi_1125_;
+                                        let _e883 = phi_1126_;
+                                        let _e885 = phi_1127_;
+                                        phi_1135_ = _e865;
+                                        phi_1136_ = _e877;
+                                        phi_1137_ = _e879;
+                                        phi_1138_ = _e881;
+                                        phi_1139_ = _e883;
+                                        phi_1140_ = _e885;
                                     } else {
-                                        switch bitcast<i32>(_e670) {
+                                        switch bitcast<i32>(_e728) {
                                             case 1: {
-                                                phi_1080_ = false;
-                                                phi_1081_ = true;
-                                                phi_1082_ = false;
+                                                phi_1132_ = false;
+                                                phi_1133_ = true;
+                                                phi_1134_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1080_ = false;
-                                                phi_1081_ = false;
-                                                phi_1082_ = true;
+                                                phi_1132_ = false;
+                                                phi_1133_ = false;
+                                                phi_1134_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_1080_ = true;
-                                                phi_1081_ = false;
-                                                phi_1082_ = false;
+                                                phi_1132_ = true;
+                                                phi_1133_ = false;
+                                                phi_1134_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e830 = phi_1080_;
-                                        let _e832 = phi_1081_;
-                                        let _e834 = phi_1082_;
-                                        phi_1083_ = false;
-                                        phi_1084_ = bool();
-                                        phi_1085_ = _e830;
-                                        phi_1086_ = _e832;
-                                        phi_1087_ = _e834;
-                                        phi_1088_ = false;
+                                        let _e888 = phi_1132_;
+                                        let _e890 = phi_1133_;
+                                        let _e892 = phi_1134_;
+                                        phi_1135_ = false;
+                                        phi_1136_ = bool();
+                                        phi_1137_ = _e888;
+                                        phi_1138_ = _e890;
+                                        phi_1139_ = _e892;
+                                        phi_1140_ = false;
                                     }
-                                    let _e836 = phi_1083_;
-                                    let _e838 = phi_1084_;
-                                    let _e840 = phi_1085_;
-                                    let _e842 = phi_1086_;
-                                    let _e844 = phi_1087_;
-                                    let _e846 = phi_1088_;
-                                    if _e840 {
-                                        if ((_e800 & 2u) != 0u) {
-                                            if (((_e800 & 4u) != 0u) != _e249) {
-                                                phi_1103_ = false;
+                                    let _e894 = phi_1135_;
+                                    let _e896 = phi_1136_;
+                                    let _e898 = phi_1137_;
+                                    let _e900 = phi_1138_;
+                                    let _e902 = phi_1139_;
+                                    let _e904 = phi_1140_;
+                                    if _e898 {
+                                        if ((_e858 & 2u) != 0u) {
+                                            if (((_e858 & 4u) != 0u) != _e250) {
+                                                phi_1155_ = false;
                                             } else {
-                                                phi_1103_ = true;
+                                                phi_1155_ = true;
                                             }
-                                            let _e853 = phi_1103_;
-                                            phi_1104_ = _e853;
+                                            let _e911 = phi_1155_;
+                                            phi_1156_ = _e911;
                                         } else {
-                                            phi_1104_ = true;
+                                            phi_1156_ = true;
                                         }
-                                        let _e855 = phi_1104_;
-                                        if _e855 {
-                                            phi_1111_ = (((_e800 & 1u) != 0u) != _e249);
+                                        let _e913 = phi_1156_;
+                                        if _e913 {
+                                            phi_1163_ = (((_e858 & 1u) != 0u) != _e250);
                                         } else {
-                                            phi_1111_ = true;
+                                            phi_1163_ = true;
                                         }
-                                        let _e860 = phi_1111_;
-                                        phi_1112_ = _e860;
-                                        phi_1113_ = false;
-                                        phi_1114_ = false;
-                                        phi_1115_ = false;
+                                        let _e918 = phi_1163_;
+                                        phi_1164_ = _e918;
+                                        phi_1165_ = false;
+                                        phi_1166_ = false;
+                                        phi_1167_ = false;
                                     } else {
-                                        phi_1112_ = bool();
-                                        phi_1113_ = _e842;
-                                        phi_1114_ = _e844;
-                                        phi_1115_ = _e846;
+                                        phi_1164_ = bool();
+                                        phi_1165_ = _e900;
+                                        phi_1166_ = _e902;
+                                        phi_1167_ = _e904;
                                     }
-                                    let _e862 = phi_1112_;
-                                    let _e864 = phi_1113_;
-                                    let _e866 = phi_1114_;
-                                    let _e868 = phi_1115_;
-                                    if _e864 {
-                                        phi_1119_ = _e836;
-                                        phi_1120_ = false;
-                                        phi_1121_ = false;
+                                    let _e920 = phi_1164_;
+                                    let _e922 = phi_1165_;
+                                    let _e924 = phi_1166_;
+                                    let _e926 = phi_1167_;
+                                    if _e922 {
+                                        phi_1171_ = _e894;
+                                        phi_1172_ = false;
+                                        phi_1173_ = false;
                                     } else {
-                                        phi_1119_ = _e862;
-                                        phi_1120_ = _e866;
-                                        phi_1121_ = _e868;
+                                        phi_1171_ = _e920;
+                                        phi_1172_ = _e924;
+                                        phi_1173_ = _e926;
                                     }
-                                    let _e870 = phi_1119_;
-                                    let _e872 = phi_1120_;
-                                    let _e874 = phi_1121_;
-                                    if _e872 {
-                                        phi_1125_ = false;
-                                        phi_1126_ = true;
+                                    let _e928 = phi_1171_;
+                                    let _e930 = phi_1172_;
+                                    let _e932 = phi_1173_;
+                                    if _e930 {
+                                        phi_1177_ = false;
+                                        phi_1178_ = true;
                                     } else {
-                                        phi_1125_ = _e838;
-                                        phi_1126_ = _e874;
+                                        phi_1177_ = _e896;
+                                        phi_1178_ = _e932;
                                     }
-                                    let _e876 = phi_1125_;
-                                    let _e878 = phi_1126_;
-                                    if _e878 {
-                                        phi_1130_ = _e876;
+                                    let _e934 = phi_1177_;
+                                    let _e936 = phi_1178_;
+                                    if _e936 {
+                                        phi_1182_ = _e934;
                                     } else {
-                                        phi_1130_ = _e870;
+                                        phi_1182_ = _e928;
                                     }
-                                    let _e880 = phi_1130_;
-                                    phi_1131_ = _e880;
+                                    let _e938 = phi_1182_;
+                                    phi_1183_ = _e938;
                                 }
-                                let _e882 = phi_1131_;
-                                if _e681.all_remove {
-                                    if (((_e800 & 1u) != 0u) == _e249) {
-                                        if ((_e800 & 2u) != 0u) {
-                                            phi_1149_ = (((_e800 & 4u) != 0u) == _e249);
+                                let _e940 = phi_1183_;
+                                if _e739.all_remove {
+                                    if (((_e858 & 1u) != 0u) == _e250) {
+                                        if ((_e858 & 2u) != 0u) {
+                                            phi_1201_ = (((_e858 & 4u) != 0u) == _e250);
                                         } else {
-                                            phi_1149_ = true;
+                                            phi_1201_ = true;
                                         }
-                                        let _e892 = phi_1149_;
-                                        phi_1150_ = _e892;
+                                        let _e950 = phi_1201_;
+                                        phi_1202_ = _e950;
                                     } else {
-                                        phi_1150_ = false;
+                                        phi_1202_ = false;
                                     }
-                                    let _e894 = phi_1150_;
-                                    phi_1151_ = _e894;
+                                    let _e952 = phi_1202_;
+                                    phi_1203_ = _e952;
                                 } else {
-                                    phi_1151_ = false;
+                                    phi_1203_ = false;
                                 }
-                                let _e896 = phi_1151_;
-                                phi_886_ = (_e679 + 1u);
-                                phi_889_ = lt_mask_Neighbourhood(_e882, _e896);
+                                let _e954 = phi_1203_;
+                                phi_938_ = (_e737 + 1u);
+                                phi_941_ = lt_mask_Neighbourhood(_e940, _e954);
                             } else {
-                                phi_886_ = u32();
-                                phi_889_ = lt_mask_Neighbourhood();
+                                phi_938_ = u32();
+                                phi_941_ = lt_mask_Neighbourhood();
                             }
-                            let _e900 = phi_886_;
-                            let _e902 = phi_889_;
+                            let _e958 = phi_938_;
+                            let _e960 = phi_941_;
                             continue;
                             continuing {
-                                phi_885_ = _e900;
-                                phi_888_ = _e902;
-                                break if !(_e693);
+                                phi_937_ = _e958;
+                                phi_940_ = _e960;
+                                break if !(_e751);
                             }
                         }
-                        let _e1191 = local_1;
-                        phi_1154_ = _e1191;
+                        let _e1258 = local_1;
+                        phi_1206_ = _e1258;
                     }
-                    let _e905 = phi_1154_;
-                    phi_1155_ = _e905;
+                    let _e963 = phi_1206_;
+                    phi_1207_ = _e963;
                 } else {
-                    phi_1155_ = _e664;
+                    phi_1207_ = _e722;
                 }
-                let _e907 = phi_1155_;
-                phi_1156_ = _e907;
+                let _e965 = phi_1207_;
+                phi_1208_ = _e965;
             } else {
-                phi_1156_ = _e664;
+                phi_1208_ = _e722;
             }
-            let _e909 = phi_1156_;
-            let _e912 = p.member.frame;
-            let _e914 = p.member.refresh;
-            if (_e914 == 0u) {
-                phi_1189_ = false;
+            let _e967 = phi_1208_;
+            let _e970 = p.member.frame;
+            let _e972 = p.member.refresh;
+            if (_e972 == 0u) {
+                phi_1241_ = false;
             } else {
-                if (_e914 == 0u) {
+                if (_e972 == 0u) {
                     return;
                 }
-                let _e923 = ((_e54.x + (_e54.y * (((_e914 * 5u) / 8u) | 1u))) + (_e912 % _e914));
-                if (_e914 == 0u) {
-                    phi_1188_ = (_e923 == 0u);
+                let _e981 = ((_e55.x + (_e55.y * (((_e972 * 5u) / 8u) | 1u))) + (_e970 % _e972));
+                if (_e972 == 0u) {
+                    phi_1240_ = (_e981 == 0u);
                 } else {
-                    if (_e914 == 0u) {
+                    if (_e972 == 0u) {
                         return;
                     }
-                    phi_1188_ = ((_e923 % _e914) == 0u);
+                    phi_1240_ = ((_e981 % _e972) == 0u);
                 }
-                let _e930 = phi_1188_;
-                phi_1189_ = _e930;
+                let _e988 = phi_1240_;
+                phi_1241_ = _e988;
             }
-            let _e932 = phi_1189_;
-            if _e657 {
-                if _e932 {
-                    phi_1211_ = bool();
+            let _e990 = phi_1241_;
+            if _e715 {
+                if _e990 {
+                    phi_1263_ = bool();
                 } else {
-                    phi_1211_ = ((0u & 2u) != 0u);
+                    phi_1263_ = ((0u & 2u) != 0u);
                 }
-                let _e938 = phi_1211_;
-                phi_1212_ = _e938;
-                phi_1213_ = _e932;
+                let _e996 = phi_1263_;
+                phi_1264_ = _e996;
+                phi_1265_ = _e990;
             } else {
-                phi_1212_ = bool();
-                phi_1213_ = true;
+                phi_1264_ = bool();
+                phi_1265_ = true;
             }
-            let _e940 = phi_1212_;
-            let _e942 = phi_1213_;
-            if _e942 {
-                phi_1217_ = false;
+            let _e998 = phi_1264_;
+            let _e1000 = phi_1265_;
+            if _e1000 {
+                phi_1269_ = false;
             } else {
-                phi_1217_ = _e940;
+                phi_1269_ = _e998;
             }
-            let _e944 = phi_1217_;
-            if _e944 {
-                phi_1268_ = 7u;
+            let _e1002 = phi_1269_;
+            if _e1002 {
+                phi_1320_ = 7u;
             } else {
-                if (_e91 != 0.5f) {
-                    if _e657 {
-                        if _e932 {
-                            phi_1265_ = 6u;
+                if (_e92 != 0.5f) {
+                    if _e715 {
+                        if _e990 {
+                            phi_1317_ = 6u;
                         } else {
-                            if _e253 {
-                                phi_1240_ = true;
+                            if _e254 {
+                                phi_1292_ = true;
                             } else {
-                                if _e909.any_expands {
-                                    phi_1239_ = false;
+                                if _e967.any_expands {
+                                    phi_1291_ = false;
                                 } else {
-                                    phi_1239_ = true;
+                                    phi_1291_ = true;
                                 }
-                                let _e946 = phi_1239_;
-                                phi_1240_ = _e946;
+                                let _e1004 = phi_1291_;
+                                phi_1292_ = _e1004;
                             }
-                            let _e948 = phi_1240_;
-                            if _e948 {
-                                if _e253 {
+                            let _e1006 = phi_1292_;
+                            if _e1006 {
+                                if _e254 {
                                     if false {
-                                        if _e909.all_remove {
-                                            phi_1253_ = false;
+                                        if _e967.all_remove {
+                                            phi_1305_ = false;
                                         } else {
-                                            phi_1253_ = true;
+                                            phi_1305_ = true;
                                         }
-                                        let _e950 = phi_1253_;
-                                        phi_1254_ = _e950;
+                                        let _e1008 = phi_1305_;
+                                        phi_1306_ = _e1008;
                                     } else {
-                                        phi_1254_ = true;
+                                        phi_1306_ = true;
                                     }
-                                    let _e952 = phi_1254_;
-                                    phi_1255_ = _e952;
+                                    let _e1010 = phi_1306_;
+                                    phi_1307_ = _e1010;
                                 } else {
-                                    phi_1255_ = true;
+                                    phi_1307_ = true;
                                 }
-                                let _e954 = phi_1255_;
-                                if _e954 {
-                                    if _e253 {
-                                        phi_1262_ = 1u;
+                                let _e1012 = phi_1307_;
+                                if _e1012 {
+                                    if _e254 {
+                                        phi_1314_ = 1u;
                                     } else {
-                                        phi_1262_ = 0u;
+                                        phi_1314_ = 0u;
                                     }
-                                    let _e956 = phi_1262_;
-                                    phi_1263_ = _e956;
+                                    let _e1014 = phi_1314_;
+                                    phi_1315_ = _e1014;
                                 } else {
-                                    phi_1263_ = 5u;
+                                    phi_1315_ = 5u;
                                 }
-                                let _e958 = phi_1263_;
-                                phi_1264_ = _e958;
+                                let _e1016 = phi_1315_;
+                                phi_1316_ = _e1016;
                             } else {
-                                phi_1264_ = 4u;
+                                phi_1316_ = 4u;
                             }
-                            let _e960 = phi_1264_;
-                            phi_1265_ = _e960;
+                            let _e1018 = phi_1316_;
+                            phi_1317_ = _e1018;
                         }
-                        let _e962 = phi_1265_;
-                        phi_1266_ = _e962;
+                        let _e1020 = phi_1317_;
+                        phi_1318_ = _e1020;
                     } else {
-                        phi_1266_ = 3u;
+                        phi_1318_ = 3u;
                     }
-                    let _e964 = phi_1266_;
-                    phi_1267_ = _e964;
+                    let _e1022 = phi_1318_;
+                    phi_1319_ = _e1022;
                 } else {
-                    phi_1267_ = 2u;
+                    phi_1319_ = 2u;
                 }
-                let _e966 = phi_1267_;
-                phi_1268_ = _e966;
+                let _e1024 = phi_1319_;
+                phi_1320_ = _e1024;
             }
-            let _e968 = phi_1268_;
-            if !((_e968 == 0u)) {
-                if !((_e968 == 5u)) {
-                    phi_1280_ = !(_e944);
-                    phi_1281_ = false;
+            let _e1026 = phi_1320_;
+            if !((_e1026 == 0u)) {
+                if !((_e1026 == 5u)) {
+                    phi_1332_ = !(_e1002);
+                    phi_1333_ = false;
                 } else {
-                    phi_1280_ = bool();
-                    phi_1281_ = true;
+                    phi_1332_ = bool();
+                    phi_1333_ = true;
                 }
-                let _e975 = phi_1280_;
-                let _e977 = phi_1281_;
-                phi_1282_ = _e975;
-                phi_1283_ = _e977;
+                let _e1033 = phi_1332_;
+                let _e1035 = phi_1333_;
+                phi_1334_ = _e1033;
+                phi_1335_ = _e1035;
             } else {
-                phi_1282_ = bool();
-                phi_1283_ = true;
+                phi_1334_ = bool();
+                phi_1335_ = true;
             }
-            let _e979 = phi_1282_;
-            let _e981 = phi_1283_;
-            if _e981 {
-                phi_1287_ = false;
+            let _e1037 = phi_1334_;
+            let _e1039 = phi_1335_;
+            if _e1039 {
+                phi_1339_ = false;
             } else {
-                phi_1287_ = _e979;
+                phi_1339_ = _e1037;
             }
-            let _e983 = phi_1287_;
-            if _e944 {
-                phi_1293_ = ((0u & 4u) != 0u);
+            let _e1041 = phi_1339_;
+            if _e1002 {
+                phi_1345_ = ((0u & 4u) != 0u);
             } else {
-                phi_1293_ = _e249;
+                phi_1345_ = _e250;
             }
-            let _e987 = phi_1293_;
-            if _e983 {
-                if _e249 {
-                    phi_1301_ = (2u | 1u);
+            let _e1045 = phi_1345_;
+            if _e1041 {
+                if _e250 {
+                    phi_1353_ = (2u | 1u);
                 } else {
-                    phi_1301_ = 2u;
+                    phi_1353_ = 2u;
                 }
-                let _e990 = phi_1301_;
+                let _e1048 = phi_1353_;
                 if false {
-                    phi_1306_ = (_e990 | 4u);
+                    phi_1358_ = (_e1048 | 4u);
                 } else {
-                    phi_1306_ = _e990;
+                    phi_1358_ = _e1048;
                 }
-                let _e993 = phi_1306_;
-                phi_1326_ = _e993;
+                let _e1051 = phi_1358_;
+                phi_1378_ = _e1051;
             } else {
-                if (_e968 == 7u) {
-                    if _e249 {
-                        phi_1315_ = (2u | 1u);
+                if (_e1026 == 7u) {
+                    if _e250 {
+                        phi_1367_ = (2u | 1u);
                     } else {
-                        phi_1315_ = 2u;
+                        phi_1367_ = 2u;
                     }
-                    let _e997 = phi_1315_;
-                    if _e987 {
-                        phi_1320_ = (_e997 | 4u);
+                    let _e1055 = phi_1367_;
+                    if _e1045 {
+                        phi_1372_ = (_e1055 | 4u);
                     } else {
-                        phi_1320_ = _e997;
+                        phi_1372_ = _e1055;
                     }
-                    let _e1000 = phi_1320_;
-                    phi_1325_ = _e1000;
+                    let _e1058 = phi_1372_;
+                    phi_1377_ = _e1058;
                 } else {
-                    if _e249 {
-                        phi_1324_ = 1u;
+                    if _e250 {
+                        phi_1376_ = 1u;
                     } else {
-                        phi_1324_ = 0u;
+                        phi_1376_ = 0u;
                     }
-                    let _e1002 = phi_1324_;
-                    phi_1325_ = _e1002;
+                    let _e1060 = phi_1376_;
+                    phi_1377_ = _e1060;
                 }
-                let _e1004 = phi_1325_;
-                phi_1326_ = _e1004;
+                let _e1062 = phi_1377_;
+                phi_1378_ = _e1062;
             }
-            let _e1006 = phi_1326_;
-            if _e987 {
-                phi_1330_ = 0f;
+            let _e1064 = phi_1378_;
+            if _e1045 {
+                phi_1382_ = 0f;
             } else {
-                phi_1330_ = 1f;
+                phi_1382_ = 1f;
             }
-            let _e1008 = phi_1330_;
-            phi_1332_ = mask_Masked(_e1008, _e1006, _e983);
+            let _e1066 = phi_1382_;
+            phi_1384_ = mask_Masked(_e1066, _e1064, _e1041);
         }
-        let _e1011 = phi_1332_;
-        visibility.member[_e70.shift] = _e1011.visibility;
-        let _e1016 = p.member.light.number;
-        let _e1017 = (_e1016 * 3u);
-        let _e1019 = (_e1017 % 32u);
-        let _e1021 = p.member.light.mask_words;
-        let _e1023 = ((_e70.shift * _e1021) + (_e1017 / 32u));
-        let _e1025 = bits.member[_e1023];
-        bits.member[_e1023] = ((_e1025 & ~((7u << bitcast<u32>((_e1019 & 31u))))) | (_e1011.bits << bitcast<u32>((_e1019 & 31u))));
-        if (_e1019 > 29u) {
-            let _e1040 = bits.member[(_e1023 + 1u)];
-            let _e1042 = (32u - _e1019);
-            bits.member[(_e1023 + 1u)] = ((_e1040 & ~((7u >> bitcast<u32>((_e1042 & 31u))))) | (_e1011.bits >> bitcast<u32>((_e1042 & 31u))));
+        let _e1069 = phi_1384_;
+        visibility.member[_e71.shift] = _e1069.visibility;
+        let _e1074 = p.member.light.number;
+        let _e1075 = (_e1074 * 3u);
+        let _e1077 = (_e1075 % 32u);
+        let _e1079 = p.member.light.mask_words;
+        let _e1081 = ((_e71.shift * _e1079) + (_e1075 / 32u));
+        let _e1083 = bits.member[_e1081];
+        bits.member[_e1081] = ((_e1083 & ~((7u << bitcast<u32>((_e1077 & 31u))))) | (_e1069.bits << bitcast<u32>((_e1077 & 31u))));
+        if (_e1077 > 29u) {
+            let _e1098 = bits.member[(_e1081 + 1u)];
+            let _e1100 = (32u - _e1077);
+            bits.member[(_e1081 + 1u)] = ((_e1098 & ~((7u >> bitcast<u32>((_e1100 & 31u))))) | (_e1069.bits >> bitcast<u32>((_e1100 & 31u))));
         }
-        phi_1382_ = _e1011.needs_ray;
-        phi_1383_ = _e70.shift;
+        phi_1434_ = _e1069.needs_ray;
+        phi_1435_ = _e71.shift;
     } else {
-        phi_1382_ = false;
-        phi_1383_ = 0u;
+        phi_1434_ = false;
+        phi_1435_ = 0u;
     }
-    let _e1056 = phi_1382_;
-    let _e1058 = phi_1383_;
-    if (_e55 == 0u) {
+    let _e1114 = phi_1434_;
+    let _e1116 = phi_1435_;
+    if (_e56 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1056 {
-        let _e1062 = atomicAdd((&shared_[0u]), 1u);
-        phi_1394_ = _e1062;
+    if _e1114 {
+        let _e1120 = atomicAdd((&shared_[0u]), 1u);
+        phi_1446_ = _e1120;
     } else {
-        phi_1394_ = 0u;
+        phi_1446_ = 0u;
     }
-    let _e1064 = phi_1394_;
+    let _e1122 = phi_1446_;
     workgroupBarrier();
-    if (_e55 == 0u) {
-        let _e1068 = atomicLoad((&shared_[0u]));
-        let _e1069 = atomicAdd((&list.member[3u]), _e1068);
-        atomicStore((&shared_[1u]), _e1069);
+    if (_e56 == 0u) {
+        let _e1126 = atomicLoad((&shared_[0u]));
+        let _e1127 = atomicAdd((&list.member[3u]), _e1126);
+        atomicStore((&shared_[1u]), _e1127);
     }
     workgroupBarrier();
-    if _e1056 {
-        let _e1072 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1072) + _e1064)]), _e1058);
+    if _e1114 {
+        let _e1130 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1130) + _e1122)]), _e1116);
     }
     return;
 }

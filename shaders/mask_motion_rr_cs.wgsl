@@ -114,1374 +114,1438 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_171_: lt_mask_LightPlace;
-    var phi_172_: bool;
-    var phi_173_: lt_mask_LightPlace;
-    var phi_174_: bool;
-    var phi_179_: lt_mask_LightPlace;
+    var phi_172_: lt_mask_LightPlace;
+    var phi_173_: bool;
+    var phi_174_: lt_mask_LightPlace;
+    var phi_175_: bool;
+    var phi_180_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_171_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_172_ = false;
+            phi_172_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_173_ = false;
         } else {
-            phi_171_ = lt_mask_LightPlace();
-            phi_172_ = true;
+            phi_172_ = lt_mask_LightPlace();
+            phi_173_ = true;
         }
-        let _e67 = phi_171_;
-        let _e69 = phi_172_;
-        phi_173_ = _e67;
-        phi_174_ = _e69;
+        let _e68 = phi_172_;
+        let _e70 = phi_173_;
+        phi_174_ = _e68;
+        phi_175_ = _e70;
     } else {
-        phi_173_ = lt_mask_LightPlace();
-        phi_174_ = true;
+        phi_174_ = lt_mask_LightPlace();
+        phi_175_ = true;
     }
-    let _e71 = phi_173_;
-    let _e73 = phi_174_;
-    if _e73 {
-        phi_179_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e72 = phi_174_;
+    let _e74 = phi_175_;
+    if _e74 {
+        phi_180_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_179_ = _e71;
+        phi_180_ = _e72;
     }
-    let _e78 = phi_179_;
-    return lt_mask_LightPlace(_e78.word, _e78.shift);
+    let _e79 = phi_180_;
+    return lt_mask_LightPlace(_e79.word, _e79.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_197_: vec2<i32>;
+    var phi_198_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_197_ = vec2(0i);
+            phi_198_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_197_ = vec2<i32>(0i, -1i);
+            phi_198_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_197_ = vec2<i32>(-1i, 0i);
+            phi_198_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_197_ = vec2<i32>(1i, 0i);
+            phi_198_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_197_ = vec2<i32>(0i, 1i);
+            phi_198_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e63 = phi_197_;
-    return vec2<i32>(_e63.x, _e63.y);
+    let _e64 = phi_198_;
+    return vec2<i32>(_e64.x, _e64.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_215_: vec2<i32>;
+    var phi_216_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_215_ = vec2(0i);
+            phi_216_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_215_ = vec2(-1i);
+            phi_216_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_215_ = vec2<i32>(1i, -1i);
+            phi_216_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_215_ = vec2<i32>(-1i, 1i);
+            phi_216_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_215_ = vec2(1i);
+            phi_216_ = vec2(1i);
             break;
         }
     }
-    let _e63 = phi_215_;
-    return vec2<i32>(_e63.x, _e63.y);
+    let _e64 = phi_216_;
+    return vec2<i32>(_e64.x, _e64.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_234_: vec2<i32>;
+    var phi_235_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e57 = lt_mask_pattern_plus(param_5);
-        phi_234_ = vec2<i32>(_e57.x, _e57.y);
+        let _e58 = lt_mask_pattern_plus(param_5);
+        phi_235_ = vec2<i32>(_e58.x, _e58.y);
     } else {
-        let _e61 = lt_mask_pattern_cross(param_5);
-        phi_234_ = vec2<i32>(_e61.x, _e61.y);
+        let _e62 = lt_mask_pattern_cross(param_5);
+        phi_235_ = vec2<i32>(_e62.x, _e62.y);
     }
-    let _e66 = phi_234_;
-    return vec2<i32>(_e66.x, _e66.y);
+    let _e67 = phi_235_;
+    return vec2<i32>(_e67.x, _e67.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_259_: vec2<i32>;
+    var phi_260_: vec2<i32>;
 
-    let _e55 = (param_7 % 13u);
-    switch bitcast<i32>(_e55) {
+    let _e56 = (param_7 % 13u);
+    switch bitcast<i32>(_e56) {
         case 9: {
-            phi_259_ = vec2<i32>(0i, -2i);
+            phi_260_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_259_ = vec2<i32>(-2i, 0i);
+            phi_260_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_259_ = vec2<i32>(2i, 0i);
+            phi_260_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_259_ = vec2<i32>(0i, 2i);
+            phi_260_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_259_ = vec2<i32>((bitcast<i32>((_e55 % 3u)) - 1i), (bitcast<i32>(((_e55 / 3u) % 3u)) - 1i));
+            phi_260_ = vec2<i32>((bitcast<i32>((_e56 % 3u)) - 1i), (bitcast<i32>(((_e56 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e70 = phi_259_;
-    return vec2<i32>(_e70.x, _e70.y);
+    let _e71 = phi_260_;
+    return vec2<i32>(_e71.x, _e71.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_280_: u32;
     var phi_281_: u32;
+    var phi_282_: u32;
 
-    let _e58 = (bitcast<i32>(param_8) + param_9);
-    if (_e58 < 0i) {
-        phi_281_ = 0u;
+    let _e59 = (bitcast<i32>(param_8) + param_9);
+    if (_e59 < 0i) {
+        phi_282_ = 0u;
     } else {
-        if (_e58 >= bitcast<i32>(param_10)) {
-            phi_280_ = (param_10 - 1u);
+        if (_e59 >= bitcast<i32>(param_10)) {
+            phi_281_ = (param_10 - 1u);
         } else {
-            phi_280_ = bitcast<u32>(_e58);
+            phi_281_ = bitcast<u32>(_e59);
         }
-        let _e65 = phi_280_;
-        phi_281_ = _e65;
+        let _e66 = phi_281_;
+        phi_282_ = _e66;
     }
-    let _e67 = phi_281_;
-    return _e67;
+    let _e68 = phi_282_;
+    return _e68;
 }
 
 fn function_() {
-    var phi_353_: bool;
     var phi_354_: bool;
     var phi_355_: bool;
     var phi_356_: bool;
-    var phi_360_: bool;
-    var phi_430_: bool;
+    var phi_357_: bool;
+    var phi_361_: bool;
     var phi_431_: bool;
-    var phi_442_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_443_: bool;
-    var phi_444_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_445_: bool;
-    var phi_452_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_456_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_469_: bool;
-    var phi_677_: f32;
-    var phi_682_: f32;
-    var phi_683_: bool;
-    var phi_684_: f32;
-    var phi_685_: bool;
-    var phi_689_: f32;
-    var phi_710_: f32;
-    var phi_715_: f32;
-    var phi_716_: bool;
-    var phi_717_: f32;
-    var phi_718_: bool;
-    var phi_722_: f32;
-    var phi_743_: bool;
-    var phi_762_: vec2<u32>;
+    var phi_432_: bool;
+    var phi_443_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_444_: bool;
+    var phi_445_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_446_: bool;
+    var phi_453_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_457_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_470_: bool;
+    var phi_501_: bool;
+    var phi_502_: bool;
+    var phi_503_: bool;
+    var phi_504_: bool;
+    var phi_508_: bool;
+    var phi_512_: bool;
+    var phi_513_: bool;
+    var phi_724_: f32;
+    var phi_729_: f32;
+    var phi_730_: bool;
+    var phi_731_: f32;
+    var phi_732_: bool;
+    var phi_736_: f32;
+    var phi_757_: f32;
+    var phi_762_: f32;
     var phi_763_: bool;
-    var phi_764_: bool;
+    var phi_764_: f32;
     var phi_765_: bool;
-    var phi_766_: vec2<u32>;
-    var phi_767_: bool;
-    var phi_768_: bool;
-    var phi_769_: bool;
-    var phi_770_: bool;
-    var phi_771_: bool;
-    var phi_772_: bool;
-    var phi_773_: vec2<u32>;
-    var phi_774_: bool;
-    var phi_775_: bool;
-    var phi_776_: bool;
-    var phi_777_: bool;
-    var phi_778_: bool;
-    var phi_779_: bool;
-    var phi_780_: vec2<u32>;
-    var phi_781_: bool;
-    var phi_782_: bool;
-    var phi_783_: bool;
-    var phi_784_: bool;
-    var phi_793_: bool;
-    var phi_794_: bool;
-    var phi_795_: bool;
-    var phi_796_: bool;
-    var phi_800_: bool;
-    var phi_801_: bool;
-    var phi_802_: vec2<u32>;
-    var phi_844_: bool;
-    var phi_845_: bool;
+    var phi_769_: f32;
+    var phi_790_: bool;
+    var phi_809_: vec2<u32>;
+    var phi_810_: bool;
+    var phi_811_: bool;
+    var phi_812_: bool;
+    var phi_813_: vec2<u32>;
+    var phi_814_: bool;
+    var phi_815_: bool;
+    var phi_816_: bool;
+    var phi_817_: bool;
+    var phi_818_: bool;
+    var phi_819_: bool;
+    var phi_820_: vec2<u32>;
+    var phi_821_: bool;
+    var phi_822_: bool;
+    var phi_823_: bool;
+    var phi_824_: bool;
+    var phi_825_: bool;
+    var phi_826_: bool;
+    var phi_827_: vec2<u32>;
+    var phi_828_: bool;
+    var phi_829_: bool;
+    var phi_830_: bool;
+    var phi_831_: bool;
+    var phi_840_: bool;
+    var phi_841_: bool;
+    var phi_842_: bool;
+    var phi_843_: bool;
     var phi_847_: bool;
-    var phi_848_: lt_mask_Reprojection;
-    var phi_849_: lt_mask_Reprojection;
-    var phi_850_: bool;
-    var phi_854_: bool;
-    var phi_855_: lt_mask_Reprojection;
-    var phi_896_: u32;
-    var phi_915_: u32;
-    var phi_923_: u32;
-    var phi_924_: u32;
-    var phi_925_: bool;
-    var phi_926_: u32;
-    var phi_927_: bool;
-    var phi_928_: bool;
-    var phi_929_: u32;
-    var phi_930_: bool;
-    var phi_931_: bool;
-    var phi_935_: bool;
-    var phi_939_: u32;
-    var phi_944_: bool;
-    var phi_966_: u32;
-    var phi_968_: u32;
-    var phi_971_: lt_mask_Neighbourhood;
+    var phi_848_: bool;
+    var phi_849_: vec2<u32>;
+    var phi_887_: bool;
+    var phi_889_: lt_mask_Reprojection;
+    var phi_890_: lt_mask_Reprojection;
+    var phi_891_: bool;
+    var phi_895_: bool;
+    var phi_896_: lt_mask_Reprojection;
+    var phi_897_: lt_mask_Reprojection;
+    var phi_898_: bool;
+    var phi_906_: bool;
+    var phi_907_: lt_mask_Reprojection;
+    var phi_948_: u32;
+    var phi_967_: u32;
+    var phi_975_: u32;
+    var phi_976_: u32;
+    var phi_977_: bool;
+    var phi_978_: u32;
+    var phi_979_: bool;
+    var phi_980_: bool;
+    var phi_981_: u32;
+    var phi_982_: bool;
     var phi_983_: bool;
-    var phi_984_: bool;
-    var phi_993_: u32;
-    var phi_994_: u32;
-    var phi_1054_: vec2<i32>;
-    var phi_1074_: vec2<i32>;
-    var phi_1099_: u32;
-    var phi_1118_: u32;
-    var phi_1126_: u32;
-    var phi_1152_: bool;
-    var phi_1153_: bool;
-    var phi_1154_: bool;
-    var phi_1155_: bool;
-    var phi_1156_: bool;
-    var phi_1157_: bool;
-    var phi_1158_: bool;
-    var phi_1163_: bool;
-    var phi_1164_: bool;
-    var phi_1165_: bool;
-    var phi_1166_: bool;
-    var phi_1167_: bool;
-    var phi_1168_: bool;
-    var phi_1169_: bool;
-    var phi_1170_: bool;
-    var phi_1171_: bool;
-    var phi_1186_: bool;
-    var phi_1187_: bool;
-    var phi_1194_: bool;
-    var phi_1195_: bool;
-    var phi_1196_: bool;
-    var phi_1197_: bool;
-    var phi_1198_: bool;
-    var phi_1202_: bool;
-    var phi_1203_: bool;
+    var phi_987_: bool;
+    var phi_991_: u32;
+    var phi_996_: bool;
+    var phi_1018_: u32;
+    var phi_1020_: u32;
+    var phi_1023_: lt_mask_Neighbourhood;
+    var phi_1035_: bool;
+    var phi_1036_: bool;
+    var phi_1045_: u32;
+    var phi_1046_: u32;
+    var phi_1106_: vec2<i32>;
+    var phi_1126_: vec2<i32>;
+    var phi_1151_: u32;
+    var phi_1170_: u32;
+    var phi_1178_: u32;
     var phi_1204_: bool;
+    var phi_1205_: bool;
+    var phi_1206_: bool;
+    var phi_1207_: bool;
     var phi_1208_: bool;
     var phi_1209_: bool;
-    var phi_1213_: bool;
-    var phi_1214_: bool;
-    var phi_1232_: bool;
-    var phi_1233_: bool;
-    var phi_1234_: bool;
-    var phi_969_: u32;
-    var phi_972_: lt_mask_Neighbourhood;
-    var phi_1237_: lt_mask_Neighbourhood;
-    var phi_1238_: lt_mask_Neighbourhood;
-    var phi_1239_: lt_mask_Neighbourhood;
-    var phi_1271_: bool;
-    var phi_1272_: bool;
-    var phi_1294_: bool;
-    var phi_1295_: bool;
-    var phi_1296_: bool;
-    var phi_1300_: bool;
-    var phi_1322_: bool;
+    var phi_1210_: bool;
+    var phi_1215_: bool;
+    var phi_1216_: bool;
+    var phi_1217_: bool;
+    var phi_1218_: bool;
+    var phi_1219_: bool;
+    var phi_1220_: bool;
+    var phi_1221_: bool;
+    var phi_1222_: bool;
+    var phi_1223_: bool;
+    var phi_1238_: bool;
+    var phi_1239_: bool;
+    var phi_1246_: bool;
+    var phi_1247_: bool;
+    var phi_1248_: bool;
+    var phi_1249_: bool;
+    var phi_1250_: bool;
+    var phi_1254_: bool;
+    var phi_1255_: bool;
+    var phi_1256_: bool;
+    var phi_1260_: bool;
+    var phi_1261_: bool;
+    var phi_1265_: bool;
+    var phi_1266_: bool;
+    var phi_1284_: bool;
+    var phi_1285_: bool;
+    var phi_1286_: bool;
+    var phi_1021_: u32;
+    var phi_1024_: lt_mask_Neighbourhood;
+    var phi_1289_: lt_mask_Neighbourhood;
+    var phi_1290_: lt_mask_Neighbourhood;
+    var phi_1291_: lt_mask_Neighbourhood;
     var phi_1323_: bool;
-    var phi_1336_: bool;
-    var phi_1337_: bool;
-    var phi_1338_: bool;
-    var phi_1345_: u32;
-    var phi_1346_: u32;
-    var phi_1347_: u32;
-    var phi_1348_: u32;
-    var phi_1349_: u32;
-    var phi_1350_: u32;
-    var phi_1351_: u32;
-    var phi_1363_: bool;
-    var phi_1364_: bool;
-    var phi_1365_: bool;
-    var phi_1366_: bool;
-    var phi_1370_: bool;
-    var phi_1376_: bool;
-    var phi_1384_: u32;
-    var phi_1389_: u32;
+    var phi_1324_: bool;
+    var phi_1346_: bool;
+    var phi_1347_: bool;
+    var phi_1348_: bool;
+    var phi_1352_: bool;
+    var phi_1374_: bool;
+    var phi_1375_: bool;
+    var phi_1388_: bool;
+    var phi_1389_: bool;
+    var phi_1390_: bool;
+    var phi_1397_: u32;
     var phi_1398_: u32;
+    var phi_1399_: u32;
+    var phi_1400_: u32;
+    var phi_1401_: u32;
+    var phi_1402_: u32;
     var phi_1403_: u32;
-    var phi_1407_: u32;
-    var phi_1408_: u32;
-    var phi_1409_: u32;
-    var phi_1413_: f32;
-    var phi_1415_: mask_Masked;
-    var phi_1465_: bool;
-    var phi_1466_: u32;
-    var phi_1477_: u32;
+    var phi_1415_: bool;
+    var phi_1416_: bool;
+    var phi_1417_: bool;
+    var phi_1418_: bool;
+    var phi_1422_: bool;
+    var phi_1428_: bool;
+    var phi_1436_: u32;
+    var phi_1441_: u32;
+    var phi_1450_: u32;
+    var phi_1455_: u32;
+    var phi_1459_: u32;
+    var phi_1460_: u32;
+    var phi_1461_: u32;
+    var phi_1465_: f32;
+    var phi_1467_: mask_Masked;
+    var phi_1517_: bool;
+    var phi_1518_: u32;
+    var phi_1529_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e54 = id_1;
-    let _e55 = local_2;
-    let _e60 = arrayLength((&last_bits.member));
-    let _e67 = p.member.current.size[0u];
-    let _e69 = p.member.current.size[1u];
-    let _e70 = lt_shaders_entry_pixel_index(_e54, _e67, _e69);
-    if (bitcast<i32>(_e70.word) != 0i) {
-        let _e77 = p.member.light.number;
-        let _e78 = (_e77 * 3u);
-        let _e79 = (_e78 / 32u);
-        let _e80 = (_e78 % 32u);
-        let _e82 = p.member.light.mask_words;
-        let _e86 = p.member.current.size[0u];
-        let _e89 = samples.member[_e70.shift].position;
-        let _e91 = visibility.member[_e70.shift];
-        let _e97 = samples.member[_e70.shift].normal[0u];
-        let _e99 = global[0u];
-        if (_e97 == _e99) {
-            let _e102 = samples.member[_e70.shift].normal[1u];
-            let _e104 = global[1u];
-            if (_e102 == _e104) {
-                let _e107 = samples.member[_e70.shift].normal[2u];
-                let _e109 = global[2u];
-                phi_353_ = (_e107 == _e109);
-                phi_354_ = false;
+    let _e55 = id_1;
+    let _e56 = local_2;
+    let _e61 = arrayLength((&last_bits.member));
+    let _e68 = p.member.current.size[0u];
+    let _e70 = p.member.current.size[1u];
+    let _e71 = lt_shaders_entry_pixel_index(_e55, _e68, _e70);
+    if (bitcast<i32>(_e71.word) != 0i) {
+        let _e78 = p.member.light.number;
+        let _e79 = (_e78 * 3u);
+        let _e80 = (_e79 / 32u);
+        let _e81 = (_e79 % 32u);
+        let _e83 = p.member.light.mask_words;
+        let _e87 = p.member.current.size[0u];
+        let _e90 = samples.member[_e71.shift].position;
+        let _e92 = visibility.member[_e71.shift];
+        let _e98 = samples.member[_e71.shift].normal[0u];
+        let _e100 = global[0u];
+        if (_e98 == _e100) {
+            let _e103 = samples.member[_e71.shift].normal[1u];
+            let _e105 = global[1u];
+            if (_e103 == _e105) {
+                let _e108 = samples.member[_e71.shift].normal[2u];
+                let _e110 = global[2u];
+                phi_354_ = (_e108 == _e110);
+                phi_355_ = false;
             } else {
-                phi_353_ = bool();
-                phi_354_ = true;
+                phi_354_ = bool();
+                phi_355_ = true;
             }
-            let _e112 = phi_353_;
-            let _e114 = phi_354_;
-            phi_355_ = _e112;
-            phi_356_ = _e114;
+            let _e113 = phi_354_;
+            let _e115 = phi_355_;
+            phi_356_ = _e113;
+            phi_357_ = _e115;
         } else {
-            phi_355_ = bool();
-            phi_356_ = true;
+            phi_356_ = bool();
+            phi_357_ = true;
         }
-        let _e116 = phi_355_;
-        let _e118 = phi_356_;
-        if _e118 {
-            phi_360_ = false;
+        let _e117 = phi_356_;
+        let _e119 = phi_357_;
+        if _e119 {
+            phi_361_ = false;
         } else {
-            phi_360_ = _e116;
+            phi_361_ = _e117;
         }
-        let _e120 = phi_360_;
-        if !(_e120) {
-            let _e123 = samples.member[_e70.shift].position;
-            let _e125 = p.member.light.place;
-            let _e131 = p.member.light.place[3u];
-            let _e138 = (_e125.x - (_e123.x * _e131));
-            let _e139 = (_e125.y - (_e123.y * _e131));
-            let _e140 = (_e125.z - (_e123.z * _e131));
-            let _e142 = samples.member[_e70.shift].normal;
-            if ((((_e142.x * _e138) + (_e142.y * _e139)) + (_e142.z * _e140)) > 0f) {
-                let _e156 = (((_e138 * _e138) + (_e139 * _e139)) + (_e140 * _e140));
-                let _e158 = p.member.light.axis;
-                let _e170 = p.member.light.place[3u];
-                if (_e170 == 0f) {
-                    phi_431_ = true;
+        let _e121 = phi_361_;
+        if !(_e121) {
+            let _e124 = samples.member[_e71.shift].position;
+            let _e126 = p.member.light.place;
+            let _e132 = p.member.light.place[3u];
+            let _e139 = (_e126.x - (_e124.x * _e132));
+            let _e140 = (_e126.y - (_e124.y * _e132));
+            let _e141 = (_e126.z - (_e124.z * _e132));
+            let _e143 = samples.member[_e71.shift].normal;
+            if ((((_e143.x * _e139) + (_e143.y * _e140)) + (_e143.z * _e141)) > 0f) {
+                let _e157 = (((_e139 * _e139) + (_e140 * _e140)) + (_e141 * _e141));
+                let _e159 = p.member.light.axis;
+                let _e171 = p.member.light.place[3u];
+                if (_e171 == 0f) {
+                    phi_432_ = true;
                 } else {
-                    let _e173 = p.member.light.range_squared;
-                    if (_e156 <= _e173) {
-                        let _e176 = p.member.light.cos_outer;
-                        phi_430_ = (-((((_e138 * _e158.x) + (_e139 * _e158.y)) + (_e140 * _e158.z))) >= (_e176 * sqrt(_e156)));
+                    let _e174 = p.member.light.range_squared;
+                    if (_e157 <= _e174) {
+                        let _e177 = p.member.light.cos_outer;
+                        phi_431_ = (-((((_e139 * _e159.x) + (_e140 * _e159.y)) + (_e141 * _e159.z))) >= (_e177 * sqrt(_e157)));
                     } else {
-                        phi_430_ = false;
+                        phi_431_ = false;
                     }
-                    let _e181 = phi_430_;
-                    phi_431_ = _e181;
+                    let _e182 = phi_431_;
+                    phi_432_ = _e182;
                 }
-                let _e183 = phi_431_;
-                if _e183 {
-                    let _e185 = samples.member[_e70.shift].flags;
-                    let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e193.unnamed.visibility, false), _e193.unnamed_1);
-                    phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e199.unnamed, ((_e185 & 1u) == 0u));
-                    phi_443_ = false;
+                let _e184 = phi_432_;
+                if _e184 {
+                    let _e186 = samples.member[_e71.shift].flags;
+                    let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e194.unnamed.visibility, false), _e194.unnamed_1);
+                    phi_443_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e200.unnamed, ((_e186 & 1u) == 0u));
+                    phi_444_ = false;
                 } else {
-                    phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_443_ = true;
+                    phi_443_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_444_ = true;
                 }
-                let _e204 = phi_442_;
-                let _e206 = phi_443_;
-                phi_444_ = _e204;
-                phi_445_ = _e206;
+                let _e205 = phi_443_;
+                let _e207 = phi_444_;
+                phi_445_ = _e205;
+                phi_446_ = _e207;
             } else {
-                phi_444_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_445_ = true;
+                phi_445_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_446_ = true;
             }
-            let _e208 = phi_444_;
-            let _e210 = phi_445_;
-            if _e210 {
-                let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e216.unnamed.visibility, false), _e216.unnamed_1);
-                phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e222.unnamed, true);
+            let _e209 = phi_445_;
+            let _e211 = phi_446_;
+            if _e211 {
+                let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e223 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e217.unnamed.visibility, false), _e217.unnamed_1);
+                phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e223.unnamed, true);
             } else {
-                phi_452_ = _e208;
+                phi_453_ = _e209;
             }
-            let _e227 = phi_452_;
-            phi_456_ = _e227;
+            let _e228 = phi_453_;
+            phi_457_ = _e228;
         } else {
-            let _e233 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e239 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e233.unnamed.visibility, false), _e233.unnamed_1);
-            phi_456_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e239.unnamed, true);
+            let _e234 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e240 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e234.unnamed.visibility, false), _e234.unnamed_1);
+            phi_457_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e240.unnamed, true);
         }
-        let _e244 = phi_456_;
-        if _e244.unnamed_1 {
-            phi_1415_ = mask_Masked(_e244.unnamed.visibility, 0u, false);
+        let _e245 = phi_457_;
+        if _e245.unnamed_1 {
+            phi_1467_ = mask_Masked(_e245.unnamed.visibility, 0u, false);
         } else {
-            let _e249 = (_e91 < 0.5f);
-            if (_e91 > 0f) {
-                phi_469_ = (_e91 < 1f);
+            let _e250 = (_e92 < 0.5f);
+            if (_e92 > 0f) {
+                phi_470_ = (_e92 < 1f);
             } else {
-                phi_469_ = false;
+                phi_470_ = false;
             }
-            let _e253 = phi_469_;
-            let _e255 = samples.member[_e70.shift].position;
-            let _e259 = p.member.previous.eye;
-            let _e262 = (_e89.x - _e259.x);
-            let _e265 = (_e89.y - _e259.y);
-            let _e268 = (_e89.z - _e259.z);
-            let _e270 = p.member.previous.forward;
-            let _e278 = (((_e262 * _e270.x) + (_e265 * _e270.y)) + (_e268 * _e270.z));
-            let _e280 = p.member.previous.right;
-            let _e290 = p.member.previous.right;
-            let _e305 = p.member.previous.up;
-            let _e315 = p.member.previous.up;
-            let _e330 = p.member.current.eye;
-            let _e333 = (_e255.x - _e330.x);
-            let _e336 = (_e255.y - _e330.y);
-            let _e339 = (_e255.z - _e330.z);
-            let _e341 = p.member.current.forward;
-            let _e349 = (((_e333 * _e341.x) + (_e336 * _e341.y)) + (_e339 * _e341.z));
-            let _e351 = p.member.current.right;
-            let _e361 = p.member.current.right;
-            let _e376 = p.member.current.up;
-            let _e386 = p.member.current.up;
-            let _e405 = p.member.current.size[0u];
-            let _e407 = (((((((_e262 * _e280.x) + (_e265 * _e280.y)) + (_e268 * _e280.z)) / ((((_e290.x * _e290.x) + (_e290.y * _e290.y)) + (_e290.z * _e290.z)) * _e278)) - ((((_e333 * _e351.x) + (_e336 * _e351.y)) + (_e339 * _e351.z)) / ((((_e361.x * _e361.x) + (_e361.y * _e361.y)) + (_e361.z * _e361.z)) * _e349))) * 0.5f) * f32(_e405));
-            let _e411 = p.member.current.size[1u];
-            let _e413 = (((((((_e262 * _e305.x) + (_e265 * _e305.y)) + (_e268 * _e305.z)) / ((((_e315.x * _e315.x) + (_e315.y * _e315.y)) + (_e315.z * _e315.z)) * _e278)) - ((((_e333 * _e376.x) + (_e336 * _e376.y)) + (_e339 * _e376.z)) / ((((_e386.x * _e386.x) + (_e386.y * _e386.y)) + (_e386.z * _e386.z)) * _e349))) * -0.5f) * f32(_e411));
-            let _e417 = p.member.current.grid[0u];
-            let _e419 = p.member.current.grid[1u];
-            let _e439 = p.member.current.size[0u];
-            let _e441 = p.member.current.size[1u];
-            let _e443 = ((f32(_e54.x) + ((f32((_e54.y & (_e419 - 1u))) + 0.5f) / f32(_e419))) + _e407);
-            if (_e443 > -8388608f) {
-                let _e455 = f32(select(0i, select(select(i32(_e443), i32(-2147483648), (_e443 < bitcast<f32>(3472883712u))), 2147483647i, (_e443 > bitcast<f32>(1325400063u))), (_e443 == _e443)));
-                if (_e455 > _e443) {
-                    phi_677_ = 1f;
-                } else {
-                    phi_677_ = 0f;
-                }
-                let _e458 = phi_677_;
-                if (_e443 < 8388608f) {
-                    phi_682_ = (_e455 - _e458);
-                    phi_683_ = false;
-                } else {
-                    phi_682_ = f32();
-                    phi_683_ = true;
-                }
-                let _e461 = phi_682_;
-                let _e463 = phi_683_;
-                phi_684_ = _e461;
-                phi_685_ = _e463;
+            let _e254 = phi_470_;
+            let _e261 = lt_mask_Reprojection(vec2<u32>(_e55.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e268 = lt_mask_Reprojection(vec2<u32>(_e261.pixel.x, _e55.y), _e261.is_valid, _e261.has_moved);
+            let _e272 = lt_mask_Reprojection(_e268.pixel, true, _e268.has_moved);
+            let _e278 = p.member.flags;
+            if ((_e278 & 16u) == 0u) {
+                phi_513_ = true;
             } else {
-                phi_684_ = f32();
-                phi_685_ = true;
-            }
-            let _e465 = phi_684_;
-            let _e467 = phi_685_;
-            if _e467 {
-                phi_689_ = _e443;
-            } else {
-                phi_689_ = _e465;
-            }
-            let _e469 = phi_689_;
-            let _e470 = ((f32(_e54.y) + ((f32((_e54.x & (_e417 - 1u))) + 0.5f) / f32(_e417))) + _e413);
-            if (_e470 > -8388608f) {
-                let _e482 = f32(select(0i, select(select(i32(_e470), i32(-2147483648), (_e470 < bitcast<f32>(3472883712u))), 2147483647i, (_e470 > bitcast<f32>(1325400063u))), (_e470 == _e470)));
-                if (_e482 > _e470) {
-                    phi_710_ = 1f;
-                } else {
-                    phi_710_ = 0f;
-                }
-                let _e485 = phi_710_;
-                if (_e470 < 8388608f) {
-                    phi_715_ = (_e482 - _e485);
-                    phi_716_ = false;
-                } else {
-                    phi_715_ = f32();
-                    phi_716_ = true;
-                }
-                let _e488 = phi_715_;
-                let _e490 = phi_716_;
-                phi_717_ = _e488;
-                phi_718_ = _e490;
-            } else {
-                phi_717_ = f32();
-                phi_718_ = true;
-            }
-            let _e492 = phi_717_;
-            let _e494 = phi_718_;
-            if _e494 {
-                phi_722_ = _e470;
-            } else {
-                phi_722_ = _e492;
-            }
-            let _e496 = phi_722_;
-            if (_e469 >= 0f) {
-                if (_e496 >= 0f) {
-                    if (_e469 < f32(_e439)) {
-                        let _e502 = (_e496 < f32(_e441));
-                        if (_e407 == 0f) {
-                            phi_743_ = (_e413 == 0f);
-                        } else {
-                            phi_743_ = false;
-                        }
-                        let _e506 = phi_743_;
-                        if _e502 {
-                            phi_762_ = vec2<u32>(select(select(u32(_e469), 0u, (_e469 < bitcast<f32>(0u))), 4294967295u, (_e469 > bitcast<f32>(1333788671u))), select(select(u32(_e496), 0u, (_e496 < bitcast<f32>(0u))), 4294967295u, (_e496 > bitcast<f32>(1333788671u))));
-                            phi_763_ = false;
-                        } else {
-                            phi_762_ = vec2<u32>();
-                            phi_763_ = true;
-                        }
-                        let _e523 = phi_762_;
-                        let _e525 = phi_763_;
-                        phi_764_ = _e506;
-                        phi_765_ = _e502;
-                        phi_766_ = _e523;
-                        phi_767_ = _e506;
-                        phi_768_ = _e502;
-                        phi_769_ = false;
-                        phi_770_ = _e525;
+                let _e284 = samples.member[_e71.shift].position[0u];
+                if (_e90.x == _e284) {
+                    let _e288 = samples.member[_e71.shift].position[1u];
+                    if (_e90.y == _e288) {
+                        let _e292 = samples.member[_e71.shift].position[2u];
+                        phi_501_ = (_e90.z == _e292);
+                        phi_502_ = false;
                     } else {
-                        phi_764_ = bool();
-                        phi_765_ = bool();
-                        phi_766_ = vec2<u32>();
-                        phi_767_ = bool();
-                        phi_768_ = bool();
-                        phi_769_ = true;
-                        phi_770_ = false;
+                        phi_501_ = bool();
+                        phi_502_ = true;
                     }
-                    let _e527 = phi_764_;
-                    let _e529 = phi_765_;
-                    let _e531 = phi_766_;
-                    let _e533 = phi_767_;
-                    let _e535 = phi_768_;
-                    let _e537 = phi_769_;
-                    let _e539 = phi_770_;
-                    phi_771_ = _e527;
-                    phi_772_ = _e529;
-                    phi_773_ = _e531;
-                    phi_774_ = _e533;
-                    phi_775_ = _e535;
-                    phi_776_ = _e537;
-                    phi_777_ = _e539;
+                    let _e295 = phi_501_;
+                    let _e297 = phi_502_;
+                    phi_503_ = _e295;
+                    phi_504_ = _e297;
                 } else {
-                    phi_771_ = bool();
-                    phi_772_ = bool();
-                    phi_773_ = vec2<u32>();
-                    phi_774_ = bool();
-                    phi_775_ = bool();
-                    phi_776_ = true;
-                    phi_777_ = false;
+                    phi_503_ = bool();
+                    phi_504_ = true;
                 }
-                let _e541 = phi_771_;
-                let _e543 = phi_772_;
-                let _e545 = phi_773_;
-                let _e547 = phi_774_;
-                let _e549 = phi_775_;
-                let _e551 = phi_776_;
-                let _e553 = phi_777_;
-                phi_778_ = _e541;
-                phi_779_ = _e543;
-                phi_780_ = _e545;
-                phi_781_ = _e547;
-                phi_782_ = _e549;
-                phi_783_ = _e551;
-                phi_784_ = _e553;
-            } else {
-                phi_778_ = bool();
-                phi_779_ = bool();
-                phi_780_ = vec2<u32>();
-                phi_781_ = bool();
-                phi_782_ = bool();
-                phi_783_ = true;
-                phi_784_ = false;
-            }
-            let _e555 = phi_778_;
-            let _e557 = phi_779_;
-            let _e559 = phi_780_;
-            let _e561 = phi_781_;
-            let _e563 = phi_782_;
-            let _e565 = phi_783_;
-            let _e567 = phi_784_;
-            if _e565 {
-                if (_e407 == 0f) {
-                    phi_793_ = (_e413 == 0f);
+                let _e299 = phi_503_;
+                let _e301 = phi_504_;
+                if _e301 {
+                    phi_508_ = false;
                 } else {
-                    phi_793_ = false;
+                    phi_508_ = _e299;
                 }
-                let _e571 = phi_793_;
-                phi_794_ = _e571;
-                phi_795_ = false;
-                phi_796_ = true;
-            } else {
-                phi_794_ = _e561;
-                phi_795_ = _e563;
-                phi_796_ = _e567;
+                let _e303 = phi_508_;
+                if _e303 {
+                    phi_512_ = false;
+                } else {
+                    phi_512_ = true;
+                }
+                let _e305 = phi_512_;
+                phi_513_ = _e305;
             }
-            let _e573 = phi_794_;
-            let _e575 = phi_795_;
-            let _e577 = phi_796_;
-            if _e577 {
-                phi_800_ = _e573;
-                phi_801_ = _e575;
-                phi_802_ = vec2<u32>(_e54.x, _e54.y);
-            } else {
-                phi_800_ = _e555;
-                phi_801_ = _e557;
-                phi_802_ = _e559;
-            }
-            let _e579 = phi_800_;
-            let _e581 = phi_801_;
-            let _e583 = phi_802_;
-            let _e593 = lt_mask_Reprojection(vec2<u32>(_e583.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e600 = lt_mask_Reprojection(vec2<u32>(_e593.pixel.x, _e583.y), _e593.is_valid, _e593.has_moved);
-            let _e604 = lt_mask_Reprojection(_e600.pixel, _e581, _e600.has_moved);
-            let _e608 = lt_mask_Reprojection(_e604.pixel, _e604.is_valid, !(_e579));
-            if _e581 {
-                let _e611 = p.member.previous.eye;
-                let _e622 = p.member.previous.forward;
-                let _e631 = (((((_e89.x - _e611.x) * _e622.x) + ((_e89.y - _e611.y) * _e622.y)) + ((_e89.z - _e611.z) * _e622.z)) > 0f);
-                let _e635 = lt_mask_Reprojection(_e608.pixel, _e631, _e608.has_moved);
+            let _e307 = phi_513_;
+            if _e307 {
+                let _e309 = samples.member[_e71.shift].position;
+                let _e313 = p.member.previous.eye;
+                let _e316 = (_e90.x - _e313.x);
+                let _e319 = (_e90.y - _e313.y);
+                let _e322 = (_e90.z - _e313.z);
+                let _e324 = p.member.previous.forward;
+                let _e332 = (((_e316 * _e324.x) + (_e319 * _e324.y)) + (_e322 * _e324.z));
+                let _e334 = p.member.previous.right;
+                let _e344 = p.member.previous.right;
+                let _e359 = p.member.previous.up;
+                let _e369 = p.member.previous.up;
+                let _e384 = p.member.current.eye;
+                let _e387 = (_e309.x - _e384.x);
+                let _e390 = (_e309.y - _e384.y);
+                let _e393 = (_e309.z - _e384.z);
+                let _e395 = p.member.current.forward;
+                let _e403 = (((_e387 * _e395.x) + (_e390 * _e395.y)) + (_e393 * _e395.z));
+                let _e405 = p.member.current.right;
+                let _e415 = p.member.current.right;
+                let _e430 = p.member.current.up;
+                let _e440 = p.member.current.up;
+                let _e459 = p.member.current.size[0u];
+                let _e461 = (((((((_e316 * _e334.x) + (_e319 * _e334.y)) + (_e322 * _e334.z)) / ((((_e344.x * _e344.x) + (_e344.y * _e344.y)) + (_e344.z * _e344.z)) * _e332)) - ((((_e387 * _e405.x) + (_e390 * _e405.y)) + (_e393 * _e405.z)) / ((((_e415.x * _e415.x) + (_e415.y * _e415.y)) + (_e415.z * _e415.z)) * _e403))) * 0.5f) * f32(_e459));
+                let _e465 = p.member.current.size[1u];
+                let _e467 = (((((((_e316 * _e359.x) + (_e319 * _e359.y)) + (_e322 * _e359.z)) / ((((_e369.x * _e369.x) + (_e369.y * _e369.y)) + (_e369.z * _e369.z)) * _e332)) - ((((_e387 * _e430.x) + (_e390 * _e430.y)) + (_e393 * _e430.z)) / ((((_e440.x * _e440.x) + (_e440.y * _e440.y)) + (_e440.z * _e440.z)) * _e403))) * -0.5f) * f32(_e465));
+                let _e471 = p.member.current.grid[0u];
+                let _e473 = p.member.current.grid[1u];
+                let _e493 = p.member.current.size[0u];
+                let _e495 = p.member.current.size[1u];
+                let _e497 = ((f32(_e55.x) + ((f32((_e55.y & (_e473 - 1u))) + 0.5f) / f32(_e473))) + _e461);
+                if (_e497 > -8388608f) {
+                    let _e509 = f32(select(0i, select(select(i32(_e497), i32(-2147483648), (_e497 < bitcast<f32>(3472883712u))), 2147483647i, (_e497 > bitcast<f32>(1325400063u))), (_e497 == _e497)));
+                    if (_e509 > _e497) {
+                        phi_724_ = 1f;
+                    } else {
+                        phi_724_ = 0f;
+                    }
+                    let _e512 = phi_724_;
+                    if (_e497 < 8388608f) {
+                        phi_729_ = (_e509 - _e512);
+                        phi_730_ = false;
+                    } else {
+                        phi_729_ = f32();
+                        phi_730_ = true;
+                    }
+                    let _e515 = phi_729_;
+                    let _e517 = phi_730_;
+                    phi_731_ = _e515;
+                    phi_732_ = _e517;
+                } else {
+                    phi_731_ = f32();
+                    phi_732_ = true;
+                }
+                let _e519 = phi_731_;
+                let _e521 = phi_732_;
+                if _e521 {
+                    phi_736_ = _e497;
+                } else {
+                    phi_736_ = _e519;
+                }
+                let _e523 = phi_736_;
+                let _e524 = ((f32(_e55.y) + ((f32((_e55.x & (_e471 - 1u))) + 0.5f) / f32(_e471))) + _e467);
+                if (_e524 > -8388608f) {
+                    let _e536 = f32(select(0i, select(select(i32(_e524), i32(-2147483648), (_e524 < bitcast<f32>(3472883712u))), 2147483647i, (_e524 > bitcast<f32>(1325400063u))), (_e524 == _e524)));
+                    if (_e536 > _e524) {
+                        phi_757_ = 1f;
+                    } else {
+                        phi_757_ = 0f;
+                    }
+                    let _e539 = phi_757_;
+                    if (_e524 < 8388608f) {
+                        phi_762_ = (_e536 - _e539);
+                        phi_763_ = false;
+                    } else {
+                        phi_762_ = f32();
+                        phi_763_ = true;
+                    }
+                    let _e542 = phi_762_;
+                    let _e544 = phi_763_;
+                    phi_764_ = _e542;
+                    phi_765_ = _e544;
+                } else {
+                    phi_764_ = f32();
+                    phi_765_ = true;
+                }
+                let _e546 = phi_764_;
+                let _e548 = phi_765_;
+                if _e548 {
+                    phi_769_ = _e524;
+                } else {
+                    phi_769_ = _e546;
+                }
+                let _e550 = phi_769_;
+                if (_e523 >= 0f) {
+                    if (_e550 >= 0f) {
+                        if (_e523 < f32(_e493)) {
+                            let _e556 = (_e550 < f32(_e495));
+                            if (_e461 == 0f) {
+                                phi_790_ = (_e467 == 0f);
+                            } else {
+                                phi_790_ = false;
+                            }
+                            let _e560 = phi_790_;
+                            if _e556 {
+                                phi_809_ = vec2<u32>(select(select(u32(_e523), 0u, (_e523 < bitcast<f32>(0u))), 4294967295u, (_e523 > bitcast<f32>(1333788671u))), select(select(u32(_e550), 0u, (_e550 < bitcast<f32>(0u))), 4294967295u, (_e550 > bitcast<f32>(1333788671u))));
+                                phi_810_ = false;
+                            } else {
+                                phi_809_ = vec2<u32>();
+                                phi_810_ = true;
+                            }
+                            let _e577 = phi_809_;
+                            let _e579 = phi_810_;
+                            phi_811_ = _e560;
+                            phi_812_ = _e556;
+                            phi_813_ = _e577;
+                            phi_814_ = _e560;
+                            phi_815_ = _e556;
+                            phi_816_ = false;
+                            phi_817_ = _e579;
+                        } else {
+                            phi_811_ = bool();
+                            phi_812_ = bool();
+                            phi_813_ = vec2<u32>();
+                            phi_814_ = bool();
+                            phi_815_ = bool();
+                            phi_816_ = true;
+                            phi_817_ = false;
+                        }
+                        let _e581 = phi_811_;
+                        let _e583 = phi_812_;
+                        let _e585 = phi_813_;
+                        let _e587 = phi_814_;
+                        let _e589 = phi_815_;
+                        let _e591 = phi_816_;
+                        let _e593 = phi_817_;
+                        phi_818_ = _e581;
+                        phi_819_ = _e583;
+                        phi_820_ = _e585;
+                        phi_821_ = _e587;
+                        phi_822_ = _e589;
+                        phi_823_ = _e591;
+                        phi_824_ = _e593;
+                    } else {
+                        phi_818_ = bool();
+                        phi_819_ = bool();
+                        phi_820_ = vec2<u32>();
+                        phi_821_ = bool();
+                        phi_822_ = bool();
+                        phi_823_ = true;
+                        phi_824_ = false;
+                    }
+                    let _e595 = phi_818_;
+                    let _e597 = phi_819_;
+                    let _e599 = phi_820_;
+                    let _e601 = phi_821_;
+                    let _e603 = phi_822_;
+                    let _e605 = phi_823_;
+                    let _e607 = phi_824_;
+                    phi_825_ = _e595;
+                    phi_826_ = _e597;
+                    phi_827_ = _e599;
+                    phi_828_ = _e601;
+                    phi_829_ = _e603;
+                    phi_830_ = _e605;
+                    phi_831_ = _e607;
+                } else {
+                    phi_825_ = bool();
+                    phi_826_ = bool();
+                    phi_827_ = vec2<u32>();
+                    phi_828_ = bool();
+                    phi_829_ = bool();
+                    phi_830_ = true;
+                    phi_831_ = false;
+                }
+                let _e609 = phi_825_;
+                let _e611 = phi_826_;
+                let _e613 = phi_827_;
+                let _e615 = phi_828_;
+                let _e617 = phi_829_;
+                let _e619 = phi_830_;
+                let _e621 = phi_831_;
+                if _e619 {
+                    if (_e461 == 0f) {
+                        phi_840_ = (_e467 == 0f);
+                    } else {
+                        phi_840_ = false;
+                    }
+                    let _e625 = phi_840_;
+                    phi_841_ = _e625;
+                    phi_842_ = false;
+                    phi_843_ = true;
+                } else {
+                    phi_841_ = _e615;
+                    phi_842_ = _e617;
+                    phi_843_ = _e621;
+                }
+                let _e627 = phi_841_;
+                let _e629 = phi_842_;
+                let _e631 = phi_843_;
                 if _e631 {
-                    let _e637 = p.member.flags;
-                    phi_844_ = ((_e637 & 1u) != 0u);
-                    phi_845_ = false;
+                    phi_847_ = _e627;
+                    phi_848_ = _e629;
+                    phi_849_ = vec2<u32>(_e55.x, _e55.y);
                 } else {
-                    phi_844_ = bool();
-                    phi_845_ = true;
+                    phi_847_ = _e609;
+                    phi_848_ = _e611;
+                    phi_849_ = _e613;
                 }
-                let _e641 = phi_844_;
-                let _e643 = phi_845_;
-                phi_847_ = _e641;
-                phi_848_ = _e635;
-                phi_849_ = _e635;
-                phi_850_ = _e643;
+                let _e633 = phi_847_;
+                let _e635 = phi_848_;
+                let _e637 = phi_849_;
+                let _e647 = lt_mask_Reprojection(vec2<u32>(_e637.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e654 = lt_mask_Reprojection(vec2<u32>(_e647.pixel.x, _e637.y), _e647.is_valid, _e647.has_moved);
+                let _e658 = lt_mask_Reprojection(_e654.pixel, _e635, _e654.has_moved);
+                let _e662 = lt_mask_Reprojection(_e658.pixel, _e658.is_valid, !(_e633));
+                if _e635 {
+                    let _e665 = p.member.previous.eye;
+                    let _e676 = p.member.previous.forward;
+                    let _e685 = (((((_e90.x - _e665.x) * _e676.x) + ((_e90.y - _e665.y) * _e676.y)) + ((_e90.z - _e665.z) * _e676.z)) > 0f);
+                    let _e689 = lt_mask_Reprojection(_e662.pixel, _e685, _e662.has_moved);
+                    if _e685 {
+                        phi_887_ = false;
+                    } else {
+                        phi_887_ = true;
+                    }
+                    let _e691 = phi_887_;
+                    phi_889_ = _e689;
+                    phi_890_ = _e689;
+                    phi_891_ = _e691;
+                } else {
+                    phi_889_ = lt_mask_Reprojection();
+                    phi_890_ = lt_mask_Reprojection(_e662.pixel, false, _e662.has_moved);
+                    phi_891_ = true;
+                }
+                let _e697 = phi_889_;
+                let _e699 = phi_890_;
+                let _e701 = phi_891_;
+                if _e701 {
+                    phi_895_ = false;
+                } else {
+                    phi_895_ = true;
+                }
+                let _e703 = phi_895_;
+                phi_896_ = _e699;
+                phi_897_ = _e697;
+                phi_898_ = _e703;
             } else {
-                phi_847_ = bool();
-                phi_848_ = lt_mask_Reprojection();
-                phi_849_ = lt_mask_Reprojection(_e608.pixel, false, _e608.has_moved);
-                phi_850_ = true;
+                phi_896_ = lt_mask_Reprojection();
+                phi_897_ = lt_mask_Reprojection(_e272.pixel, _e272.is_valid, false);
+                phi_898_ = true;
             }
-            let _e649 = phi_847_;
-            let _e651 = phi_848_;
-            let _e653 = phi_849_;
-            let _e655 = phi_850_;
-            if _e655 {
-                phi_854_ = false;
-                phi_855_ = _e653;
+            let _e705 = phi_896_;
+            let _e707 = phi_897_;
+            let _e709 = phi_898_;
+            if _e709 {
+                let _e711 = p.member.flags;
+                phi_906_ = ((_e711 & 1u) != 0u);
+                phi_907_ = _e707;
             } else {
-                phi_854_ = _e649;
-                phi_855_ = _e651;
+                phi_906_ = false;
+                phi_907_ = _e705;
             }
-            let _e657 = phi_854_;
-            let _e659 = phi_855_;
-            let _e663 = lt_mask_Reprojection(_e659.pixel, _e657, _e659.has_moved);
-            let _e665 = p.member.flags;
-            let _e667 = ((_e665 & 2u) != 0u);
-            let _e669 = p.member.flags;
-            if ((_e669 & 4u) == 0u) {
-                phi_929_ = u32();
-                phi_930_ = true;
-                phi_931_ = false;
+            let _e715 = phi_906_;
+            let _e717 = phi_907_;
+            let _e721 = lt_mask_Reprojection(_e717.pixel, _e715, _e717.has_moved);
+            let _e723 = p.member.flags;
+            let _e725 = ((_e723 & 2u) != 0u);
+            let _e727 = p.member.flags;
+            if ((_e727 & 4u) == 0u) {
+                phi_981_ = u32();
+                phi_982_ = true;
+                phi_983_ = false;
             } else {
-                if _e657 {
-                    if !(_e663.has_moved) {
-                        let _e677 = ((((_e54.y * _e86) + _e54.x) * _e82) + _e79);
-                        if (_e80 > 29u) {
-                            let _e679 = (_e677 + 1u);
-                            if (_e679 < _e60) {
+                if _e715 {
+                    if !(_e721.has_moved) {
+                        let _e735 = ((((_e55.y * _e87) + _e55.x) * _e83) + _e80);
+                        if (_e81 > 29u) {
+                            let _e737 = (_e735 + 1u);
+                            if (_e737 < _e61) {
                             } else {
                                 return;
                             }
-                            let _e683 = last_bits.member[(0u + _e679)];
-                            phi_896_ = _e683;
+                            let _e741 = last_bits.member[(0u + _e737)];
+                            phi_948_ = _e741;
                         } else {
-                            phi_896_ = 0u;
+                            phi_948_ = 0u;
                         }
-                        let _e685 = phi_896_;
-                        if (_e677 < _e60) {
+                        let _e743 = phi_948_;
+                        if (_e735 < _e61) {
                         } else {
                             return;
                         }
-                        let _e689 = last_bits.member[(0u + _e677)];
-                        let _e692 = (_e689 >> bitcast<u32>((_e80 & 31u)));
-                        if (_e80 > 29u) {
-                            phi_915_ = (_e692 | (_e685 << bitcast<u32>(((32u - _e80) & 31u))));
+                        let _e747 = last_bits.member[(0u + _e735)];
+                        let _e750 = (_e747 >> bitcast<u32>((_e81 & 31u)));
+                        if (_e81 > 29u) {
+                            phi_967_ = (_e750 | (_e743 << bitcast<u32>(((32u - _e81) & 31u))));
                         } else {
-                            phi_915_ = _e692;
+                            phi_967_ = _e750;
                         }
-                        let _e700 = phi_915_;
-                        if ((_e700 & 2u) == 0u) {
-                            phi_923_ = (_e700 & 1u);
+                        let _e758 = phi_967_;
+                        if ((_e758 & 2u) == 0u) {
+                            phi_975_ = (_e758 & 1u);
                         } else {
-                            phi_923_ = (_e700 & 7u);
+                            phi_975_ = (_e758 & 7u);
                         }
-                        let _e706 = phi_923_;
-                        phi_924_ = _e706;
-                        phi_925_ = false;
+                        let _e764 = phi_975_;
+                        phi_976_ = _e764;
+                        phi_977_ = false;
                     } else {
-                        phi_924_ = u32();
-                        phi_925_ = true;
+                        phi_976_ = u32();
+                        phi_977_ = true;
                     }
-                    let _e708 = phi_924_;
-                    let _e710 = phi_925_;
-                    phi_926_ = _e708;
-                    phi_927_ = false;
-                    phi_928_ = _e710;
+                    let _e766 = phi_976_;
+                    let _e768 = phi_977_;
+                    phi_978_ = _e766;
+                    phi_979_ = false;
+                    phi_980_ = _e768;
                 } else {
-                    phi_926_ = u32();
-                    phi_927_ = true;
-                    phi_928_ = false;
+                    phi_978_ = u32();
+                    phi_979_ = true;
+                    phi_980_ = false;
                 }
-                let _e712 = phi_926_;
-                let _e714 = phi_927_;
-                let _e716 = phi_928_;
-                phi_929_ = _e712;
-                phi_930_ = _e714;
-                phi_931_ = _e716;
+                let _e770 = phi_978_;
+                let _e772 = phi_979_;
+                let _e774 = phi_980_;
+                phi_981_ = _e770;
+                phi_982_ = _e772;
+                phi_983_ = _e774;
             }
-            let _e718 = phi_929_;
-            let _e720 = phi_930_;
-            let _e722 = phi_931_;
-            if _e720 {
-                phi_935_ = true;
+            let _e776 = phi_981_;
+            let _e778 = phi_982_;
+            let _e780 = phi_983_;
+            if _e778 {
+                phi_987_ = true;
             } else {
-                phi_935_ = _e722;
+                phi_987_ = _e780;
             }
-            let _e724 = phi_935_;
-            if _e724 {
-                phi_939_ = 0u;
+            let _e782 = phi_987_;
+            if _e782 {
+                phi_991_ = 0u;
             } else {
-                phi_939_ = _e718;
+                phi_991_ = _e776;
             }
-            let _e726 = phi_939_;
-            let _e727 = lt_mask_Neighbourhood(false, true);
-            if _e253 {
-                phi_944_ = _e667;
+            let _e784 = phi_991_;
+            let _e785 = lt_mask_Neighbourhood(false, true);
+            if _e254 {
+                phi_996_ = _e725;
             } else {
-                phi_944_ = false;
+                phi_996_ = false;
             }
-            let _e729 = phi_944_;
-            if _e729 {
-                if _e657 {
-                    if ((_e726 & 2u) != 0u) {
-                        phi_1237_ = _e727;
+            let _e787 = phi_996_;
+            if _e787 {
+                if _e715 {
+                    if ((_e784 & 2u) != 0u) {
+                        phi_1289_ = _e785;
                     } else {
-                        let _e733 = p.member.expansion;
-                        if _e663.has_moved {
-                            let _e736 = p.member.moving_pattern;
-                            phi_966_ = _e736;
+                        let _e791 = p.member.expansion;
+                        if _e721.has_moved {
+                            let _e794 = p.member.moving_pattern;
+                            phi_1018_ = _e794;
                         } else {
-                            let _e738 = p.member.still_pattern;
-                            phi_966_ = _e738;
+                            let _e796 = p.member.still_pattern;
+                            phi_1018_ = _e796;
                         }
-                        let _e740 = phi_966_;
-                        phi_968_ = 0u;
-                        phi_971_ = _e727;
+                        let _e798 = phi_1018_;
+                        phi_1020_ = 0u;
+                        phi_1023_ = _e785;
                         loop {
-                            let _e742 = phi_968_;
-                            let _e744 = phi_971_;
-                            local_1 = _e744;
-                            if (1u <= _e740) {
-                                if (_e740 <= 4u) {
-                                    phi_983_ = false;
+                            let _e800 = phi_1020_;
+                            let _e802 = phi_1023_;
+                            local_1 = _e802;
+                            if (1u <= _e798) {
+                                if (_e798 <= 4u) {
+                                    phi_1035_ = false;
                                 } else {
-                                    phi_983_ = true;
+                                    phi_1035_ = true;
                                 }
-                                let _e748 = phi_983_;
-                                phi_984_ = _e748;
+                                let _e806 = phi_1035_;
+                                phi_1036_ = _e806;
                             } else {
-                                phi_984_ = true;
+                                phi_1036_ = true;
                             }
-                            let _e750 = phi_984_;
-                            if _e750 {
-                                switch bitcast<i32>(_e740) {
+                            let _e808 = phi_1036_;
+                            if _e808 {
+                                switch bitcast<i32>(_e798) {
                                     case 5: {
-                                        phi_993_ = 4u;
+                                        phi_1045_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_993_ = 25u;
+                                        phi_1045_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_993_ = 13u;
+                                        phi_1045_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_993_ = 9u;
+                                        phi_1045_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e753 = phi_993_;
-                                phi_994_ = _e753;
+                                let _e811 = phi_1045_;
+                                phi_1046_ = _e811;
                             } else {
-                                phi_994_ = 5u;
+                                phi_1046_ = 5u;
                             }
-                            let _e755 = phi_994_;
-                            let _e756 = (_e742 < _e755);
-                            if _e756 {
-                                let _e762 = p.member.frame;
-                                let _e766 = p.member.current.size[0u];
-                                let _e768 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e740) {
+                            let _e813 = phi_1046_;
+                            let _e814 = (_e800 < _e813);
+                            if _e814 {
+                                let _e820 = p.member.frame;
+                                let _e824 = p.member.current.size[0u];
+                                let _e826 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e798) {
                                     case 1: {
-                                        let _e778 = lt_mask_pattern_plus(_e742);
-                                        phi_1074_ = vec2<i32>(_e778.x, _e778.y);
+                                        let _e836 = lt_mask_pattern_plus(_e800);
+                                        phi_1126_ = vec2<i32>(_e836.x, _e836.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e782 = lt_mask_pattern_cross(_e742);
-                                        phi_1074_ = vec2<i32>(_e782.x, _e782.y);
+                                        let _e840 = lt_mask_pattern_cross(_e800);
+                                        phi_1126_ = vec2<i32>(_e840.x, _e840.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e788 = lt_mask_pattern_plus_or_cross(_e742, ((_e663.pixel.x + _e663.pixel.y) & 1u));
-                                        phi_1074_ = vec2<i32>(_e788.x, _e788.y);
+                                        let _e846 = lt_mask_pattern_plus_or_cross(_e800, ((_e721.pixel.x + _e721.pixel.y) & 1u));
+                                        phi_1126_ = vec2<i32>(_e846.x, _e846.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e793 = lt_mask_pattern_plus_or_cross(_e742, (_e762 & 1u));
-                                        phi_1074_ = vec2<i32>(_e793.x, _e793.y);
+                                        let _e851 = lt_mask_pattern_plus_or_cross(_e800, (_e820 & 1u));
+                                        phi_1126_ = vec2<i32>(_e851.x, _e851.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e762 & 3u)) {
+                                        switch bitcast<i32>((_e820 & 3u)) {
                                             case 0: {
-                                                phi_1054_ = vec2(-1i);
+                                                phi_1106_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1054_ = vec2(0i);
+                                                phi_1106_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1054_ = vec2<i32>(0i, -1i);
+                                                phi_1106_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1054_ = vec2<i32>(-1i, 0i);
+                                                phi_1106_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e804 = phi_1054_;
-                                        phi_1074_ = (_e804 + vec2<i32>(bitcast<i32>((_e742 & 1u)), bitcast<i32>(((_e742 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e862 = phi_1106_;
+                                        phi_1126_ = (_e862 + vec2<i32>(bitcast<i32>((_e800 & 1u)), bitcast<i32>(((_e800 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1074_ = vec2<i32>((bitcast<i32>((_e742 % 5u)) - 2i), (bitcast<i32>(((_e742 / 5u) % 5u)) - 2i));
+                                        phi_1126_ = vec2<i32>((bitcast<i32>((_e800 % 5u)) - 2i), (bitcast<i32>(((_e800 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e821 = lt_mask_pattern_diamond(_e742);
-                                        phi_1074_ = vec2<i32>(_e821.x, _e821.y);
+                                        let _e879 = lt_mask_pattern_diamond(_e800);
+                                        phi_1126_ = vec2<i32>(_e879.x, _e879.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1074_ = vec2<i32>((bitcast<i32>((_e742 % 3u)) - 1i), (bitcast<i32>(((_e742 / 3u) % 3u)) - 1i));
+                                        phi_1126_ = vec2<i32>((bitcast<i32>((_e800 % 3u)) - 1i), (bitcast<i32>(((_e800 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e826 = phi_1074_;
-                                let _e829 = lt_mask_pattern_step_clamped(_e663.pixel.x, _e826.x, _e766);
-                                let _e830 = lt_mask_pattern_step_clamped(_e663.pixel.y, _e826.y, _e768);
-                                let _e834 = ((((_e830 * _e86) + _e829) * _e82) + _e79);
-                                if (_e80 > 29u) {
-                                    let _e836 = (_e834 + 1u);
-                                    if (_e836 < _e60) {
+                                let _e884 = phi_1126_;
+                                let _e887 = lt_mask_pattern_step_clamped(_e721.pixel.x, _e884.x, _e824);
+                                let _e888 = lt_mask_pattern_step_clamped(_e721.pixel.y, _e884.y, _e826);
+                                let _e892 = ((((_e888 * _e87) + _e887) * _e83) + _e80);
+                                if (_e81 > 29u) {
+                                    let _e894 = (_e892 + 1u);
+                                    if (_e894 < _e61) {
                                     } else {
                                         return;
                                     }
-                                    let _e840 = last_bits.member[(0u + _e836)];
-                                    phi_1099_ = _e840;
+                                    let _e898 = last_bits.member[(0u + _e894)];
+                                    phi_1151_ = _e898;
                                 } else {
-                                    phi_1099_ = 0u;
+                                    phi_1151_ = 0u;
                                 }
-                                let _e842 = phi_1099_;
-                                if (_e834 < _e60) {
+                                let _e900 = phi_1151_;
+                                if (_e892 < _e61) {
                                 } else {
                                     return;
                                 }
-                                let _e846 = last_bits.member[(0u + _e834)];
-                                let _e849 = (_e846 >> bitcast<u32>((_e80 & 31u)));
-                                if (_e80 > 29u) {
-                                    phi_1118_ = (_e849 | (_e842 << bitcast<u32>(((32u - _e80) & 31u))));
+                                let _e904 = last_bits.member[(0u + _e892)];
+                                let _e907 = (_e904 >> bitcast<u32>((_e81 & 31u)));
+                                if (_e81 > 29u) {
+                                    phi_1170_ = (_e907 | (_e900 << bitcast<u32>(((32u - _e81) & 31u))));
                                 } else {
-                                    phi_1118_ = _e849;
+                                    phi_1170_ = _e907;
                                 }
-                                let _e857 = phi_1118_;
-                                if ((_e857 & 2u) == 0u) {
-                                    phi_1126_ = (_e857 & 1u);
+                                let _e915 = phi_1170_;
+                                if ((_e915 & 2u) == 0u) {
+                                    phi_1178_ = (_e915 & 1u);
                                 } else {
-                                    phi_1126_ = (_e857 & 7u);
+                                    phi_1178_ = (_e915 & 7u);
                                 }
-                                let _e863 = phi_1126_;
-                                if _e744.any_expands {
-                                    phi_1214_ = true;
+                                let _e921 = phi_1178_;
+                                if _e802.any_expands {
+                                    phi_1266_ = true;
                                 } else {
-                                    if ((_e863 & 2u) != 0u) {
-                                        let _e870 = (((_e863 & 4u) != 0u) != _e249);
-                                        switch bitcast<i32>(_e733) {
+                                    if ((_e921 & 2u) != 0u) {
+                                        let _e928 = (((_e921 & 4u) != 0u) != _e250);
+                                        switch bitcast<i32>(_e791) {
                                             case 1: {
-                                                phi_1154_ = bool();
-                                                phi_1155_ = false;
-                                                phi_1156_ = true;
-                                                phi_1157_ = false;
-                                                phi_1158_ = false;
+                                                phi_1206_ = bool();
+                                                phi_1207_ = false;
+                                                phi_1208_ = true;
+                                                phi_1209_ = false;
+                                                phi_1210_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e870 {
-                                                    phi_1152_ = (((_e863 & 4u) != 0u) != ((_e863 & 1u) != 0u));
-                                                    phi_1153_ = false;
+                                                if _e928 {
+                                                    phi_1204_ = (((_e921 & 4u) != 0u) != ((_e921 & 1u) != 0u));
+                                                    phi_1205_ = false;
                                                 } else {
-                                                    phi_1152_ = bool();
-                                                    phi_1153_ = true;
+                                                    phi_1204_ = bool();
+                                                    phi_1205_ = true;
                                                 }
-                                                let _e878 = phi_1152_;
-                                                let _e880 = phi_1153_;
-                                                phi_1154_ = _e878;
-                                                phi_1155_ = false;
-                                                phi_1156_ = false;
-                                                phi_1157_ = _e880;
-                                                phi_1158_ = _e870;
+                                                let _e936 = phi_1204_;
+                                                let _e938 = phi_1205_;
+                                                phi_1206_ = _e936;
+                                                phi_1207_ = false;
+                                                phi_1208_ = false;
+                                                phi_1209_ = _e938;
+                                                phi_1210_ = _e928;
                                                 break;
                                             }
                                             default: {
-                                                phi_1154_ = bool();
-                                                phi_1155_ = true;
-                                                phi_1156_ = false;
-                                                phi_1157_ = false;
-                                                phi_1158_ = false;
+                                                phi_1206_ = bool();
+                                                phi_1207_ = true;
+                                                phi_1208_ = false;
+                                                phi_1209_ = false;
+                                                phi_1210_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e882 = phi_1154_;
-                                        let _e884 = phi_1155_;
-                                        let _e886 = phi_1156_;
-                                        let _e888 = phi_1157_;
-                                        let _e890 = phi_1158_;
-                                        phi_1166_ = _e870;
-                                        phi_1167_ = _e882;
-                                        phi_1168_ = _e884;
-                                        phi_1169_ = _e886;
-                                        phi_1170_ = _e888;
-                                        phi_1171_ = _e890;
+                                        let _e940 = phi_1206_;
+                                        let _e942 = phi_1207_;
+                                        let _e944 = phi_1208_;
+                                        let _e946 = phi_1209_;
+                                        let _e948 = phi_1210_;
+                                        phi_1218_ = _e928;
+                                        phi_1219_ = _e940;
+                                        phi_1220_ = _e942;
+                                        phi_1221_ = _e944;
+                                        phi_1222_ = _e946;
+                                        phi_1223_ = _e948;
                                     } else {
-                                        switch bitcast<i32>(_e733) {
+                                        switch bitcast<i32>(_e791) {
                                             case 1: {
-                                                phi_1163_ = false;
-                                                phi_1164_ = true;
-                                                phi_1165_ = false;
+                                                phi_1215_ = false;
+                                                phi_1216_ = true;
+                                                phi_1217_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1163_ = false;
-                                                phi_1164_ = false;
-                                                phi_1165_ = true;
+                                                phi_1215_ = false;
+                                                phi_1216_ = false;
+                                                phi_1217_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_1163_ = true;
-                                                phi_1164_ = false;
-                                                phi_1165_ = false;
+                                                phi_1215_ = true;
+                                                phi_1216_ = false;
+                                                phi_1217_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e893 = phi_1163_;
-                                        let _e895 = phi_1164_;
-                                        let _e897 = phi_1165_;
-                                        phi_1166_ = false;
-                                        phi_1167_ = bool();
-                                        phi_1168_ = _e893;
-                                        phi_1169_ = _e895;
-                                        phi_1170_ = _e897;
-                                        phi_1171_ = false;
+                                        let _e951 = phi_1215_;
+                                        let _e953 = phi_1216_;
+                                        let _e955 = phi_1217_;
+                                        phi_1218_ = false;
+                                        phi_1219_ = bool();
+                                        phi_1220_ = _e951;
+                                        phi_1221_ = _e953;
+                                        phi_1222_ = _e955;
+                                        phi_1223_ = false;
                                     }
-                                    let _e899 = phi_1166_;
-                                    let _e901 = phi_1167_;
-                                    let _e903 = phi_1168_;
-                                    let _e905 = phi_1169_;
-                                    let _e907 = phi_1170_;
-                                    let _e909 = phi_1171_;
-                                    if _e903 {
-                                        if ((_e863 & 2u) != 0u) {
-                                            if (((_e863 & 4u) != 0u) != _e249) {
-                                                phi_1186_ = false;
+                                    let _e957 = phi_1218_;
+                                    let _e959 = phi_1219_;
+                                    let _e961 = phi_1220_;
+                                    let _e963 = phi_1221_;
+                                    let _e965 = phi_1222_;
+                                    let _e967 = phi_1223_;
+                                    if _e961 {
+                                        if ((_e921 & 2u) != 0u) {
+                                            if (((_e921 & 4u) != 0u) != _e250) {
+                                                phi_1238_ = false;
                                             } else {
-                                                phi_1186_ = true;
+                                                phi_1238_ = true;
                                             }
-                                            let _e916 = phi_1186_;
-                                            phi_1187_ = _e916;
+                                            let _e974 = phi_1238_;
+                                            phi_1239_ = _e974;
                                         } else {
-                                            phi_1187_ = true;
+                                            phi_1239_ = true;
                                         }
-                                        let _e918 = phi_1187_;
-                                        if _e918 {
-                                            phi_1194_ = (((_e863 & 1u) != 0u) != _e249);
+                                        let _e976 = phi_1239_;
+                                        if _e976 {
+                                            phi_1246_ = (((_e921 & 1u) != 0u) != _e250);
                                         } else {
-                                            phi_1194_ = true;
+                                            phi_1246_ = true;
                                         }
-                                        let _e923 = phi_1194_;
-                                        phi_1195_ = _e923;
-                                        phi_1196_ = false;
-                                        phi_1197_ = false;
-                                        phi_1198_ = false;
+                                        let _e981 = phi_1246_;
+                                        phi_1247_ = _e981;
+                                        phi_1248_ = false;
+                                        phi_1249_ = false;
+                                        phi_1250_ = false;
                                     } else {
-                                        phi_1195_ = bool();
-                                        phi_1196_ = _e905;
-                                        phi_1197_ = _e907;
-                                        phi_1198_ = _e909;
+                                        phi_1247_ = bool();
+                                        phi_1248_ = _e963;
+                                        phi_1249_ = _e965;
+                                        phi_1250_ = _e967;
                                     }
-                                    let _e925 = phi_1195_;
-                                    let _e927 = phi_1196_;
-                                    let _e929 = phi_1197_;
-                                    let _e931 = phi_1198_;
-                                    if _e927 {
-                                        phi_1202_ = _e899;
-                                        phi_1203_ = false;
-                                        phi_1204_ = false;
+                                    let _e983 = phi_1247_;
+                                    let _e985 = phi_1248_;
+                                    let _e987 = phi_1249_;
+                                    let _e989 = phi_1250_;
+                                    if _e985 {
+                                        phi_1254_ = _e957;
+                                        phi_1255_ = false;
+                                        phi_1256_ = false;
                                     } else {
-                                        phi_1202_ = _e925;
-                                        phi_1203_ = _e929;
-                                        phi_1204_ = _e931;
+                                        phi_1254_ = _e983;
+                                        phi_1255_ = _e987;
+                                        phi_1256_ = _e989;
                                     }
-                                    let _e933 = phi_1202_;
-                                    let _e935 = phi_1203_;
-                                    let _e937 = phi_1204_;
-                                    if _e935 {
-                                        phi_1208_ = false;
-                                        phi_1209_ = true;
+                                    let _e991 = phi_1254_;
+                                    let _e993 = phi_1255_;
+                                    let _e995 = phi_1256_;
+                                    if _e993 {
+                                        phi_1260_ = false;
+                                        phi_1261_ = true;
                                     } else {
-                                        phi_1208_ = _e901;
-                                        phi_1209_ = _e937;
+                                        phi_1260_ = _e959;
+                                        phi_1261_ = _e995;
                                     }
-                                    let _e939 = phi_1208_;
-                                    let _e941 = phi_1209_;
-                                    if _e941 {
-                                        phi_1213_ = _e939;
+                                    let _e997 = phi_1260_;
+                                    let _e999 = phi_1261_;
+                                    if _e999 {
+                                        phi_1265_ = _e997;
                                     } else {
-                                        phi_1213_ = _e933;
+                                        phi_1265_ = _e991;
                                     }
-                                    let _e943 = phi_1213_;
-                                    phi_1214_ = _e943;
+                                    let _e1001 = phi_1265_;
+                                    phi_1266_ = _e1001;
                                 }
-                                let _e945 = phi_1214_;
-                                if _e744.all_remove {
-                                    if (((_e863 & 1u) != 0u) == _e249) {
-                                        if ((_e863 & 2u) != 0u) {
-                                            phi_1232_ = (((_e863 & 4u) != 0u) == _e249);
+                                let _e1003 = phi_1266_;
+                                if _e802.all_remove {
+                                    if (((_e921 & 1u) != 0u) == _e250) {
+                                        if ((_e921 & 2u) != 0u) {
+                                            phi_1284_ = (((_e921 & 4u) != 0u) == _e250);
                                         } else {
-                                            phi_1232_ = true;
+                                            phi_1284_ = true;
                                         }
-                                        let _e955 = phi_1232_;
-                                        phi_1233_ = _e955;
+                                        let _e1013 = phi_1284_;
+                                        phi_1285_ = _e1013;
                                     } else {
-                                        phi_1233_ = false;
+                                        phi_1285_ = false;
                                     }
-                                    let _e957 = phi_1233_;
-                                    phi_1234_ = _e957;
+                                    let _e1015 = phi_1285_;
+                                    phi_1286_ = _e1015;
                                 } else {
-                                    phi_1234_ = false;
+                                    phi_1286_ = false;
                                 }
-                                let _e959 = phi_1234_;
-                                phi_969_ = (_e742 + 1u);
-                                phi_972_ = lt_mask_Neighbourhood(_e945, _e959);
+                                let _e1017 = phi_1286_;
+                                phi_1021_ = (_e800 + 1u);
+                                phi_1024_ = lt_mask_Neighbourhood(_e1003, _e1017);
                             } else {
-                                phi_969_ = u32();
-                                phi_972_ = lt_mask_Neighbourhood();
+                                phi_1021_ = u32();
+                                phi_1024_ = lt_mask_Neighbourhood();
                             }
-                            let _e963 = phi_969_;
-                            let _e965 = phi_972_;
+                            let _e1021 = phi_1021_;
+                            let _e1023 = phi_1024_;
                             continue;
                             continuing {
-                                phi_968_ = _e963;
-                                phi_971_ = _e965;
-                                break if !(_e756);
+                                phi_1020_ = _e1021;
+                                phi_1023_ = _e1023;
+                                break if !(_e814);
                             }
                         }
-                        let _e1267 = local_1;
-                        phi_1237_ = _e1267;
+                        let _e1334 = local_1;
+                        phi_1289_ = _e1334;
                     }
-                    let _e968 = phi_1237_;
-                    phi_1238_ = _e968;
+                    let _e1026 = phi_1289_;
+                    phi_1290_ = _e1026;
                 } else {
-                    phi_1238_ = _e727;
+                    phi_1290_ = _e785;
                 }
-                let _e970 = phi_1238_;
-                phi_1239_ = _e970;
+                let _e1028 = phi_1290_;
+                phi_1291_ = _e1028;
             } else {
-                phi_1239_ = _e727;
+                phi_1291_ = _e785;
             }
-            let _e972 = phi_1239_;
-            let _e975 = p.member.frame;
-            let _e977 = p.member.refresh;
-            if (_e977 == 0u) {
-                phi_1272_ = false;
+            let _e1030 = phi_1291_;
+            let _e1033 = p.member.frame;
+            let _e1035 = p.member.refresh;
+            if (_e1035 == 0u) {
+                phi_1324_ = false;
             } else {
-                if (_e977 == 0u) {
+                if (_e1035 == 0u) {
                     return;
                 }
-                let _e986 = ((_e54.x + (_e54.y * (((_e977 * 5u) / 8u) | 1u))) + (_e975 % _e977));
-                if (_e977 == 0u) {
-                    phi_1271_ = (_e986 == 0u);
+                let _e1044 = ((_e55.x + (_e55.y * (((_e1035 * 5u) / 8u) | 1u))) + (_e1033 % _e1035));
+                if (_e1035 == 0u) {
+                    phi_1323_ = (_e1044 == 0u);
                 } else {
-                    if (_e977 == 0u) {
+                    if (_e1035 == 0u) {
                         return;
                     }
-                    phi_1271_ = ((_e986 % _e977) == 0u);
+                    phi_1323_ = ((_e1044 % _e1035) == 0u);
                 }
-                let _e993 = phi_1271_;
-                phi_1272_ = _e993;
+                let _e1051 = phi_1323_;
+                phi_1324_ = _e1051;
             }
-            let _e995 = phi_1272_;
-            if _e657 {
-                if _e995 {
-                    phi_1294_ = bool();
+            let _e1053 = phi_1324_;
+            if _e715 {
+                if _e1053 {
+                    phi_1346_ = bool();
                 } else {
-                    phi_1294_ = ((_e726 & 2u) != 0u);
+                    phi_1346_ = ((_e784 & 2u) != 0u);
                 }
-                let _e1001 = phi_1294_;
-                phi_1295_ = _e1001;
-                phi_1296_ = _e995;
+                let _e1059 = phi_1346_;
+                phi_1347_ = _e1059;
+                phi_1348_ = _e1053;
             } else {
-                phi_1295_ = bool();
-                phi_1296_ = true;
+                phi_1347_ = bool();
+                phi_1348_ = true;
             }
-            let _e1003 = phi_1295_;
-            let _e1005 = phi_1296_;
-            if _e1005 {
-                phi_1300_ = false;
+            let _e1061 = phi_1347_;
+            let _e1063 = phi_1348_;
+            if _e1063 {
+                phi_1352_ = false;
             } else {
-                phi_1300_ = _e1003;
+                phi_1352_ = _e1061;
             }
-            let _e1007 = phi_1300_;
-            if _e1007 {
-                phi_1351_ = 7u;
+            let _e1065 = phi_1352_;
+            if _e1065 {
+                phi_1403_ = 7u;
             } else {
-                if (_e91 != 0.5f) {
-                    if _e657 {
-                        if _e995 {
-                            phi_1348_ = 6u;
+                if (_e92 != 0.5f) {
+                    if _e715 {
+                        if _e1053 {
+                            phi_1400_ = 6u;
                         } else {
-                            if _e253 {
-                                phi_1323_ = true;
+                            if _e254 {
+                                phi_1375_ = true;
                             } else {
-                                if _e972.any_expands {
-                                    phi_1322_ = false;
+                                if _e1030.any_expands {
+                                    phi_1374_ = false;
                                 } else {
-                                    phi_1322_ = true;
+                                    phi_1374_ = true;
                                 }
-                                let _e1009 = phi_1322_;
-                                phi_1323_ = _e1009;
+                                let _e1067 = phi_1374_;
+                                phi_1375_ = _e1067;
                             }
-                            let _e1011 = phi_1323_;
-                            if _e1011 {
-                                if _e253 {
-                                    if _e667 {
-                                        if _e972.all_remove {
-                                            phi_1336_ = false;
+                            let _e1069 = phi_1375_;
+                            if _e1069 {
+                                if _e254 {
+                                    if _e725 {
+                                        if _e1030.all_remove {
+                                            phi_1388_ = false;
                                         } else {
-                                            phi_1336_ = true;
+                                            phi_1388_ = true;
                                         }
-                                        let _e1013 = phi_1336_;
-                                        phi_1337_ = _e1013;
+                                        let _e1071 = phi_1388_;
+                                        phi_1389_ = _e1071;
                                     } else {
-                                        phi_1337_ = true;
+                                        phi_1389_ = true;
                                     }
-                                    let _e1015 = phi_1337_;
-                                    phi_1338_ = _e1015;
+                                    let _e1073 = phi_1389_;
+                                    phi_1390_ = _e1073;
                                 } else {
-                                    phi_1338_ = true;
+                                    phi_1390_ = true;
                                 }
-                                let _e1017 = phi_1338_;
-                                if _e1017 {
-                                    if _e253 {
-                                        phi_1345_ = 1u;
+                                let _e1075 = phi_1390_;
+                                if _e1075 {
+                                    if _e254 {
+                                        phi_1397_ = 1u;
                                     } else {
-                                        phi_1345_ = 0u;
+                                        phi_1397_ = 0u;
                                     }
-                                    let _e1019 = phi_1345_;
-                                    phi_1346_ = _e1019;
+                                    let _e1077 = phi_1397_;
+                                    phi_1398_ = _e1077;
                                 } else {
-                                    phi_1346_ = 5u;
+                                    phi_1398_ = 5u;
                                 }
-                                let _e1021 = phi_1346_;
-                                phi_1347_ = _e1021;
+                                let _e1079 = phi_1398_;
+                                phi_1399_ = _e1079;
                             } else {
-                                phi_1347_ = 4u;
+                                phi_1399_ = 4u;
                             }
-                            let _e1023 = phi_1347_;
-                            phi_1348_ = _e1023;
+                            let _e1081 = phi_1399_;
+                            phi_1400_ = _e1081;
                         }
-                        let _e1025 = phi_1348_;
-                        phi_1349_ = _e1025;
+                        let _e1083 = phi_1400_;
+                        phi_1401_ = _e1083;
                     } else {
-                        phi_1349_ = 3u;
+                        phi_1401_ = 3u;
                     }
-                    let _e1027 = phi_1349_;
-                    phi_1350_ = _e1027;
+                    let _e1085 = phi_1401_;
+                    phi_1402_ = _e1085;
                 } else {
-                    phi_1350_ = 2u;
+                    phi_1402_ = 2u;
                 }
-                let _e1029 = phi_1350_;
-                phi_1351_ = _e1029;
+                let _e1087 = phi_1402_;
+                phi_1403_ = _e1087;
             }
-            let _e1031 = phi_1351_;
-            if !((_e1031 == 0u)) {
-                if !((_e1031 == 5u)) {
-                    phi_1363_ = !(_e1007);
-                    phi_1364_ = false;
+            let _e1089 = phi_1403_;
+            if !((_e1089 == 0u)) {
+                if !((_e1089 == 5u)) {
+                    phi_1415_ = !(_e1065);
+                    phi_1416_ = false;
                 } else {
-                    phi_1363_ = bool();
-                    phi_1364_ = true;
+                    phi_1415_ = bool();
+                    phi_1416_ = true;
                 }
-                let _e1038 = phi_1363_;
-                let _e1040 = phi_1364_;
-                phi_1365_ = _e1038;
-                phi_1366_ = _e1040;
+                let _e1096 = phi_1415_;
+                let _e1098 = phi_1416_;
+                phi_1417_ = _e1096;
+                phi_1418_ = _e1098;
             } else {
-                phi_1365_ = bool();
-                phi_1366_ = true;
+                phi_1417_ = bool();
+                phi_1418_ = true;
             }
-            let _e1042 = phi_1365_;
-            let _e1044 = phi_1366_;
-            if _e1044 {
-                phi_1370_ = false;
+            let _e1100 = phi_1417_;
+            let _e1102 = phi_1418_;
+            if _e1102 {
+                phi_1422_ = false;
             } else {
-                phi_1370_ = _e1042;
+                phi_1422_ = _e1100;
             }
-            let _e1046 = phi_1370_;
-            if _e1007 {
-                phi_1376_ = ((_e726 & 4u) != 0u);
+            let _e1104 = phi_1422_;
+            if _e1065 {
+                phi_1428_ = ((_e784 & 4u) != 0u);
             } else {
-                phi_1376_ = _e249;
+                phi_1428_ = _e250;
             }
-            let _e1050 = phi_1376_;
-            if _e1046 {
-                if _e249 {
-                    phi_1384_ = (2u | 1u);
+            let _e1108 = phi_1428_;
+            if _e1104 {
+                if _e250 {
+                    phi_1436_ = (2u | 1u);
                 } else {
-                    phi_1384_ = 2u;
+                    phi_1436_ = 2u;
                 }
-                let _e1053 = phi_1384_;
+                let _e1111 = phi_1436_;
                 if false {
-                    phi_1389_ = (_e1053 | 4u);
+                    phi_1441_ = (_e1111 | 4u);
                 } else {
-                    phi_1389_ = _e1053;
+                    phi_1441_ = _e1111;
                 }
-                let _e1056 = phi_1389_;
-                phi_1409_ = _e1056;
+                let _e1114 = phi_1441_;
+                phi_1461_ = _e1114;
             } else {
-                if (_e1031 == 7u) {
-                    if _e249 {
-                        phi_1398_ = (2u | 1u);
+                if (_e1089 == 7u) {
+                    if _e250 {
+                        phi_1450_ = (2u | 1u);
                     } else {
-                        phi_1398_ = 2u;
+                        phi_1450_ = 2u;
                     }
-                    let _e1060 = phi_1398_;
-                    if _e1050 {
-                        phi_1403_ = (_e1060 | 4u);
+                    let _e1118 = phi_1450_;
+                    if _e1108 {
+                        phi_1455_ = (_e1118 | 4u);
                     } else {
-                        phi_1403_ = _e1060;
+                        phi_1455_ = _e1118;
                     }
-                    let _e1063 = phi_1403_;
-                    phi_1408_ = _e1063;
+                    let _e1121 = phi_1455_;
+                    phi_1460_ = _e1121;
                 } else {
-                    if _e249 {
-                        phi_1407_ = 1u;
+                    if _e250 {
+                        phi_1459_ = 1u;
                     } else {
-                        phi_1407_ = 0u;
+                        phi_1459_ = 0u;
                     }
-                    let _e1065 = phi_1407_;
-                    phi_1408_ = _e1065;
+                    let _e1123 = phi_1459_;
+                    phi_1460_ = _e1123;
                 }
-                let _e1067 = phi_1408_;
-                phi_1409_ = _e1067;
+                let _e1125 = phi_1460_;
+                phi_1461_ = _e1125;
             }
-            let _e1069 = phi_1409_;
-            if _e1050 {
-                phi_1413_ = 0f;
+            let _e1127 = phi_1461_;
+            if _e1108 {
+                phi_1465_ = 0f;
             } else {
-                phi_1413_ = 1f;
+                phi_1465_ = 1f;
             }
-            let _e1071 = phi_1413_;
-            phi_1415_ = mask_Masked(_e1071, _e1069, _e1046);
+            let _e1129 = phi_1465_;
+            phi_1467_ = mask_Masked(_e1129, _e1127, _e1104);
         }
-        let _e1074 = phi_1415_;
-        visibility.member[_e70.shift] = _e1074.visibility;
-        let _e1079 = p.member.light.number;
-        let _e1080 = (_e1079 * 3u);
-        let _e1082 = (_e1080 % 32u);
-        let _e1084 = p.member.light.mask_words;
-        let _e1086 = ((_e70.shift * _e1084) + (_e1080 / 32u));
-        let _e1088 = bits.member[_e1086];
-        bits.member[_e1086] = ((_e1088 & ~((7u << bitcast<u32>((_e1082 & 31u))))) | (_e1074.bits << bitcast<u32>((_e1082 & 31u))));
-        if (_e1082 > 29u) {
-            let _e1103 = bits.member[(_e1086 + 1u)];
-            let _e1105 = (32u - _e1082);
-            bits.member[(_e1086 + 1u)] = ((_e1103 & ~((7u >> bitcast<u32>((_e1105 & 31u))))) | (_e1074.bits >> bitcast<u32>((_e1105 & 31u))));
+        let _e1132 = phi_1467_;
+        visibility.member[_e71.shift] = _e1132.visibility;
+        let _e1137 = p.member.light.number;
+        let _e1138 = (_e1137 * 3u);
+        let _e1140 = (_e1138 % 32u);
+        let _e1142 = p.member.light.mask_words;
+        let _e1144 = ((_e71.shift * _e1142) + (_e1138 / 32u));
+        let _e1146 = bits.member[_e1144];
+        bits.member[_e1144] = ((_e1146 & ~((7u << bitcast<u32>((_e1140 & 31u))))) | (_e1132.bits << bitcast<u32>((_e1140 & 31u))));
+        if (_e1140 > 29u) {
+            let _e1161 = bits.member[(_e1144 + 1u)];
+            let _e1163 = (32u - _e1140);
+            bits.member[(_e1144 + 1u)] = ((_e1161 & ~((7u >> bitcast<u32>((_e1163 & 31u))))) | (_e1132.bits >> bitcast<u32>((_e1163 & 31u))));
         }
-        phi_1465_ = _e1074.needs_ray;
-        phi_1466_ = _e70.shift;
+        phi_1517_ = _e1132.needs_ray;
+        phi_1518_ = _e71.shift;
     } else {
-        phi_1465_ = false;
-        phi_1466_ = 0u;
+        phi_1517_ = false;
+        phi_1518_ = 0u;
     }
-    let _e1119 = phi_1465_;
-    let _e1121 = phi_1466_;
-    if (_e55 == 0u) {
+    let _e1177 = phi_1517_;
+    let _e1179 = phi_1518_;
+    if (_e56 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1119 {
-        let _e1125 = atomicAdd((&shared_[0u]), 1u);
-        phi_1477_ = _e1125;
+    if _e1177 {
+        let _e1183 = atomicAdd((&shared_[0u]), 1u);
+        phi_1529_ = _e1183;
     } else {
-        phi_1477_ = 0u;
+        phi_1529_ = 0u;
     }
-    let _e1127 = phi_1477_;
+    let _e1185 = phi_1529_;
     workgroupBarrier();
-    if (_e55 == 0u) {
-        let _e1131 = atomicLoad((&shared_[0u]));
-        let _e1132 = atomicAdd((&list.member[3u]), _e1131);
-        atomicStore((&shared_[1u]), _e1132);
+    if (_e56 == 0u) {
+        let _e1189 = atomicLoad((&shared_[0u]));
+        let _e1190 = atomicAdd((&list.member[3u]), _e1189);
+        atomicStore((&shared_[1u]), _e1190);
     }
     workgroupBarrier();
-    if _e1119 {
-        let _e1135 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1135) + _e1127)]), _e1121);
+    if _e1177 {
+        let _e1193 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1193) + _e1185)]), _e1179);
     }
     return;
 }

@@ -120,1374 +120,1438 @@ var<workgroup> shared_: array<atomic<u32>, 2>;
 var<storage> past: type_44;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_177_: lt_mask_LightPlace;
-    var phi_178_: bool;
-    var phi_179_: lt_mask_LightPlace;
-    var phi_180_: bool;
-    var phi_185_: lt_mask_LightPlace;
+    var phi_178_: lt_mask_LightPlace;
+    var phi_179_: bool;
+    var phi_180_: lt_mask_LightPlace;
+    var phi_181_: bool;
+    var phi_186_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_177_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_178_ = false;
+            phi_178_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_179_ = false;
         } else {
-            phi_177_ = lt_mask_LightPlace();
-            phi_178_ = true;
+            phi_178_ = lt_mask_LightPlace();
+            phi_179_ = true;
         }
-        let _e68 = phi_177_;
-        let _e70 = phi_178_;
-        phi_179_ = _e68;
-        phi_180_ = _e70;
+        let _e69 = phi_178_;
+        let _e71 = phi_179_;
+        phi_180_ = _e69;
+        phi_181_ = _e71;
     } else {
-        phi_179_ = lt_mask_LightPlace();
-        phi_180_ = true;
+        phi_180_ = lt_mask_LightPlace();
+        phi_181_ = true;
     }
-    let _e72 = phi_179_;
-    let _e74 = phi_180_;
-    if _e74 {
-        phi_185_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e73 = phi_180_;
+    let _e75 = phi_181_;
+    if _e75 {
+        phi_186_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_185_ = _e72;
+        phi_186_ = _e73;
     }
-    let _e79 = phi_185_;
-    return lt_mask_LightPlace(_e79.word, _e79.shift);
+    let _e80 = phi_186_;
+    return lt_mask_LightPlace(_e80.word, _e80.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_203_: vec2<i32>;
+    var phi_204_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_203_ = vec2(0i);
+            phi_204_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_203_ = vec2<i32>(0i, -1i);
+            phi_204_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_203_ = vec2<i32>(-1i, 0i);
+            phi_204_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_203_ = vec2<i32>(1i, 0i);
+            phi_204_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_203_ = vec2<i32>(0i, 1i);
+            phi_204_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e64 = phi_203_;
-    return vec2<i32>(_e64.x, _e64.y);
+    let _e65 = phi_204_;
+    return vec2<i32>(_e65.x, _e65.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_221_: vec2<i32>;
+    var phi_222_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_221_ = vec2(0i);
+            phi_222_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_221_ = vec2(-1i);
+            phi_222_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_221_ = vec2<i32>(1i, -1i);
+            phi_222_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_221_ = vec2<i32>(-1i, 1i);
+            phi_222_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_221_ = vec2(1i);
+            phi_222_ = vec2(1i);
             break;
         }
     }
-    let _e64 = phi_221_;
-    return vec2<i32>(_e64.x, _e64.y);
+    let _e65 = phi_222_;
+    return vec2<i32>(_e65.x, _e65.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_240_: vec2<i32>;
+    var phi_241_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e58 = lt_mask_pattern_plus(param_5);
-        phi_240_ = vec2<i32>(_e58.x, _e58.y);
+        let _e59 = lt_mask_pattern_plus(param_5);
+        phi_241_ = vec2<i32>(_e59.x, _e59.y);
     } else {
-        let _e62 = lt_mask_pattern_cross(param_5);
-        phi_240_ = vec2<i32>(_e62.x, _e62.y);
+        let _e63 = lt_mask_pattern_cross(param_5);
+        phi_241_ = vec2<i32>(_e63.x, _e63.y);
     }
-    let _e67 = phi_240_;
-    return vec2<i32>(_e67.x, _e67.y);
+    let _e68 = phi_241_;
+    return vec2<i32>(_e68.x, _e68.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_265_: vec2<i32>;
+    var phi_266_: vec2<i32>;
 
-    let _e56 = (param_7 % 13u);
-    switch bitcast<i32>(_e56) {
+    let _e57 = (param_7 % 13u);
+    switch bitcast<i32>(_e57) {
         case 9: {
-            phi_265_ = vec2<i32>(0i, -2i);
+            phi_266_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_265_ = vec2<i32>(-2i, 0i);
+            phi_266_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_265_ = vec2<i32>(2i, 0i);
+            phi_266_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_265_ = vec2<i32>(0i, 2i);
+            phi_266_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_265_ = vec2<i32>((bitcast<i32>((_e56 % 3u)) - 1i), (bitcast<i32>(((_e56 / 3u) % 3u)) - 1i));
+            phi_266_ = vec2<i32>((bitcast<i32>((_e57 % 3u)) - 1i), (bitcast<i32>(((_e57 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e71 = phi_265_;
-    return vec2<i32>(_e71.x, _e71.y);
+    let _e72 = phi_266_;
+    return vec2<i32>(_e72.x, _e72.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_286_: u32;
     var phi_287_: u32;
+    var phi_288_: u32;
 
-    let _e59 = (bitcast<i32>(param_8) + param_9);
-    if (_e59 < 0i) {
-        phi_287_ = 0u;
+    let _e60 = (bitcast<i32>(param_8) + param_9);
+    if (_e60 < 0i) {
+        phi_288_ = 0u;
     } else {
-        if (_e59 >= bitcast<i32>(param_10)) {
-            phi_286_ = (param_10 - 1u);
+        if (_e60 >= bitcast<i32>(param_10)) {
+            phi_287_ = (param_10 - 1u);
         } else {
-            phi_286_ = bitcast<u32>(_e59);
+            phi_287_ = bitcast<u32>(_e60);
         }
-        let _e66 = phi_286_;
-        phi_287_ = _e66;
+        let _e67 = phi_287_;
+        phi_288_ = _e67;
     }
-    let _e68 = phi_287_;
-    return _e68;
+    let _e69 = phi_288_;
+    return _e69;
 }
 
 fn function_() {
-    var phi_363_: bool;
     var phi_364_: bool;
     var phi_365_: bool;
     var phi_366_: bool;
-    var phi_370_: bool;
-    var phi_440_: bool;
+    var phi_367_: bool;
+    var phi_371_: bool;
     var phi_441_: bool;
-    var phi_452_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_453_: bool;
-    var phi_454_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_455_: bool;
-    var phi_462_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_466_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_479_: bool;
-    var phi_684_: f32;
-    var phi_689_: f32;
-    var phi_690_: bool;
-    var phi_691_: f32;
-    var phi_692_: bool;
-    var phi_696_: f32;
-    var phi_717_: f32;
-    var phi_722_: f32;
-    var phi_723_: bool;
-    var phi_724_: f32;
-    var phi_725_: bool;
-    var phi_729_: f32;
-    var phi_750_: bool;
-    var phi_769_: vec2<u32>;
-    var phi_770_: bool;
-    var phi_771_: bool;
-    var phi_772_: bool;
-    var phi_773_: vec2<u32>;
-    var phi_774_: bool;
-    var phi_775_: bool;
-    var phi_776_: bool;
-    var phi_777_: bool;
-    var phi_778_: bool;
-    var phi_779_: bool;
-    var phi_780_: vec2<u32>;
-    var phi_781_: bool;
-    var phi_782_: bool;
-    var phi_783_: bool;
-    var phi_784_: bool;
-    var phi_785_: bool;
-    var phi_786_: bool;
-    var phi_787_: vec2<u32>;
-    var phi_788_: bool;
-    var phi_789_: bool;
-    var phi_790_: bool;
-    var phi_791_: bool;
-    var phi_800_: bool;
-    var phi_801_: bool;
-    var phi_802_: bool;
-    var phi_803_: bool;
-    var phi_807_: bool;
-    var phi_808_: bool;
-    var phi_809_: vec2<u32>;
-    var phi_848_: bool;
-    var phi_849_: bool;
+    var phi_442_: bool;
+    var phi_453_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_454_: bool;
+    var phi_455_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_456_: bool;
+    var phi_463_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_467_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_480_: bool;
+    var phi_508_: bool;
+    var phi_509_: bool;
+    var phi_510_: bool;
+    var phi_511_: bool;
+    var phi_515_: bool;
+    var phi_519_: bool;
+    var phi_520_: bool;
+    var phi_728_: f32;
+    var phi_733_: f32;
+    var phi_734_: bool;
+    var phi_735_: f32;
+    var phi_736_: bool;
+    var phi_740_: f32;
+    var phi_761_: f32;
+    var phi_766_: f32;
+    var phi_767_: bool;
+    var phi_768_: f32;
+    var phi_769_: bool;
+    var phi_773_: f32;
+    var phi_794_: bool;
+    var phi_813_: vec2<u32>;
+    var phi_814_: bool;
+    var phi_815_: bool;
+    var phi_816_: bool;
+    var phi_817_: vec2<u32>;
+    var phi_818_: bool;
+    var phi_819_: bool;
+    var phi_820_: bool;
+    var phi_821_: bool;
+    var phi_822_: bool;
+    var phi_823_: bool;
+    var phi_824_: vec2<u32>;
+    var phi_825_: bool;
+    var phi_826_: bool;
+    var phi_827_: bool;
+    var phi_828_: bool;
+    var phi_829_: bool;
+    var phi_830_: bool;
+    var phi_831_: vec2<u32>;
+    var phi_832_: bool;
+    var phi_833_: bool;
+    var phi_834_: bool;
+    var phi_835_: bool;
+    var phi_844_: bool;
+    var phi_845_: bool;
+    var phi_846_: bool;
+    var phi_847_: bool;
     var phi_851_: bool;
-    var phi_852_: lt_mask_Reprojection;
-    var phi_853_: lt_mask_Reprojection;
-    var phi_854_: bool;
-    var phi_858_: bool;
-    var phi_859_: lt_mask_Reprojection;
-    var phi_900_: u32;
-    var phi_919_: u32;
-    var phi_927_: u32;
-    var phi_928_: u32;
-    var phi_929_: bool;
-    var phi_930_: u32;
-    var phi_931_: bool;
-    var phi_932_: bool;
-    var phi_933_: u32;
-    var phi_934_: bool;
-    var phi_935_: bool;
-    var phi_939_: bool;
-    var phi_943_: u32;
-    var phi_948_: bool;
-    var phi_970_: u32;
-    var phi_972_: u32;
-    var phi_975_: lt_mask_Neighbourhood;
-    var phi_987_: bool;
+    var phi_852_: bool;
+    var phi_853_: vec2<u32>;
+    var phi_888_: bool;
+    var phi_890_: lt_mask_Reprojection;
+    var phi_891_: lt_mask_Reprojection;
+    var phi_892_: bool;
+    var phi_896_: bool;
+    var phi_897_: lt_mask_Reprojection;
+    var phi_898_: lt_mask_Reprojection;
+    var phi_899_: bool;
+    var phi_907_: bool;
+    var phi_908_: lt_mask_Reprojection;
+    var phi_949_: u32;
+    var phi_968_: u32;
+    var phi_976_: u32;
+    var phi_977_: u32;
+    var phi_978_: bool;
+    var phi_979_: u32;
+    var phi_980_: bool;
+    var phi_981_: bool;
+    var phi_982_: u32;
+    var phi_983_: bool;
+    var phi_984_: bool;
     var phi_988_: bool;
-    var phi_997_: u32;
-    var phi_998_: u32;
-    var phi_1058_: vec2<i32>;
-    var phi_1078_: vec2<i32>;
-    var phi_1103_: u32;
-    var phi_1122_: u32;
-    var phi_1130_: u32;
-    var phi_1156_: bool;
-    var phi_1157_: bool;
-    var phi_1158_: bool;
-    var phi_1159_: bool;
-    var phi_1160_: bool;
-    var phi_1161_: bool;
-    var phi_1162_: bool;
-    var phi_1167_: bool;
-    var phi_1168_: bool;
-    var phi_1169_: bool;
-    var phi_1170_: bool;
-    var phi_1171_: bool;
-    var phi_1172_: bool;
-    var phi_1173_: bool;
-    var phi_1174_: bool;
-    var phi_1175_: bool;
-    var phi_1190_: bool;
-    var phi_1191_: bool;
-    var phi_1198_: bool;
-    var phi_1199_: bool;
-    var phi_1200_: bool;
-    var phi_1201_: bool;
-    var phi_1202_: bool;
+    var phi_992_: u32;
+    var phi_997_: bool;
+    var phi_1019_: u32;
+    var phi_1021_: u32;
+    var phi_1024_: lt_mask_Neighbourhood;
+    var phi_1036_: bool;
+    var phi_1037_: bool;
+    var phi_1046_: u32;
+    var phi_1047_: u32;
+    var phi_1107_: vec2<i32>;
+    var phi_1127_: vec2<i32>;
+    var phi_1152_: u32;
+    var phi_1171_: u32;
+    var phi_1179_: u32;
+    var phi_1205_: bool;
     var phi_1206_: bool;
     var phi_1207_: bool;
     var phi_1208_: bool;
-    var phi_1212_: bool;
-    var phi_1213_: bool;
+    var phi_1209_: bool;
+    var phi_1210_: bool;
+    var phi_1211_: bool;
+    var phi_1216_: bool;
     var phi_1217_: bool;
     var phi_1218_: bool;
-    var phi_1236_: bool;
-    var phi_1237_: bool;
-    var phi_1238_: bool;
-    var phi_973_: u32;
-    var phi_976_: lt_mask_Neighbourhood;
-    var phi_1241_: lt_mask_Neighbourhood;
-    var phi_1242_: lt_mask_Neighbourhood;
-    var phi_1243_: lt_mask_Neighbourhood;
-    var phi_1275_: bool;
-    var phi_1276_: bool;
-    var phi_1298_: bool;
-    var phi_1299_: bool;
-    var phi_1300_: bool;
-    var phi_1304_: bool;
-    var phi_1326_: bool;
-    var phi_1327_: bool;
-    var phi_1340_: bool;
-    var phi_1341_: bool;
-    var phi_1342_: bool;
-    var phi_1349_: u32;
-    var phi_1350_: u32;
-    var phi_1351_: u32;
-    var phi_1352_: u32;
-    var phi_1353_: u32;
-    var phi_1354_: u32;
-    var phi_1355_: u32;
-    var phi_1367_: bool;
-    var phi_1368_: bool;
-    var phi_1369_: bool;
-    var phi_1370_: bool;
-    var phi_1374_: bool;
-    var phi_1380_: bool;
-    var phi_1388_: u32;
-    var phi_1393_: u32;
+    var phi_1219_: bool;
+    var phi_1220_: bool;
+    var phi_1221_: bool;
+    var phi_1222_: bool;
+    var phi_1223_: bool;
+    var phi_1224_: bool;
+    var phi_1239_: bool;
+    var phi_1240_: bool;
+    var phi_1247_: bool;
+    var phi_1248_: bool;
+    var phi_1249_: bool;
+    var phi_1250_: bool;
+    var phi_1251_: bool;
+    var phi_1255_: bool;
+    var phi_1256_: bool;
+    var phi_1257_: bool;
+    var phi_1261_: bool;
+    var phi_1262_: bool;
+    var phi_1266_: bool;
+    var phi_1267_: bool;
+    var phi_1285_: bool;
+    var phi_1286_: bool;
+    var phi_1287_: bool;
+    var phi_1022_: u32;
+    var phi_1025_: lt_mask_Neighbourhood;
+    var phi_1290_: lt_mask_Neighbourhood;
+    var phi_1291_: lt_mask_Neighbourhood;
+    var phi_1292_: lt_mask_Neighbourhood;
+    var phi_1324_: bool;
+    var phi_1325_: bool;
+    var phi_1347_: bool;
+    var phi_1348_: bool;
+    var phi_1349_: bool;
+    var phi_1353_: bool;
+    var phi_1375_: bool;
+    var phi_1376_: bool;
+    var phi_1389_: bool;
+    var phi_1390_: bool;
+    var phi_1391_: bool;
+    var phi_1398_: u32;
+    var phi_1399_: u32;
+    var phi_1400_: u32;
+    var phi_1401_: u32;
     var phi_1402_: u32;
-    var phi_1407_: u32;
-    var phi_1411_: u32;
-    var phi_1412_: u32;
-    var phi_1413_: u32;
-    var phi_1417_: f32;
-    var phi_1419_: mask_Masked;
-    var phi_1469_: bool;
-    var phi_1470_: u32;
-    var phi_1481_: u32;
+    var phi_1403_: u32;
+    var phi_1404_: u32;
+    var phi_1416_: bool;
+    var phi_1417_: bool;
+    var phi_1418_: bool;
+    var phi_1419_: bool;
+    var phi_1423_: bool;
+    var phi_1429_: bool;
+    var phi_1437_: u32;
+    var phi_1442_: u32;
+    var phi_1451_: u32;
+    var phi_1456_: u32;
+    var phi_1460_: u32;
+    var phi_1461_: u32;
+    var phi_1462_: u32;
+    var phi_1466_: f32;
+    var phi_1468_: mask_Masked;
+    var phi_1518_: bool;
+    var phi_1519_: u32;
+    var phi_1530_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e55 = id_1;
-    let _e56 = local_2;
-    let _e61 = arrayLength((&last_bits.member));
-    let _e69 = p.member.current.size[0u];
-    let _e71 = p.member.current.size[1u];
-    let _e72 = lt_shaders_entry_pixel_index(_e55, _e69, _e71);
-    if (bitcast<i32>(_e72.word) != 0i) {
-        let _e79 = p.member.light.number;
-        let _e80 = (_e79 * 3u);
-        let _e81 = (_e80 / 32u);
-        let _e82 = (_e80 % 32u);
-        let _e84 = p.member.light.mask_words;
-        let _e88 = p.member.current.size[0u];
-        let _e91 = past.member[_e72.shift];
-        let _e96 = visibility.member[_e72.shift];
-        let _e102 = samples.member[_e72.shift].normal[0u];
-        let _e104 = global[0u];
-        if (_e102 == _e104) {
-            let _e107 = samples.member[_e72.shift].normal[1u];
-            let _e109 = global[1u];
-            if (_e107 == _e109) {
-                let _e112 = samples.member[_e72.shift].normal[2u];
-                let _e114 = global[2u];
-                phi_363_ = (_e112 == _e114);
-                phi_364_ = false;
+    let _e56 = id_1;
+    let _e57 = local_2;
+    let _e62 = arrayLength((&last_bits.member));
+    let _e70 = p.member.current.size[0u];
+    let _e72 = p.member.current.size[1u];
+    let _e73 = lt_shaders_entry_pixel_index(_e56, _e70, _e72);
+    if (bitcast<i32>(_e73.word) != 0i) {
+        let _e80 = p.member.light.number;
+        let _e81 = (_e80 * 3u);
+        let _e82 = (_e81 / 32u);
+        let _e83 = (_e81 % 32u);
+        let _e85 = p.member.light.mask_words;
+        let _e89 = p.member.current.size[0u];
+        let _e92 = past.member[_e73.shift];
+        let _e97 = visibility.member[_e73.shift];
+        let _e103 = samples.member[_e73.shift].normal[0u];
+        let _e105 = global[0u];
+        if (_e103 == _e105) {
+            let _e108 = samples.member[_e73.shift].normal[1u];
+            let _e110 = global[1u];
+            if (_e108 == _e110) {
+                let _e113 = samples.member[_e73.shift].normal[2u];
+                let _e115 = global[2u];
+                phi_364_ = (_e113 == _e115);
+                phi_365_ = false;
             } else {
-                phi_363_ = bool();
-                phi_364_ = true;
+                phi_364_ = bool();
+                phi_365_ = true;
             }
-            let _e117 = phi_363_;
-            let _e119 = phi_364_;
-            phi_365_ = _e117;
-            phi_366_ = _e119;
+            let _e118 = phi_364_;
+            let _e120 = phi_365_;
+            phi_366_ = _e118;
+            phi_367_ = _e120;
         } else {
-            phi_365_ = bool();
-            phi_366_ = true;
+            phi_366_ = bool();
+            phi_367_ = true;
         }
-        let _e121 = phi_365_;
-        let _e123 = phi_366_;
-        if _e123 {
-            phi_370_ = false;
+        let _e122 = phi_366_;
+        let _e124 = phi_367_;
+        if _e124 {
+            phi_371_ = false;
         } else {
-            phi_370_ = _e121;
+            phi_371_ = _e122;
         }
-        let _e125 = phi_370_;
-        if !(_e125) {
-            let _e128 = samples.member[_e72.shift].position;
-            let _e130 = p.member.light.place;
-            let _e136 = p.member.light.place[3u];
-            let _e143 = (_e130.x - (_e128.x * _e136));
-            let _e144 = (_e130.y - (_e128.y * _e136));
-            let _e145 = (_e130.z - (_e128.z * _e136));
-            let _e147 = samples.member[_e72.shift].normal;
-            if ((((_e147.x * _e143) + (_e147.y * _e144)) + (_e147.z * _e145)) > 0f) {
-                let _e161 = (((_e143 * _e143) + (_e144 * _e144)) + (_e145 * _e145));
-                let _e163 = p.member.light.axis;
-                let _e175 = p.member.light.place[3u];
-                if (_e175 == 0f) {
-                    phi_441_ = true;
+        let _e126 = phi_371_;
+        if !(_e126) {
+            let _e129 = samples.member[_e73.shift].position;
+            let _e131 = p.member.light.place;
+            let _e137 = p.member.light.place[3u];
+            let _e144 = (_e131.x - (_e129.x * _e137));
+            let _e145 = (_e131.y - (_e129.y * _e137));
+            let _e146 = (_e131.z - (_e129.z * _e137));
+            let _e148 = samples.member[_e73.shift].normal;
+            if ((((_e148.x * _e144) + (_e148.y * _e145)) + (_e148.z * _e146)) > 0f) {
+                let _e162 = (((_e144 * _e144) + (_e145 * _e145)) + (_e146 * _e146));
+                let _e164 = p.member.light.axis;
+                let _e176 = p.member.light.place[3u];
+                if (_e176 == 0f) {
+                    phi_442_ = true;
                 } else {
-                    let _e178 = p.member.light.range_squared;
-                    if (_e161 <= _e178) {
-                        let _e181 = p.member.light.cos_outer;
-                        phi_440_ = (-((((_e143 * _e163.x) + (_e144 * _e163.y)) + (_e145 * _e163.z))) >= (_e181 * sqrt(_e161)));
+                    let _e179 = p.member.light.range_squared;
+                    if (_e162 <= _e179) {
+                        let _e182 = p.member.light.cos_outer;
+                        phi_441_ = (-((((_e144 * _e164.x) + (_e145 * _e164.y)) + (_e146 * _e164.z))) >= (_e182 * sqrt(_e162)));
                     } else {
-                        phi_440_ = false;
+                        phi_441_ = false;
                     }
-                    let _e186 = phi_440_;
-                    phi_441_ = _e186;
+                    let _e187 = phi_441_;
+                    phi_442_ = _e187;
                 }
-                let _e188 = phi_441_;
-                if _e188 {
-                    let _e190 = samples.member[_e72.shift].flags;
-                    let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e198.unnamed.visibility, false), _e198.unnamed_1);
-                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e204.unnamed, ((_e190 & 1u) == 0u));
-                    phi_453_ = false;
+                let _e189 = phi_442_;
+                if _e189 {
+                    let _e191 = samples.member[_e73.shift].flags;
+                    let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e205 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e199.unnamed.visibility, false), _e199.unnamed_1);
+                    phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e205.unnamed, ((_e191 & 1u) == 0u));
+                    phi_454_ = false;
                 } else {
-                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_453_ = true;
+                    phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_454_ = true;
                 }
-                let _e209 = phi_452_;
-                let _e211 = phi_453_;
-                phi_454_ = _e209;
-                phi_455_ = _e211;
+                let _e210 = phi_453_;
+                let _e212 = phi_454_;
+                phi_455_ = _e210;
+                phi_456_ = _e212;
             } else {
-                phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_455_ = true;
+                phi_455_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_456_ = true;
             }
-            let _e213 = phi_454_;
-            let _e215 = phi_455_;
-            if _e215 {
-                let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
-                phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
+            let _e214 = phi_455_;
+            let _e216 = phi_456_;
+            if _e216 {
+                let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
+                phi_463_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, true);
             } else {
-                phi_462_ = _e213;
+                phi_463_ = _e214;
             }
-            let _e232 = phi_462_;
-            phi_466_ = _e232;
+            let _e233 = phi_463_;
+            phi_467_ = _e233;
         } else {
-            let _e238 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e244 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e238.unnamed.visibility, false), _e238.unnamed_1);
-            phi_466_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e244.unnamed, true);
+            let _e239 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e245 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e239.unnamed.visibility, false), _e239.unnamed_1);
+            phi_467_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e245.unnamed, true);
         }
-        let _e249 = phi_466_;
-        if _e249.unnamed_1 {
-            phi_1419_ = mask_Masked(_e249.unnamed.visibility, 0u, false);
+        let _e250 = phi_467_;
+        if _e250.unnamed_1 {
+            phi_1468_ = mask_Masked(_e250.unnamed.visibility, 0u, false);
         } else {
-            let _e254 = (_e96 < 0.5f);
-            if (_e96 > 0f) {
-                phi_479_ = (_e96 < 1f);
+            let _e255 = (_e97 < 0.5f);
+            if (_e97 > 0f) {
+                phi_480_ = (_e97 < 1f);
             } else {
-                phi_479_ = false;
+                phi_480_ = false;
             }
-            let _e258 = phi_479_;
-            let _e260 = samples.member[_e72.shift].position;
-            let _e264 = p.member.previous.eye;
-            let _e266 = (_e91.x - _e264.x);
-            let _e268 = (_e91.y - _e264.y);
-            let _e270 = (_e91.z - _e264.z);
-            let _e272 = p.member.previous.forward;
-            let _e280 = (((_e266 * _e272.x) + (_e268 * _e272.y)) + (_e270 * _e272.z));
-            let _e282 = p.member.previous.right;
-            let _e292 = p.member.previous.right;
-            let _e307 = p.member.previous.up;
-            let _e317 = p.member.previous.up;
-            let _e332 = p.member.current.eye;
-            let _e335 = (_e260.x - _e332.x);
-            let _e338 = (_e260.y - _e332.y);
-            let _e341 = (_e260.z - _e332.z);
-            let _e343 = p.member.current.forward;
-            let _e351 = (((_e335 * _e343.x) + (_e338 * _e343.y)) + (_e341 * _e343.z));
-            let _e353 = p.member.current.right;
-            let _e363 = p.member.current.right;
-            let _e378 = p.member.current.up;
-            let _e388 = p.member.current.up;
-            let _e407 = p.member.current.size[0u];
-            let _e409 = (((((((_e266 * _e282.x) + (_e268 * _e282.y)) + (_e270 * _e282.z)) / ((((_e292.x * _e292.x) + (_e292.y * _e292.y)) + (_e292.z * _e292.z)) * _e280)) - ((((_e335 * _e353.x) + (_e338 * _e353.y)) + (_e341 * _e353.z)) / ((((_e363.x * _e363.x) + (_e363.y * _e363.y)) + (_e363.z * _e363.z)) * _e351))) * 0.5f) * f32(_e407));
-            let _e413 = p.member.current.size[1u];
-            let _e415 = (((((((_e266 * _e307.x) + (_e268 * _e307.y)) + (_e270 * _e307.z)) / ((((_e317.x * _e317.x) + (_e317.y * _e317.y)) + (_e317.z * _e317.z)) * _e280)) - ((((_e335 * _e378.x) + (_e338 * _e378.y)) + (_e341 * _e378.z)) / ((((_e388.x * _e388.x) + (_e388.y * _e388.y)) + (_e388.z * _e388.z)) * _e351))) * -0.5f) * f32(_e413));
-            let _e419 = p.member.current.grid[0u];
-            let _e421 = p.member.current.grid[1u];
-            let _e441 = p.member.current.size[0u];
-            let _e443 = p.member.current.size[1u];
-            let _e445 = ((f32(_e55.x) + ((f32((_e55.y & (_e421 - 1u))) + 0.5f) / f32(_e421))) + _e409);
-            if (_e445 > -8388608f) {
-                let _e457 = f32(select(0i, select(select(i32(_e445), i32(-2147483648), (_e445 < bitcast<f32>(3472883712u))), 2147483647i, (_e445 > bitcast<f32>(1325400063u))), (_e445 == _e445)));
-                if (_e457 > _e445) {
-                    phi_684_ = 1f;
-                } else {
-                    phi_684_ = 0f;
-                }
-                let _e460 = phi_684_;
-                if (_e445 < 8388608f) {
-                    phi_689_ = (_e457 - _e460);
-                    phi_690_ = false;
-                } else {
-                    phi_689_ = f32();
-                    phi_690_ = true;
-                }
-                let _e463 = phi_689_;
-                let _e465 = phi_690_;
-                phi_691_ = _e463;
-                phi_692_ = _e465;
+            let _e259 = phi_480_;
+            let _e266 = lt_mask_Reprojection(vec2<u32>(_e56.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e273 = lt_mask_Reprojection(vec2<u32>(_e266.pixel.x, _e56.y), _e266.is_valid, _e266.has_moved);
+            let _e277 = lt_mask_Reprojection(_e273.pixel, true, _e273.has_moved);
+            let _e283 = p.member.flags;
+            if ((_e283 & 16u) == 0u) {
+                phi_520_ = true;
             } else {
-                phi_691_ = f32();
-                phi_692_ = true;
-            }
-            let _e467 = phi_691_;
-            let _e469 = phi_692_;
-            if _e469 {
-                phi_696_ = _e445;
-            } else {
-                phi_696_ = _e467;
-            }
-            let _e471 = phi_696_;
-            let _e472 = ((f32(_e55.y) + ((f32((_e55.x & (_e419 - 1u))) + 0.5f) / f32(_e419))) + _e415);
-            if (_e472 > -8388608f) {
-                let _e484 = f32(select(0i, select(select(i32(_e472), i32(-2147483648), (_e472 < bitcast<f32>(3472883712u))), 2147483647i, (_e472 > bitcast<f32>(1325400063u))), (_e472 == _e472)));
-                if (_e484 > _e472) {
-                    phi_717_ = 1f;
-                } else {
-                    phi_717_ = 0f;
-                }
-                let _e487 = phi_717_;
-                if (_e472 < 8388608f) {
-                    phi_722_ = (_e484 - _e487);
-                    phi_723_ = false;
-                } else {
-                    phi_722_ = f32();
-                    phi_723_ = true;
-                }
-                let _e490 = phi_722_;
-                let _e492 = phi_723_;
-                phi_724_ = _e490;
-                phi_725_ = _e492;
-            } else {
-                phi_724_ = f32();
-                phi_725_ = true;
-            }
-            let _e494 = phi_724_;
-            let _e496 = phi_725_;
-            if _e496 {
-                phi_729_ = _e472;
-            } else {
-                phi_729_ = _e494;
-            }
-            let _e498 = phi_729_;
-            if (_e471 >= 0f) {
-                if (_e498 >= 0f) {
-                    if (_e471 < f32(_e441)) {
-                        let _e504 = (_e498 < f32(_e443));
-                        if (_e409 == 0f) {
-                            phi_750_ = (_e415 == 0f);
-                        } else {
-                            phi_750_ = false;
-                        }
-                        let _e508 = phi_750_;
-                        if _e504 {
-                            phi_769_ = vec2<u32>(select(select(u32(_e471), 0u, (_e471 < bitcast<f32>(0u))), 4294967295u, (_e471 > bitcast<f32>(1333788671u))), select(select(u32(_e498), 0u, (_e498 < bitcast<f32>(0u))), 4294967295u, (_e498 > bitcast<f32>(1333788671u))));
-                            phi_770_ = false;
-                        } else {
-                            phi_769_ = vec2<u32>();
-                            phi_770_ = true;
-                        }
-                        let _e525 = phi_769_;
-                        let _e527 = phi_770_;
-                        phi_771_ = _e508;
-                        phi_772_ = _e504;
-                        phi_773_ = _e525;
-                        phi_774_ = _e508;
-                        phi_775_ = _e504;
-                        phi_776_ = false;
-                        phi_777_ = _e527;
+                let _e288 = samples.member[_e73.shift].position[0u];
+                if (_e92.x == _e288) {
+                    let _e291 = samples.member[_e73.shift].position[1u];
+                    if (_e92.y == _e291) {
+                        let _e294 = samples.member[_e73.shift].position[2u];
+                        phi_508_ = (_e92.z == _e294);
+                        phi_509_ = false;
                     } else {
-                        phi_771_ = bool();
-                        phi_772_ = bool();
-                        phi_773_ = vec2<u32>();
-                        phi_774_ = bool();
-                        phi_775_ = bool();
-                        phi_776_ = true;
-                        phi_777_ = false;
+                        phi_508_ = bool();
+                        phi_509_ = true;
                     }
-                    let _e529 = phi_771_;
-                    let _e531 = phi_772_;
-                    let _e533 = phi_773_;
-                    let _e535 = phi_774_;
-                    let _e537 = phi_775_;
-                    let _e539 = phi_776_;
-                    let _e541 = phi_777_;
-                    phi_778_ = _e529;
-                    phi_779_ = _e531;
-                    phi_780_ = _e533;
-                    phi_781_ = _e535;
-                    phi_782_ = _e537;
-                    phi_783_ = _e539;
-                    phi_784_ = _e541;
+                    let _e297 = phi_508_;
+                    let _e299 = phi_509_;
+                    phi_510_ = _e297;
+                    phi_511_ = _e299;
                 } else {
-                    phi_778_ = bool();
-                    phi_779_ = bool();
-                    phi_780_ = vec2<u32>();
-                    phi_781_ = bool();
-                    phi_782_ = bool();
-                    phi_783_ = true;
-                    phi_784_ = false;
+                    phi_510_ = bool();
+                    phi_511_ = true;
                 }
-                let _e543 = phi_778_;
-                let _e545 = phi_779_;
-                let _e547 = phi_780_;
-                let _e549 = phi_781_;
-                let _e551 = phi_782_;
-                let _e553 = phi_783_;
-                let _e555 = phi_784_;
-                phi_785_ = _e543;
-                phi_786_ = _e545;
-                phi_787_ = _e547;
-                phi_788_ = _e549;
-                phi_789_ = _e551;
-                phi_790_ = _e553;
-                phi_791_ = _e555;
-            } else {
-                phi_785_ = bool();
-                phi_786_ = bool();
-                phi_787_ = vec2<u32>();
-                phi_788_ = bool();
-                phi_789_ = bool();
-                phi_790_ = true;
-                phi_791_ = false;
-            }
-            let _e557 = phi_785_;
-            let _e559 = phi_786_;
-            let _e561 = phi_787_;
-            let _e563 = phi_788_;
-            let _e565 = phi_789_;
-            let _e567 = phi_790_;
-            let _e569 = phi_791_;
-            if _e567 {
-                if (_e409 == 0f) {
-                    phi_800_ = (_e415 == 0f);
+                let _e301 = phi_510_;
+                let _e303 = phi_511_;
+                if _e303 {
+                    phi_515_ = false;
                 } else {
-                    phi_800_ = false;
+                    phi_515_ = _e301;
                 }
-                let _e573 = phi_800_;
-                phi_801_ = _e573;
-                phi_802_ = false;
-                phi_803_ = true;
-            } else {
-                phi_801_ = _e563;
-                phi_802_ = _e565;
-                phi_803_ = _e569;
+                let _e305 = phi_515_;
+                if _e305 {
+                    phi_519_ = false;
+                } else {
+                    phi_519_ = true;
+                }
+                let _e307 = phi_519_;
+                phi_520_ = _e307;
             }
-            let _e575 = phi_801_;
-            let _e577 = phi_802_;
-            let _e579 = phi_803_;
-            if _e579 {
-                phi_807_ = _e575;
-                phi_808_ = _e577;
-                phi_809_ = vec2<u32>(_e55.x, _e55.y);
-            } else {
-                phi_807_ = _e557;
-                phi_808_ = _e559;
-                phi_809_ = _e561;
-            }
-            let _e581 = phi_807_;
-            let _e583 = phi_808_;
-            let _e585 = phi_809_;
-            let _e595 = lt_mask_Reprojection(vec2<u32>(_e585.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e602 = lt_mask_Reprojection(vec2<u32>(_e595.pixel.x, _e585.y), _e595.is_valid, _e595.has_moved);
-            let _e606 = lt_mask_Reprojection(_e602.pixel, _e583, _e602.has_moved);
-            let _e610 = lt_mask_Reprojection(_e606.pixel, _e606.is_valid, !(_e581));
-            if _e583 {
-                let _e613 = p.member.previous.eye;
-                let _e621 = p.member.previous.forward;
-                let _e630 = (((((_e91.x - _e613.x) * _e621.x) + ((_e91.y - _e613.y) * _e621.y)) + ((_e91.z - _e613.z) * _e621.z)) > 0f);
-                let _e634 = lt_mask_Reprojection(_e610.pixel, _e630, _e610.has_moved);
+            let _e309 = phi_520_;
+            if _e309 {
+                let _e311 = samples.member[_e73.shift].position;
+                let _e315 = p.member.previous.eye;
+                let _e317 = (_e92.x - _e315.x);
+                let _e319 = (_e92.y - _e315.y);
+                let _e321 = (_e92.z - _e315.z);
+                let _e323 = p.member.previous.forward;
+                let _e331 = (((_e317 * _e323.x) + (_e319 * _e323.y)) + (_e321 * _e323.z));
+                let _e333 = p.member.previous.right;
+                let _e343 = p.member.previous.right;
+                let _e358 = p.member.previous.up;
+                let _e368 = p.member.previous.up;
+                let _e383 = p.member.current.eye;
+                let _e386 = (_e311.x - _e383.x);
+                let _e389 = (_e311.y - _e383.y);
+                let _e392 = (_e311.z - _e383.z);
+                let _e394 = p.member.current.forward;
+                let _e402 = (((_e386 * _e394.x) + (_e389 * _e394.y)) + (_e392 * _e394.z));
+                let _e404 = p.member.current.right;
+                let _e414 = p.member.current.right;
+                let _e429 = p.member.current.up;
+                let _e439 = p.member.current.up;
+                let _e458 = p.member.current.size[0u];
+                let _e460 = (((((((_e317 * _e333.x) + (_e319 * _e333.y)) + (_e321 * _e333.z)) / ((((_e343.x * _e343.x) + (_e343.y * _e343.y)) + (_e343.z * _e343.z)) * _e331)) - ((((_e386 * _e404.x) + (_e389 * _e404.y)) + (_e392 * _e404.z)) / ((((_e414.x * _e414.x) + (_e414.y * _e414.y)) + (_e414.z * _e414.z)) * _e402))) * 0.5f) * f32(_e458));
+                let _e464 = p.member.current.size[1u];
+                let _e466 = (((((((_e317 * _e358.x) + (_e319 * _e358.y)) + (_e321 * _e358.z)) / ((((_e368.x * _e368.x) + (_e368.y * _e368.y)) + (_e368.z * _e368.z)) * _e331)) - ((((_e386 * _e429.x) + (_e389 * _e429.y)) + (_e392 * _e429.z)) / ((((_e439.x * _e439.x) + (_e439.y * _e439.y)) + (_e439.z * _e439.z)) * _e402))) * -0.5f) * f32(_e464));
+                let _e470 = p.member.current.grid[0u];
+                let _e472 = p.member.current.grid[1u];
+                let _e492 = p.member.current.size[0u];
+                let _e494 = p.member.current.size[1u];
+                let _e496 = ((f32(_e56.x) + ((f32((_e56.y & (_e472 - 1u))) + 0.5f) / f32(_e472))) + _e460);
+                if (_e496 > -8388608f) {
+                    let _e508 = f32(select(0i, select(select(i32(_e496), i32(-2147483648), (_e496 < bitcast<f32>(3472883712u))), 2147483647i, (_e496 > bitcast<f32>(1325400063u))), (_e496 == _e496)));
+                    if (_e508 > _e496) {
+                        phi_728_ = 1f;
+                    } else {
+                        phi_728_ = 0f;
+                    }
+                    let _e511 = phi_728_;
+                    if (_e496 < 8388608f) {
+                        phi_733_ = (_e508 - _e511);
+                        phi_734_ = false;
+                    } else {
+                        phi_733_ = f32();
+                        phi_734_ = true;
+                    }
+                    let _e514 = phi_733_;
+                    let _e516 = phi_734_;
+                    phi_735_ = _e514;
+                    phi_736_ = _e516;
+                } else {
+                    phi_735_ = f32();
+                    phi_736_ = true;
+                }
+                let _e518 = phi_735_;
+                let _e520 = phi_736_;
+                if _e520 {
+                    phi_740_ = _e496;
+                } else {
+                    phi_740_ = _e518;
+                }
+                let _e522 = phi_740_;
+                let _e523 = ((f32(_e56.y) + ((f32((_e56.x & (_e470 - 1u))) + 0.5f) / f32(_e470))) + _e466);
+                if (_e523 > -8388608f) {
+                    let _e535 = f32(select(0i, select(select(i32(_e523), i32(-2147483648), (_e523 < bitcast<f32>(3472883712u))), 2147483647i, (_e523 > bitcast<f32>(1325400063u))), (_e523 == _e523)));
+                    if (_e535 > _e523) {
+                        phi_761_ = 1f;
+                    } else {
+                        phi_761_ = 0f;
+                    }
+                    let _e538 = phi_761_;
+                    if (_e523 < 8388608f) {
+                        phi_766_ = (_e535 - _e538);
+                        phi_767_ = false;
+                    } else {
+                        phi_766_ = f32();
+                        phi_767_ = true;
+                    }
+                    let _e541 = phi_766_;
+                    let _e543 = phi_767_;
+                    phi_768_ = _e541;
+                    phi_769_ = _e543;
+                } else {
+                    phi_768_ = f32();
+                    phi_769_ = true;
+                }
+                let _e545 = phi_768_;
+                let _e547 = phi_769_;
+                if _e547 {
+                    phi_773_ = _e523;
+                } else {
+                    phi_773_ = _e545;
+                }
+                let _e549 = phi_773_;
+                if (_e522 >= 0f) {
+                    if (_e549 >= 0f) {
+                        if (_e522 < f32(_e492)) {
+                            let _e555 = (_e549 < f32(_e494));
+                            if (_e460 == 0f) {
+                                phi_794_ = (_e466 == 0f);
+                            } else {
+                                phi_794_ = false;
+                            }
+                            let _e559 = phi_794_;
+                            if _e555 {
+                                phi_813_ = vec2<u32>(select(select(u32(_e522), 0u, (_e522 < bitcast<f32>(0u))), 4294967295u, (_e522 > bitcast<f32>(1333788671u))), select(select(u32(_e549), 0u, (_e549 < bitcast<f32>(0u))), 4294967295u, (_e549 > bitcast<f32>(1333788671u))));
+                                phi_814_ = false;
+                            } else {
+                                phi_813_ = vec2<u32>();
+                                phi_814_ = true;
+                            }
+                            let _e576 = phi_813_;
+                            let _e578 = phi_814_;
+                            phi_815_ = _e559;
+                            phi_816_ = _e555;
+                            phi_817_ = _e576;
+                            phi_818_ = _e559;
+                            phi_819_ = _e555;
+                            phi_820_ = false;
+                            phi_821_ = _e578;
+                        } else {
+                            phi_815_ = bool();
+                            phi_816_ = bool();
+                            phi_817_ = vec2<u32>();
+                            phi_818_ = bool();
+                            phi_819_ = bool();
+                            phi_820_ = true;
+                            phi_821_ = false;
+                        }
+                        let _e580 = phi_815_;
+                        let _e582 = phi_816_;
+                        let _e584 = phi_817_;
+                        let _e586 = phi_818_;
+                        let _e588 = phi_819_;
+                        let _e590 = phi_820_;
+                        let _e592 = phi_821_;
+                        phi_822_ = _e580;
+                        phi_823_ = _e582;
+                        phi_824_ = _e584;
+                        phi_825_ = _e586;
+                        phi_826_ = _e588;
+                        phi_827_ = _e590;
+                        phi_828_ = _e592;
+                    } else {
+                        phi_822_ = bool();
+                        phi_823_ = bool();
+                        phi_824_ = vec2<u32>();
+                        phi_825_ = bool();
+                        phi_826_ = bool();
+                        phi_827_ = true;
+                        phi_828_ = false;
+                    }
+                    let _e594 = phi_822_;
+                    let _e596 = phi_823_;
+                    let _e598 = phi_824_;
+                    let _e600 = phi_825_;
+                    let _e602 = phi_826_;
+                    let _e604 = phi_827_;
+                    let _e606 = phi_828_;
+                    phi_829_ = _e594;
+                    phi_830_ = _e596;
+                    phi_831_ = _e598;
+                    phi_832_ = _e600;
+                    phi_833_ = _e602;
+                    phi_834_ = _e604;
+                    phi_835_ = _e606;
+                } else {
+                    phi_829_ = bool();
+                    phi_830_ = bool();
+                    phi_831_ = vec2<u32>();
+                    phi_832_ = bool();
+                    phi_833_ = bool();
+                    phi_834_ = true;
+                    phi_835_ = false;
+                }
+                let _e608 = phi_829_;
+                let _e610 = phi_830_;
+                let _e612 = phi_831_;
+                let _e614 = phi_832_;
+                let _e616 = phi_833_;
+                let _e618 = phi_834_;
+                let _e620 = phi_835_;
+                if _e618 {
+                    if (_e460 == 0f) {
+                        phi_844_ = (_e466 == 0f);
+                    } else {
+                        phi_844_ = false;
+                    }
+                    let _e624 = phi_844_;
+                    phi_845_ = _e624;
+                    phi_846_ = false;
+                    phi_847_ = true;
+                } else {
+                    phi_845_ = _e614;
+                    phi_846_ = _e616;
+                    phi_847_ = _e620;
+                }
+                let _e626 = phi_845_;
+                let _e628 = phi_846_;
+                let _e630 = phi_847_;
                 if _e630 {
-                    let _e636 = p.member.flags;
-                    phi_848_ = ((_e636 & 1u) != 0u);
-                    phi_849_ = false;
+                    phi_851_ = _e626;
+                    phi_852_ = _e628;
+                    phi_853_ = vec2<u32>(_e56.x, _e56.y);
                 } else {
-                    phi_848_ = bool();
-                    phi_849_ = true;
+                    phi_851_ = _e608;
+                    phi_852_ = _e610;
+                    phi_853_ = _e612;
                 }
-                let _e640 = phi_848_;
-                let _e642 = phi_849_;
-                phi_851_ = _e640;
-                phi_852_ = _e634;
-                phi_853_ = _e634;
-                phi_854_ = _e642;
+                let _e632 = phi_851_;
+                let _e634 = phi_852_;
+                let _e636 = phi_853_;
+                let _e646 = lt_mask_Reprojection(vec2<u32>(_e636.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e653 = lt_mask_Reprojection(vec2<u32>(_e646.pixel.x, _e636.y), _e646.is_valid, _e646.has_moved);
+                let _e657 = lt_mask_Reprojection(_e653.pixel, _e634, _e653.has_moved);
+                let _e661 = lt_mask_Reprojection(_e657.pixel, _e657.is_valid, !(_e632));
+                if _e634 {
+                    let _e664 = p.member.previous.eye;
+                    let _e672 = p.member.previous.forward;
+                    let _e681 = (((((_e92.x - _e664.x) * _e672.x) + ((_e92.y - _e664.y) * _e672.y)) + ((_e92.z - _e664.z) * _e672.z)) > 0f);
+                    let _e685 = lt_mask_Reprojection(_e661.pixel, _e681, _e661.has_moved);
+                    if _e681 {
+                        phi_888_ = false;
+                    } else {
+                        phi_888_ = true;
+                    }
+                    let _e687 = phi_888_;
+                    phi_890_ = _e685;
+                    phi_891_ = _e685;
+                    phi_892_ = _e687;
+                } else {
+                    phi_890_ = lt_mask_Reprojection();
+                    phi_891_ = lt_mask_Reprojection(_e661.pixel, false, _e661.has_moved);
+                    phi_892_ = true;
+                }
+                let _e693 = phi_890_;
+                let _e695 = phi_891_;
+                let _e697 = phi_892_;
+                if _e697 {
+                    phi_896_ = false;
+                } else {
+                    phi_896_ = true;
+                }
+                let _e699 = phi_896_;
+                phi_897_ = _e695;
+                phi_898_ = _e693;
+                phi_899_ = _e699;
             } else {
-                phi_851_ = bool();
-                phi_852_ = lt_mask_Reprojection();
-                phi_853_ = lt_mask_Reprojection(_e610.pixel, false, _e610.has_moved);
-                phi_854_ = true;
+                phi_897_ = lt_mask_Reprojection();
+                phi_898_ = lt_mask_Reprojection(_e277.pixel, _e277.is_valid, false);
+                phi_899_ = true;
             }
-            let _e648 = phi_851_;
-            let _e650 = phi_852_;
-            let _e652 = phi_853_;
-            let _e654 = phi_854_;
-            if _e654 {
-                phi_858_ = false;
-                phi_859_ = _e652;
+            let _e701 = phi_897_;
+            let _e703 = phi_898_;
+            let _e705 = phi_899_;
+            if _e705 {
+                let _e707 = p.member.flags;
+                phi_907_ = ((_e707 & 1u) != 0u);
+                phi_908_ = _e703;
             } else {
-                phi_858_ = _e648;
-                phi_859_ = _e650;
+                phi_907_ = false;
+                phi_908_ = _e701;
             }
-            let _e656 = phi_858_;
-            let _e658 = phi_859_;
-            let _e662 = lt_mask_Reprojection(_e658.pixel, _e656, _e658.has_moved);
-            let _e664 = p.member.flags;
-            let _e666 = ((_e664 & 2u) != 0u);
-            let _e668 = p.member.flags;
-            if ((_e668 & 4u) == 0u) {
-                phi_933_ = u32();
-                phi_934_ = true;
-                phi_935_ = false;
+            let _e711 = phi_907_;
+            let _e713 = phi_908_;
+            let _e717 = lt_mask_Reprojection(_e713.pixel, _e711, _e713.has_moved);
+            let _e719 = p.member.flags;
+            let _e721 = ((_e719 & 2u) != 0u);
+            let _e723 = p.member.flags;
+            if ((_e723 & 4u) == 0u) {
+                phi_982_ = u32();
+                phi_983_ = true;
+                phi_984_ = false;
             } else {
-                if _e656 {
-                    if !(_e662.has_moved) {
-                        let _e676 = ((((_e55.y * _e88) + _e55.x) * _e84) + _e81);
-                        if (_e82 > 29u) {
-                            let _e678 = (_e676 + 1u);
-                            if (_e678 < _e61) {
+                if _e711 {
+                    if !(_e717.has_moved) {
+                        let _e731 = ((((_e56.y * _e89) + _e56.x) * _e85) + _e82);
+                        if (_e83 > 29u) {
+                            let _e733 = (_e731 + 1u);
+                            if (_e733 < _e62) {
                             } else {
                                 return;
                             }
-                            let _e682 = last_bits.member[(0u + _e678)];
-                            phi_900_ = _e682;
+                            let _e737 = last_bits.member[(0u + _e733)];
+                            phi_949_ = _e737;
                         } else {
-                            phi_900_ = 0u;
+                            phi_949_ = 0u;
                         }
-                        let _e684 = phi_900_;
-                        if (_e676 < _e61) {
+                        let _e739 = phi_949_;
+                        if (_e731 < _e62) {
                         } else {
                             return;
                         }
-                        let _e688 = last_bits.member[(0u + _e676)];
-                        let _e691 = (_e688 >> bitcast<u32>((_e82 & 31u)));
-                        if (_e82 > 29u) {
-                            phi_919_ = (_e691 | (_e684 << bitcast<u32>(((32u - _e82) & 31u))));
+                        let _e743 = last_bits.member[(0u + _e731)];
+                        let _e746 = (_e743 >> bitcast<u32>((_e83 & 31u)));
+                        if (_e83 > 29u) {
+                            phi_968_ = (_e746 | (_e739 << bitcast<u32>(((32u - _e83) & 31u))));
                         } else {
-                            phi_919_ = _e691;
+                            phi_968_ = _e746;
                         }
-                        let _e699 = phi_919_;
-                        if ((_e699 & 2u) == 0u) {
-                            phi_927_ = (_e699 & 1u);
+                        let _e754 = phi_968_;
+                        if ((_e754 & 2u) == 0u) {
+                            phi_976_ = (_e754 & 1u);
                         } else {
-                            phi_927_ = (_e699 & 7u);
+                            phi_976_ = (_e754 & 7u);
                         }
-                        let _e705 = phi_927_;
-                        phi_928_ = _e705;
-                        phi_929_ = false;
+                        let _e760 = phi_976_;
+                        phi_977_ = _e760;
+                        phi_978_ = false;
                     } else {
-                        phi_928_ = u32();
-                        phi_929_ = true;
+                        phi_977_ = u32();
+                        phi_978_ = true;
                     }
-                    let _e707 = phi_928_;
-                    let _e709 = phi_929_;
-                    phi_930_ = _e707;
-                    phi_931_ = false;
-                    phi_932_ = _e709;
+                    let _e762 = phi_977_;
+                    let _e764 = phi_978_;
+                    phi_979_ = _e762;
+                    phi_980_ = false;
+                    phi_981_ = _e764;
                 } else {
-                    phi_930_ = u32();
-                    phi_931_ = true;
-                    phi_932_ = false;
+                    phi_979_ = u32();
+                    phi_980_ = true;
+                    phi_981_ = false;
                 }
-                let _e711 = phi_930_;
-                let _e713 = phi_931_;
-                let _e715 = phi_932_;
-                phi_933_ = _e711;
-                phi_934_ = _e713;
-                phi_935_ = _e715;
+                let _e766 = phi_979_;
+                let _e768 = phi_980_;
+                let _e770 = phi_981_;
+                phi_982_ = _e766;
+                phi_983_ = _e768;
+                phi_984_ = _e770;
             }
-            let _e717 = phi_933_;
-            let _e719 = phi_934_;
-            let _e721 = phi_935_;
-            if _e719 {
-                phi_939_ = true;
+            let _e772 = phi_982_;
+            let _e774 = phi_983_;
+            let _e776 = phi_984_;
+            if _e774 {
+                phi_988_ = true;
             } else {
-                phi_939_ = _e721;
+                phi_988_ = _e776;
             }
-            let _e723 = phi_939_;
-            if _e723 {
-                phi_943_ = 0u;
+            let _e778 = phi_988_;
+            if _e778 {
+                phi_992_ = 0u;
             } else {
-                phi_943_ = _e717;
+                phi_992_ = _e772;
             }
-            let _e725 = phi_943_;
-            let _e726 = lt_mask_Neighbourhood(false, true);
-            if _e258 {
-                phi_948_ = _e666;
+            let _e780 = phi_992_;
+            let _e781 = lt_mask_Neighbourhood(false, true);
+            if _e259 {
+                phi_997_ = _e721;
             } else {
-                phi_948_ = true;
+                phi_997_ = true;
             }
-            let _e728 = phi_948_;
-            if _e728 {
-                if _e656 {
-                    if ((_e725 & 2u) != 0u) {
-                        phi_1241_ = _e726;
+            let _e783 = phi_997_;
+            if _e783 {
+                if _e711 {
+                    if ((_e780 & 2u) != 0u) {
+                        phi_1290_ = _e781;
                     } else {
-                        let _e732 = p.member.expansion;
-                        if _e662.has_moved {
-                            let _e735 = p.member.moving_pattern;
-                            phi_970_ = _e735;
+                        let _e787 = p.member.expansion;
+                        if _e717.has_moved {
+                            let _e790 = p.member.moving_pattern;
+                            phi_1019_ = _e790;
                         } else {
-                            let _e737 = p.member.still_pattern;
-                            phi_970_ = _e737;
+                            let _e792 = p.member.still_pattern;
+                            phi_1019_ = _e792;
                         }
-                        let _e739 = phi_970_;
-                        phi_972_ = 0u;
-                        phi_975_ = _e726;
+                        let _e794 = phi_1019_;
+                        phi_1021_ = 0u;
+                        phi_1024_ = _e781;
                         loop {
-                            let _e741 = phi_972_;
-                            let _e743 = phi_975_;
-                            local_1 = _e743;
-                            if (1u <= _e739) {
-                                if (_e739 <= 4u) {
-                                    phi_987_ = false;
+                            let _e796 = phi_1021_;
+                            let _e798 = phi_1024_;
+                            local_1 = _e798;
+                            if (1u <= _e794) {
+                                if (_e794 <= 4u) {
+                                    phi_1036_ = false;
                                 } else {
-                                    phi_987_ = true;
+                                    phi_1036_ = true;
                                 }
-                                let _e747 = phi_987_;
-                                phi_988_ = _e747;
+                                let _e802 = phi_1036_;
+                                phi_1037_ = _e802;
                             } else {
-                                phi_988_ = true;
+                                phi_1037_ = true;
                             }
-                            let _e749 = phi_988_;
-                            if _e749 {
-                                switch bitcast<i32>(_e739) {
+                            let _e804 = phi_1037_;
+                            if _e804 {
+                                switch bitcast<i32>(_e794) {
                                     case 5: {
-                                        phi_997_ = 4u;
+                                        phi_1046_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_997_ = 25u;
+                                        phi_1046_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_997_ = 13u;
+                                        phi_1046_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_997_ = 9u;
+                                        phi_1046_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e752 = phi_997_;
-                                phi_998_ = _e752;
+                                let _e807 = phi_1046_;
+                                phi_1047_ = _e807;
                             } else {
-                                phi_998_ = 5u;
+                                phi_1047_ = 5u;
                             }
-                            let _e754 = phi_998_;
-                            let _e755 = (_e741 < _e754);
-                            if _e755 {
-                                let _e761 = p.member.frame;
-                                let _e765 = p.member.current.size[0u];
-                                let _e767 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e739) {
+                            let _e809 = phi_1047_;
+                            let _e810 = (_e796 < _e809);
+                            if _e810 {
+                                let _e816 = p.member.frame;
+                                let _e820 = p.member.current.size[0u];
+                                let _e822 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e794) {
                                     case 1: {
-                                        let _e777 = lt_mask_pattern_plus(_e741);
-                                        phi_1078_ = vec2<i32>(_e777.x, _e777.y);
+                                        let _e832 = lt_mask_pattern_plus(_e796);
+                                        phi_1127_ = vec2<i32>(_e832.x, _e832.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e781 = lt_mask_pattern_cross(_e741);
-                                        phi_1078_ = vec2<i32>(_e781.x, _e781.y);
+                                        let _e836 = lt_mask_pattern_cross(_e796);
+                                        phi_1127_ = vec2<i32>(_e836.x, _e836.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e787 = lt_mask_pattern_plus_or_cross(_e741, ((_e662.pixel.x + _e662.pixel.y) & 1u));
-                                        phi_1078_ = vec2<i32>(_e787.x, _e787.y);
+                                        let _e842 = lt_mask_pattern_plus_or_cross(_e796, ((_e717.pixel.x + _e717.pixel.y) & 1u));
+                                        phi_1127_ = vec2<i32>(_e842.x, _e842.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e792 = lt_mask_pattern_plus_or_cross(_e741, (_e761 & 1u));
-                                        phi_1078_ = vec2<i32>(_e792.x, _e792.y);
+                                        let _e847 = lt_mask_pattern_plus_or_cross(_e796, (_e816 & 1u));
+                                        phi_1127_ = vec2<i32>(_e847.x, _e847.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e761 & 3u)) {
+                                        switch bitcast<i32>((_e816 & 3u)) {
                                             case 0: {
-                                                phi_1058_ = vec2(-1i);
+                                                phi_1107_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1058_ = vec2(0i);
+                                                phi_1107_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1058_ = vec2<i32>(0i, -1i);
+                                                phi_1107_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1058_ = vec2<i32>(-1i, 0i);
+                                                phi_1107_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e803 = phi_1058_;
-                                        phi_1078_ = (_e803 + vec2<i32>(bitcast<i32>((_e741 & 1u)), bitcast<i32>(((_e741 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e858 = phi_1107_;
+                                        phi_1127_ = (_e858 + vec2<i32>(bitcast<i32>((_e796 & 1u)), bitcast<i32>(((_e796 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1078_ = vec2<i32>((bitcast<i32>((_e741 % 5u)) - 2i), (bitcast<i32>(((_e741 / 5u) % 5u)) - 2i));
+                                        phi_1127_ = vec2<i32>((bitcast<i32>((_e796 % 5u)) - 2i), (bitcast<i32>(((_e796 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e820 = lt_mask_pattern_diamond(_e741);
-                                        phi_1078_ = vec2<i32>(_e820.x, _e820.y);
+                                        let _e875 = lt_mask_pattern_diamond(_e796);
+                                        phi_1127_ = vec2<i32>(_e875.x, _e875.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1078_ = vec2<i32>((bitcast<i32>((_e741 % 3u)) - 1i), (bitcast<i32>(((_e741 / 3u) % 3u)) - 1i));
+                                        phi_1127_ = vec2<i32>((bitcast<i32>((_e796 % 3u)) - 1i), (bitcast<i32>(((_e796 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e825 = phi_1078_;
-                                let _e828 = lt_mask_pattern_step_clamped(_e662.pixel.x, _e825.x, _e765);
-                                let _e829 = lt_mask_pattern_step_clamped(_e662.pixel.y, _e825.y, _e767);
-                                let _e833 = ((((_e829 * _e88) + _e828) * _e84) + _e81);
-                                if (_e82 > 29u) {
-                                    let _e835 = (_e833 + 1u);
-                                    if (_e835 < _e61) {
+                                let _e880 = phi_1127_;
+                                let _e883 = lt_mask_pattern_step_clamped(_e717.pixel.x, _e880.x, _e820);
+                                let _e884 = lt_mask_pattern_step_clamped(_e717.pixel.y, _e880.y, _e822);
+                                let _e888 = ((((_e884 * _e89) + _e883) * _e85) + _e82);
+                                if (_e83 > 29u) {
+                                    let _e890 = (_e888 + 1u);
+                                    if (_e890 < _e62) {
                                     } else {
                                         return;
                                     }
-                                    let _e839 = last_bits.member[(0u + _e835)];
-                                    phi_1103_ = _e839;
+                                    let _e894 = last_bits.member[(0u + _e890)];
+                                    phi_1152_ = _e894;
                                 } else {
-                                    phi_1103_ = 0u;
+                                    phi_1152_ = 0u;
                                 }
-                                let _e841 = phi_1103_;
-                                if (_e833 < _e61) {
+                                let _e896 = phi_1152_;
+                                if (_e888 < _e62) {
                                 } else {
                                     return;
                                 }
-                                let _e845 = last_bits.member[(0u + _e833)];
-                                let _e848 = (_e845 >> bitcast<u32>((_e82 & 31u)));
-                                if (_e82 > 29u) {
-                                    phi_1122_ = (_e848 | (_e841 << bitcast<u32>(((32u - _e82) & 31u))));
+                                let _e900 = last_bits.member[(0u + _e888)];
+                                let _e903 = (_e900 >> bitcast<u32>((_e83 & 31u)));
+                                if (_e83 > 29u) {
+                                    phi_1171_ = (_e903 | (_e896 << bitcast<u32>(((32u - _e83) & 31u))));
                                 } else {
-                                    phi_1122_ = _e848;
+                                    phi_1171_ = _e903;
                                 }
-                                let _e856 = phi_1122_;
-                                if ((_e856 & 2u) == 0u) {
-                                    phi_1130_ = (_e856 & 1u);
+                                let _e911 = phi_1171_;
+                                if ((_e911 & 2u) == 0u) {
+                                    phi_1179_ = (_e911 & 1u);
                                 } else {
-                                    phi_1130_ = (_e856 & 7u);
+                                    phi_1179_ = (_e911 & 7u);
                                 }
-                                let _e862 = phi_1130_;
-                                if _e743.any_expands {
-                                    phi_1218_ = true;
+                                let _e917 = phi_1179_;
+                                if _e798.any_expands {
+                                    phi_1267_ = true;
                                 } else {
-                                    if ((_e862 & 2u) != 0u) {
-                                        let _e869 = (((_e862 & 4u) != 0u) != _e254);
-                                        switch bitcast<i32>(_e732) {
+                                    if ((_e917 & 2u) != 0u) {
+                                        let _e924 = (((_e917 & 4u) != 0u) != _e255);
+                                        switch bitcast<i32>(_e787) {
                                             case 1: {
-                                                phi_1158_ = bool();
-                                                phi_1159_ = false;
-                                                phi_1160_ = true;
-                                                phi_1161_ = false;
-                                                phi_1162_ = false;
+                                                phi_1207_ = bool();
+                                                phi_1208_ = false;
+                                                phi_1209_ = true;
+                                                phi_1210_ = false;
+                                                phi_1211_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e869 {
-                                                    phi_1156_ = (((_e862 & 4u) != 0u) != ((_e862 & 1u) != 0u));
-                                                    phi_1157_ = false;
+                                                if _e924 {
+                                                    phi_1205_ = (((_e917 & 4u) != 0u) != ((_e917 & 1u) != 0u));
+                                                    phi_1206_ = false;
                                                 } else {
-                                                    phi_1156_ = bool();
-                                                    phi_1157_ = true;
+                                                    phi_1205_ = bool();
+                                                    phi_1206_ = true;
                                                 }
-                                                let _e877 = phi_1156_;
-                                                let _e879 = phi_1157_;
-                                                phi_1158_ = _e877;
-                                                phi_1159_ = false;
-                                                phi_1160_ = false;
-                                                phi_1161_ = _e879;
-                                                phi_1162_ = _e869;
+                                                let _e932 = phi_1205_;
+                                                let _e934 = phi_1206_;
+                                                phi_1207_ = _e932;
+                                                phi_1208_ = false;
+                                                phi_1209_ = false;
+                                                phi_1210_ = _e934;
+                                                phi_1211_ = _e924;
                                                 break;
                                             }
                                             default: {
-                                                phi_1158_ = bool();
-                                                phi_1159_ = true;
-                                                phi_1160_ = false;
-                                                phi_1161_ = false;
-                                                phi_1162_ = false;
+                                                phi_1207_ = bool();
+                                                phi_1208_ = true;
+                                                phi_1209_ = false;
+                                                phi_1210_ = false;
+                                                phi_1211_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e881 = phi_1158_;
-                                        let _e883 = phi_1159_;
-                                        let _e885 = phi_1160_;
-                                        let _e887 = phi_1161_;
-                                        let _e889 = phi_1162_;
-                                        phi_1170_ = _e869;
-                                        phi_1171_ = _e881;
-                                        phi_1172_ = _e883;
-                                        phi_1173_ = _e885;
-                                        phi_1174_ = _e887;
-                                        phi_1175_ = _e889;
+                                        let _e936 = phi_1207_;
+                                        let _e938 = phi_1208_;
+                                        let _e940 = phi_1209_;
+                                        let _e942 = phi_1210_;
+                                        let _e944 = phi_1211_;
+                                        phi_1219_ = _e924;
+                                        phi_1220_ = _e936;
+                                        phi_1221_ = _e938;
+                                        phi_1222_ = _e940;
+                                        phi_1223_ = _e942;
+                                        phi_1224_ = _e944;
                                     } else {
-                                        switch bitcast<i32>(_e732) {
+                                        switch bitcast<i32>(_e787) {
                                             case 1: {
-                                                phi_1167_ = false;
-                                                phi_1168_ = true;
-                                                phi_1169_ = false;
+                                                phi_1216_ = false;
+                                                phi_1217_ = true;
+                                                phi_1218_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1167_ = false;
-                                                phi_1168_ = false;
-                                                phi_1169_ = true;
+                                                phi_1216_ = false;
+                                                phi_1217_ = false;
+                                                phi_1218_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_1167_ = true;
-                                                phi_1168_ = false;
-                                                phi_1169_ = false;
+                                                phi_1216_ = true;
+                                                phi_1217_ = false;
+                                                phi_1218_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e892 = phi_1167_;
-                                        let _e894 = phi_1168_;
-                                        let _e896 = phi_1169_;
-                                        phi_1170_ = false;
-                                        phi_1171_ = bool();
-                                        phi_1172_ = _e892;
-                                        phi_1173_ = _e894;
-                                        phi_1174_ = _e896;
-                                        phi_1175_ = false;
+                                        let _e947 = phi_1216_;
+                                        let _e949 = phi_1217_;
+                                        let _e951 = phi_1218_;
+                                        phi_1219_ = false;
+                                        phi_1220_ = bool();
+                                        phi_1221_ = _e947;
+                                        phi_1222_ = _e949;
+                                        phi_1223_ = _e951;
+                                        phi_1224_ = false;
                                     }
-                                    let _e898 = phi_1170_;
-                                    let _e900 = phi_1171_;
-                                    let _e902 = phi_1172_;
-                                    let _e904 = phi_1173_;
-                                    let _e906 = phi_1174_;
-                                    let _e908 = phi_1175_;
-                                    if _e902 {
-                                        if ((_e862 & 2u) != 0u) {
-                                            if (((_e862 & 4u) != 0u) != _e254) {
-                                                phi_1190_ = false;
+                                    let _e953 = phi_1219_;
+                                    let _e955 = phi_1220_;
+                                    let _e957 = phi_1221_;
+                                    let _e959 = phi_1222_;
+                                    let _e961 = phi_1223_;
+                                    let _e963 = phi_1224_;
+                                    if _e957 {
+                                        if ((_e917 & 2u) != 0u) {
+                                            if (((_e917 & 4u) != 0u) != _e255) {
+                                                phi_1239_ = false;
                                             } else {
-                                                phi_1190_ = true;
+                                                phi_1239_ = true;
                                             }
-                                            let _e915 = phi_1190_;
-                                            phi_1191_ = _e915;
+                                            let _e970 = phi_1239_;
+                                            phi_1240_ = _e970;
                                         } else {
-                                            phi_1191_ = true;
+                                            phi_1240_ = true;
                                         }
-                                        let _e917 = phi_1191_;
-                                        if _e917 {
-                                            phi_1198_ = (((_e862 & 1u) != 0u) != _e254);
+                                        let _e972 = phi_1240_;
+                                        if _e972 {
+                                            phi_1247_ = (((_e917 & 1u) != 0u) != _e255);
                                         } else {
-                                            phi_1198_ = true;
+                                            phi_1247_ = true;
                                         }
-                                        let _e922 = phi_1198_;
-                                        phi_1199_ = _e922;
-                                        phi_1200_ = false;
-                                        phi_1201_ = false;
-                                        phi_1202_ = false;
+                                        let _e977 = phi_1247_;
+                                        phi_1248_ = _e977;
+                                        phi_1249_ = false;
+                                        phi_1250_ = false;
+                                        phi_1251_ = false;
                                     } else {
-                                        phi_1199_ = bool();
-                                        phi_1200_ = _e904;
-                                        phi_1201_ = _e906;
-                                        phi_1202_ = _e908;
+                                        phi_1248_ = bool();
+                                        phi_1249_ = _e959;
+                                        phi_1250_ = _e961;
+                                        phi_1251_ = _e963;
                                     }
-                                    let _e924 = phi_1199_;
-                                    let _e926 = phi_1200_;
-                                    let _e928 = phi_1201_;
-                                    let _e930 = phi_1202_;
-                                    if _e926 {
-                                        phi_1206_ = _e898;
-                                        phi_1207_ = false;
-                                        phi_1208_ = false;
+                                    let _e979 = phi_1248_;
+                                    let _e981 = phi_1249_;
+                                    let _e983 = phi_1250_;
+                                    let _e985 = phi_1251_;
+                                    if _e981 {
+                                        phi_1255_ = _e953;
+                                        phi_1256_ = false;
+                                        phi_1257_ = false;
                                     } else {
-                                        phi_1206_ = _e924;
-                                        phi_1207_ = _e928;
-                                        phi_1208_ = _e930;
+                                        phi_1255_ = _e979;
+                                        phi_1256_ = _e983;
+                                        phi_1257_ = _e985;
                                     }
-                                    let _e932 = phi_1206_;
-                                    let _e934 = phi_1207_;
-                                    let _e936 = phi_1208_;
-                                    if _e934 {
-                                        phi_1212_ = false;
-                                        phi_1213_ = true;
+                                    let _e987 = phi_1255_;
+                                    let _e989 = phi_1256_;
+                                    let _e991 = phi_1257_;
+                                    if _e989 {
+                                        phi_1261_ = false;
+                                        phi_1262_ = true;
                                     } else {
-                                        phi_1212_ = _e900;
-                                        phi_1213_ = _e936;
+                                        phi_1261_ = _e955;
+                                        phi_1262_ = _e991;
                                     }
-                                    let _e938 = phi_1212_;
-                                    let _e940 = phi_1213_;
-                                    if _e940 {
-                                        phi_1217_ = _e938;
+                                    let _e993 = phi_1261_;
+                                    let _e995 = phi_1262_;
+                                    if _e995 {
+                                        phi_1266_ = _e993;
                                     } else {
-                                        phi_1217_ = _e932;
+                                        phi_1266_ = _e987;
                                     }
-                                    let _e942 = phi_1217_;
-                                    phi_1218_ = _e942;
+                                    let _e997 = phi_1266_;
+                                    phi_1267_ = _e997;
                                 }
-                                let _e944 = phi_1218_;
-                                if _e743.all_remove {
-                                    if (((_e862 & 1u) != 0u) == _e254) {
-                                        if ((_e862 & 2u) != 0u) {
-                                            phi_1236_ = (((_e862 & 4u) != 0u) == _e254);
+                                let _e999 = phi_1267_;
+                                if _e798.all_remove {
+                                    if (((_e917 & 1u) != 0u) == _e255) {
+                                        if ((_e917 & 2u) != 0u) {
+                                            phi_1285_ = (((_e917 & 4u) != 0u) == _e255);
                                         } else {
-                                            phi_1236_ = true;
+                                            phi_1285_ = true;
                                         }
-                                        let _e954 = phi_1236_;
-                                        phi_1237_ = _e954;
+                                        let _e1009 = phi_1285_;
+                                        phi_1286_ = _e1009;
                                     } else {
-                                        phi_1237_ = false;
+                                        phi_1286_ = false;
                                     }
-                                    let _e956 = phi_1237_;
-                                    phi_1238_ = _e956;
+                                    let _e1011 = phi_1286_;
+                                    phi_1287_ = _e1011;
                                 } else {
-                                    phi_1238_ = false;
+                                    phi_1287_ = false;
                                 }
-                                let _e958 = phi_1238_;
-                                phi_973_ = (_e741 + 1u);
-                                phi_976_ = lt_mask_Neighbourhood(_e944, _e958);
+                                let _e1013 = phi_1287_;
+                                phi_1022_ = (_e796 + 1u);
+                                phi_1025_ = lt_mask_Neighbourhood(_e999, _e1013);
                             } else {
-                                phi_973_ = u32();
-                                phi_976_ = lt_mask_Neighbourhood();
+                                phi_1022_ = u32();
+                                phi_1025_ = lt_mask_Neighbourhood();
                             }
-                            let _e962 = phi_973_;
-                            let _e964 = phi_976_;
+                            let _e1017 = phi_1022_;
+                            let _e1019 = phi_1025_;
                             continue;
                             continuing {
-                                phi_972_ = _e962;
-                                phi_975_ = _e964;
-                                break if !(_e755);
+                                phi_1021_ = _e1017;
+                                phi_1024_ = _e1019;
+                                break if !(_e810);
                             }
                         }
-                        let _e1266 = local_1;
-                        phi_1241_ = _e1266;
+                        let _e1330 = local_1;
+                        phi_1290_ = _e1330;
                     }
-                    let _e967 = phi_1241_;
-                    phi_1242_ = _e967;
+                    let _e1022 = phi_1290_;
+                    phi_1291_ = _e1022;
                 } else {
-                    phi_1242_ = _e726;
+                    phi_1291_ = _e781;
                 }
-                let _e969 = phi_1242_;
-                phi_1243_ = _e969;
+                let _e1024 = phi_1291_;
+                phi_1292_ = _e1024;
             } else {
-                phi_1243_ = _e726;
+                phi_1292_ = _e781;
             }
-            let _e971 = phi_1243_;
-            let _e974 = p.member.frame;
-            let _e976 = p.member.refresh;
-            if (_e976 == 0u) {
-                phi_1276_ = false;
+            let _e1026 = phi_1292_;
+            let _e1029 = p.member.frame;
+            let _e1031 = p.member.refresh;
+            if (_e1031 == 0u) {
+                phi_1325_ = false;
             } else {
-                if (_e976 == 0u) {
+                if (_e1031 == 0u) {
                     return;
                 }
-                let _e985 = ((_e55.x + (_e55.y * (((_e976 * 5u) / 8u) | 1u))) + (_e974 % _e976));
-                if (_e976 == 0u) {
-                    phi_1275_ = (_e985 == 0u);
+                let _e1040 = ((_e56.x + (_e56.y * (((_e1031 * 5u) / 8u) | 1u))) + (_e1029 % _e1031));
+                if (_e1031 == 0u) {
+                    phi_1324_ = (_e1040 == 0u);
                 } else {
-                    if (_e976 == 0u) {
+                    if (_e1031 == 0u) {
                         return;
                     }
-                    phi_1275_ = ((_e985 % _e976) == 0u);
+                    phi_1324_ = ((_e1040 % _e1031) == 0u);
                 }
-                let _e992 = phi_1275_;
-                phi_1276_ = _e992;
+                let _e1047 = phi_1324_;
+                phi_1325_ = _e1047;
             }
-            let _e994 = phi_1276_;
-            if _e656 {
-                if _e994 {
-                    phi_1298_ = bool();
+            let _e1049 = phi_1325_;
+            if _e711 {
+                if _e1049 {
+                    phi_1347_ = bool();
                 } else {
-                    phi_1298_ = ((_e725 & 2u) != 0u);
+                    phi_1347_ = ((_e780 & 2u) != 0u);
                 }
-                let _e1000 = phi_1298_;
-                phi_1299_ = _e1000;
-                phi_1300_ = _e994;
+                let _e1055 = phi_1347_;
+                phi_1348_ = _e1055;
+                phi_1349_ = _e1049;
             } else {
-                phi_1299_ = bool();
-                phi_1300_ = true;
+                phi_1348_ = bool();
+                phi_1349_ = true;
             }
-            let _e1002 = phi_1299_;
-            let _e1004 = phi_1300_;
-            if _e1004 {
-                phi_1304_ = false;
+            let _e1057 = phi_1348_;
+            let _e1059 = phi_1349_;
+            if _e1059 {
+                phi_1353_ = false;
             } else {
-                phi_1304_ = _e1002;
+                phi_1353_ = _e1057;
             }
-            let _e1006 = phi_1304_;
-            if _e1006 {
-                phi_1355_ = 7u;
+            let _e1061 = phi_1353_;
+            if _e1061 {
+                phi_1404_ = 7u;
             } else {
-                if (_e96 != 0.5f) {
-                    if _e656 {
-                        if _e994 {
-                            phi_1352_ = 6u;
+                if (_e97 != 0.5f) {
+                    if _e711 {
+                        if _e1049 {
+                            phi_1401_ = 6u;
                         } else {
-                            if _e258 {
-                                phi_1327_ = true;
+                            if _e259 {
+                                phi_1376_ = true;
                             } else {
-                                if _e971.any_expands {
-                                    phi_1326_ = false;
+                                if _e1026.any_expands {
+                                    phi_1375_ = false;
                                 } else {
-                                    phi_1326_ = true;
+                                    phi_1375_ = true;
                                 }
-                                let _e1008 = phi_1326_;
-                                phi_1327_ = _e1008;
+                                let _e1063 = phi_1375_;
+                                phi_1376_ = _e1063;
                             }
-                            let _e1010 = phi_1327_;
-                            if _e1010 {
-                                if _e258 {
-                                    if _e666 {
-                                        if _e971.all_remove {
-                                            phi_1340_ = false;
+                            let _e1065 = phi_1376_;
+                            if _e1065 {
+                                if _e259 {
+                                    if _e721 {
+                                        if _e1026.all_remove {
+                                            phi_1389_ = false;
                                         } else {
-                                            phi_1340_ = true;
+                                            phi_1389_ = true;
                                         }
-                                        let _e1012 = phi_1340_;
-                                        phi_1341_ = _e1012;
+                                        let _e1067 = phi_1389_;
+                                        phi_1390_ = _e1067;
                                     } else {
-                                        phi_1341_ = true;
+                                        phi_1390_ = true;
                                     }
-                                    let _e1014 = phi_1341_;
-                                    phi_1342_ = _e1014;
+                                    let _e1069 = phi_1390_;
+                                    phi_1391_ = _e1069;
                                 } else {
-                                    phi_1342_ = true;
+                                    phi_1391_ = true;
                                 }
-                                let _e1016 = phi_1342_;
-                                if _e1016 {
-                                    if _e258 {
-                                        phi_1349_ = 1u;
+                                let _e1071 = phi_1391_;
+                                if _e1071 {
+                                    if _e259 {
+                                        phi_1398_ = 1u;
                                     } else {
-                                        phi_1349_ = 0u;
+                                        phi_1398_ = 0u;
                                     }
-                                    let _e1018 = phi_1349_;
-                                    phi_1350_ = _e1018;
+                                    let _e1073 = phi_1398_;
+                                    phi_1399_ = _e1073;
                                 } else {
-                                    phi_1350_ = 5u;
+                                    phi_1399_ = 5u;
                                 }
-                                let _e1020 = phi_1350_;
-                                phi_1351_ = _e1020;
+                                let _e1075 = phi_1399_;
+                                phi_1400_ = _e1075;
                             } else {
-                                phi_1351_ = 4u;
+                                phi_1400_ = 4u;
                             }
-                            let _e1022 = phi_1351_;
-                            phi_1352_ = _e1022;
+                            let _e1077 = phi_1400_;
+                            phi_1401_ = _e1077;
                         }
-                        let _e1024 = phi_1352_;
-                        phi_1353_ = _e1024;
+                        let _e1079 = phi_1401_;
+                        phi_1402_ = _e1079;
                     } else {
-                        phi_1353_ = 3u;
+                        phi_1402_ = 3u;
                     }
-                    let _e1026 = phi_1353_;
-                    phi_1354_ = _e1026;
+                    let _e1081 = phi_1402_;
+                    phi_1403_ = _e1081;
                 } else {
-                    phi_1354_ = 2u;
+                    phi_1403_ = 2u;
                 }
-                let _e1028 = phi_1354_;
-                phi_1355_ = _e1028;
+                let _e1083 = phi_1403_;
+                phi_1404_ = _e1083;
             }
-            let _e1030 = phi_1355_;
-            if !((_e1030 == 0u)) {
-                if !((_e1030 == 5u)) {
-                    phi_1367_ = !(_e1006);
-                    phi_1368_ = false;
+            let _e1085 = phi_1404_;
+            if !((_e1085 == 0u)) {
+                if !((_e1085 == 5u)) {
+                    phi_1416_ = !(_e1061);
+                    phi_1417_ = false;
                 } else {
-                    phi_1367_ = bool();
-                    phi_1368_ = true;
+                    phi_1416_ = bool();
+                    phi_1417_ = true;
                 }
-                let _e1037 = phi_1367_;
-                let _e1039 = phi_1368_;
-                phi_1369_ = _e1037;
-                phi_1370_ = _e1039;
+                let _e1092 = phi_1416_;
+                let _e1094 = phi_1417_;
+                phi_1418_ = _e1092;
+                phi_1419_ = _e1094;
             } else {
-                phi_1369_ = bool();
-                phi_1370_ = true;
+                phi_1418_ = bool();
+                phi_1419_ = true;
             }
-            let _e1041 = phi_1369_;
-            let _e1043 = phi_1370_;
-            if _e1043 {
-                phi_1374_ = false;
+            let _e1096 = phi_1418_;
+            let _e1098 = phi_1419_;
+            if _e1098 {
+                phi_1423_ = false;
             } else {
-                phi_1374_ = _e1041;
+                phi_1423_ = _e1096;
             }
-            let _e1045 = phi_1374_;
-            if _e1006 {
-                phi_1380_ = ((_e725 & 4u) != 0u);
+            let _e1100 = phi_1423_;
+            if _e1061 {
+                phi_1429_ = ((_e780 & 4u) != 0u);
             } else {
-                phi_1380_ = _e254;
+                phi_1429_ = _e255;
             }
-            let _e1049 = phi_1380_;
-            if _e1045 {
-                if _e254 {
-                    phi_1388_ = (2u | 1u);
+            let _e1104 = phi_1429_;
+            if _e1100 {
+                if _e255 {
+                    phi_1437_ = (2u | 1u);
                 } else {
-                    phi_1388_ = 2u;
+                    phi_1437_ = 2u;
                 }
-                let _e1052 = phi_1388_;
+                let _e1107 = phi_1437_;
                 if false {
-                    phi_1393_ = (_e1052 | 4u);
+                    phi_1442_ = (_e1107 | 4u);
                 } else {
-                    phi_1393_ = _e1052;
+                    phi_1442_ = _e1107;
                 }
-                let _e1055 = phi_1393_;
-                phi_1413_ = _e1055;
+                let _e1110 = phi_1442_;
+                phi_1462_ = _e1110;
             } else {
-                if (_e1030 == 7u) {
-                    if _e254 {
-                        phi_1402_ = (2u | 1u);
+                if (_e1085 == 7u) {
+                    if _e255 {
+                        phi_1451_ = (2u | 1u);
                     } else {
-                        phi_1402_ = 2u;
+                        phi_1451_ = 2u;
                     }
-                    let _e1059 = phi_1402_;
-                    if _e1049 {
-                        phi_1407_ = (_e1059 | 4u);
+                    let _e1114 = phi_1451_;
+                    if _e1104 {
+                        phi_1456_ = (_e1114 | 4u);
                     } else {
-                        phi_1407_ = _e1059;
+                        phi_1456_ = _e1114;
                     }
-                    let _e1062 = phi_1407_;
-                    phi_1412_ = _e1062;
+                    let _e1117 = phi_1456_;
+                    phi_1461_ = _e1117;
                 } else {
-                    if _e254 {
-                        phi_1411_ = 1u;
+                    if _e255 {
+                        phi_1460_ = 1u;
                     } else {
-                        phi_1411_ = 0u;
+                        phi_1460_ = 0u;
                     }
-                    let _e1064 = phi_1411_;
-                    phi_1412_ = _e1064;
+                    let _e1119 = phi_1460_;
+                    phi_1461_ = _e1119;
                 }
-                let _e1066 = phi_1412_;
-                phi_1413_ = _e1066;
+                let _e1121 = phi_1461_;
+                phi_1462_ = _e1121;
             }
-            let _e1068 = phi_1413_;
-            if _e1049 {
-                phi_1417_ = 0f;
+            let _e1123 = phi_1462_;
+            if _e1104 {
+                phi_1466_ = 0f;
             } else {
-                phi_1417_ = 1f;
+                phi_1466_ = 1f;
             }
-            let _e1070 = phi_1417_;
-            phi_1419_ = mask_Masked(_e1070, _e1068, _e1045);
+            let _e1125 = phi_1466_;
+            phi_1468_ = mask_Masked(_e1125, _e1123, _e1100);
         }
-        let _e1073 = phi_1419_;
-        visibility.member[_e72.shift] = _e1073.visibility;
-        let _e1078 = p.member.light.number;
-        let _e1079 = (_e1078 * 3u);
-        let _e1081 = (_e1079 % 32u);
-        let _e1083 = p.member.light.mask_words;
-        let _e1085 = ((_e72.shift * _e1083) + (_e1079 / 32u));
-        let _e1087 = bits.member[_e1085];
-        bits.member[_e1085] = ((_e1087 & ~((7u << bitcast<u32>((_e1081 & 31u))))) | (_e1073.bits << bitcast<u32>((_e1081 & 31u))));
-        if (_e1081 > 29u) {
-            let _e1102 = bits.member[(_e1085 + 1u)];
-            let _e1104 = (32u - _e1081);
-            bits.member[(_e1085 + 1u)] = ((_e1102 & ~((7u >> bitcast<u32>((_e1104 & 31u))))) | (_e1073.bits >> bitcast<u32>((_e1104 & 31u))));
+        let _e1128 = phi_1468_;
+        visibility.member[_e73.shift] = _e1128.visibility;
+        let _e1133 = p.member.light.number;
+        let _e1134 = (_e1133 * 3u);
+        let _e1136 = (_e1134 % 32u);
+        let _e1138 = p.member.light.mask_words;
+        let _e1140 = ((_e73.shift * _e1138) + (_e1134 / 32u));
+        let _e1142 = bits.member[_e1140];
+        bits.member[_e1140] = ((_e1142 & ~((7u << bitcast<u32>((_e1136 & 31u))))) | (_e1128.bits << bitcast<u32>((_e1136 & 31u))));
+        if (_e1136 > 29u) {
+            let _e1157 = bits.member[(_e1140 + 1u)];
+            let _e1159 = (32u - _e1136);
+            bits.member[(_e1140 + 1u)] = ((_e1157 & ~((7u >> bitcast<u32>((_e1159 & 31u))))) | (_e1128.bits >> bitcast<u32>((_e1159 & 31u))));
         }
-        phi_1469_ = _e1073.needs_ray;
-        phi_1470_ = _e72.shift;
+        phi_1518_ = _e1128.needs_ray;
+        phi_1519_ = _e73.shift;
     } else {
-        phi_1469_ = false;
-        phi_1470_ = 0u;
+        phi_1518_ = false;
+        phi_1519_ = 0u;
     }
-    let _e1118 = phi_1469_;
-    let _e1120 = phi_1470_;
-    if (_e56 == 0u) {
+    let _e1173 = phi_1518_;
+    let _e1175 = phi_1519_;
+    if (_e57 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1118 {
-        let _e1124 = atomicAdd((&shared_[0u]), 1u);
-        phi_1481_ = _e1124;
+    if _e1173 {
+        let _e1179 = atomicAdd((&shared_[0u]), 1u);
+        phi_1530_ = _e1179;
     } else {
-        phi_1481_ = 0u;
+        phi_1530_ = 0u;
     }
-    let _e1126 = phi_1481_;
+    let _e1181 = phi_1530_;
     workgroupBarrier();
-    if (_e56 == 0u) {
-        let _e1130 = atomicLoad((&shared_[0u]));
-        let _e1131 = atomicAdd((&list.member[3u]), _e1130);
-        atomicStore((&shared_[1u]), _e1131);
+    if (_e57 == 0u) {
+        let _e1185 = atomicLoad((&shared_[0u]));
+        let _e1186 = atomicAdd((&list.member[3u]), _e1185);
+        atomicStore((&shared_[1u]), _e1186);
     }
     workgroupBarrier();
-    if _e1118 {
-        let _e1134 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1134) + _e1126)]), _e1120);
+    if _e1173 {
+        let _e1189 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1189) + _e1181)]), _e1175);
     }
     return;
 }

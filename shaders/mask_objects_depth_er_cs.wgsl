@@ -129,1365 +129,1468 @@ var<storage, read_write> depths: type_21;
 var<storage> past: type_44;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_183_: lt_mask_LightPlace;
-    var phi_184_: bool;
-    var phi_185_: lt_mask_LightPlace;
-    var phi_186_: bool;
-    var phi_191_: lt_mask_LightPlace;
+    var phi_184_: lt_mask_LightPlace;
+    var phi_185_: bool;
+    var phi_186_: lt_mask_LightPlace;
+    var phi_187_: bool;
+    var phi_192_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_183_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_184_ = false;
+            phi_184_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_185_ = false;
         } else {
-            phi_183_ = lt_mask_LightPlace();
-            phi_184_ = true;
+            phi_184_ = lt_mask_LightPlace();
+            phi_185_ = true;
         }
-        let _e73 = phi_183_;
-        let _e75 = phi_184_;
-        phi_185_ = _e73;
-        phi_186_ = _e75;
+        let _e74 = phi_184_;
+        let _e76 = phi_185_;
+        phi_186_ = _e74;
+        phi_187_ = _e76;
     } else {
-        phi_185_ = lt_mask_LightPlace();
-        phi_186_ = true;
+        phi_186_ = lt_mask_LightPlace();
+        phi_187_ = true;
     }
-    let _e77 = phi_185_;
-    let _e79 = phi_186_;
-    if _e79 {
-        phi_191_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e78 = phi_186_;
+    let _e80 = phi_187_;
+    if _e80 {
+        phi_192_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_191_ = _e77;
+        phi_192_ = _e78;
     }
-    let _e84 = phi_191_;
-    return lt_mask_LightPlace(_e84.word, _e84.shift);
+    let _e85 = phi_192_;
+    return lt_mask_LightPlace(_e85.word, _e85.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_209_: vec2<i32>;
+    var phi_210_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_209_ = vec2(0i);
+            phi_210_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_209_ = vec2<i32>(0i, -1i);
+            phi_210_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_209_ = vec2<i32>(-1i, 0i);
+            phi_210_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_209_ = vec2<i32>(1i, 0i);
+            phi_210_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_209_ = vec2<i32>(0i, 1i);
+            phi_210_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e69 = phi_209_;
-    return vec2<i32>(_e69.x, _e69.y);
+    let _e70 = phi_210_;
+    return vec2<i32>(_e70.x, _e70.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_227_: vec2<i32>;
+    var phi_228_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_227_ = vec2(0i);
+            phi_228_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_227_ = vec2(-1i);
+            phi_228_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_227_ = vec2<i32>(1i, -1i);
+            phi_228_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_227_ = vec2<i32>(-1i, 1i);
+            phi_228_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_227_ = vec2(1i);
+            phi_228_ = vec2(1i);
             break;
         }
     }
-    let _e69 = phi_227_;
-    return vec2<i32>(_e69.x, _e69.y);
+    let _e70 = phi_228_;
+    return vec2<i32>(_e70.x, _e70.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_246_: vec2<i32>;
+    var phi_247_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e63 = lt_mask_pattern_plus(param_5);
-        phi_246_ = vec2<i32>(_e63.x, _e63.y);
+        let _e64 = lt_mask_pattern_plus(param_5);
+        phi_247_ = vec2<i32>(_e64.x, _e64.y);
     } else {
-        let _e67 = lt_mask_pattern_cross(param_5);
-        phi_246_ = vec2<i32>(_e67.x, _e67.y);
+        let _e68 = lt_mask_pattern_cross(param_5);
+        phi_247_ = vec2<i32>(_e68.x, _e68.y);
     }
-    let _e72 = phi_246_;
-    return vec2<i32>(_e72.x, _e72.y);
+    let _e73 = phi_247_;
+    return vec2<i32>(_e73.x, _e73.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_271_: vec2<i32>;
+    var phi_272_: vec2<i32>;
 
-    let _e61 = (param_7 % 13u);
-    switch bitcast<i32>(_e61) {
+    let _e62 = (param_7 % 13u);
+    switch bitcast<i32>(_e62) {
         case 9: {
-            phi_271_ = vec2<i32>(0i, -2i);
+            phi_272_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_271_ = vec2<i32>(-2i, 0i);
+            phi_272_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_271_ = vec2<i32>(2i, 0i);
+            phi_272_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_271_ = vec2<i32>(0i, 2i);
+            phi_272_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_271_ = vec2<i32>((bitcast<i32>((_e61 % 3u)) - 1i), (bitcast<i32>(((_e61 / 3u) % 3u)) - 1i));
+            phi_272_ = vec2<i32>((bitcast<i32>((_e62 % 3u)) - 1i), (bitcast<i32>(((_e62 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e76 = phi_271_;
-    return vec2<i32>(_e76.x, _e76.y);
+    let _e77 = phi_272_;
+    return vec2<i32>(_e77.x, _e77.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_292_: u32;
     var phi_293_: u32;
+    var phi_294_: u32;
 
-    let _e64 = (bitcast<i32>(param_8) + param_9);
-    if (_e64 < 0i) {
-        phi_293_ = 0u;
+    let _e65 = (bitcast<i32>(param_8) + param_9);
+    if (_e65 < 0i) {
+        phi_294_ = 0u;
     } else {
-        if (_e64 >= bitcast<i32>(param_10)) {
-            phi_292_ = (param_10 - 1u);
+        if (_e65 >= bitcast<i32>(param_10)) {
+            phi_293_ = (param_10 - 1u);
         } else {
-            phi_292_ = bitcast<u32>(_e64);
+            phi_293_ = bitcast<u32>(_e65);
         }
-        let _e71 = phi_292_;
-        phi_293_ = _e71;
+        let _e72 = phi_293_;
+        phi_294_ = _e72;
     }
-    let _e73 = phi_293_;
-    return _e73;
+    let _e74 = phi_294_;
+    return _e74;
 }
 
 fn function_() {
-    var phi_374_: bool;
     var phi_375_: bool;
     var phi_376_: bool;
     var phi_377_: bool;
-    var phi_381_: bool;
-    var phi_451_: bool;
+    var phi_378_: bool;
+    var phi_382_: bool;
     var phi_452_: bool;
-    var phi_463_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_464_: bool;
-    var phi_465_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_466_: bool;
-    var phi_473_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_477_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_490_: bool;
-    var phi_695_: f32;
-    var phi_700_: f32;
-    var phi_701_: bool;
-    var phi_702_: f32;
-    var phi_703_: bool;
-    var phi_707_: f32;
-    var phi_728_: f32;
-    var phi_733_: f32;
-    var phi_734_: bool;
-    var phi_735_: f32;
-    var phi_736_: bool;
-    var phi_740_: f32;
-    var phi_761_: bool;
-    var phi_780_: vec2<u32>;
-    var phi_781_: bool;
-    var phi_782_: bool;
-    var phi_783_: bool;
-    var phi_784_: vec2<u32>;
-    var phi_785_: bool;
-    var phi_786_: bool;
-    var phi_787_: bool;
-    var phi_788_: bool;
-    var phi_789_: bool;
-    var phi_790_: bool;
-    var phi_791_: vec2<u32>;
-    var phi_792_: bool;
-    var phi_793_: bool;
-    var phi_794_: bool;
-    var phi_795_: bool;
-    var phi_796_: bool;
-    var phi_797_: bool;
-    var phi_798_: vec2<u32>;
-    var phi_799_: bool;
-    var phi_800_: bool;
-    var phi_801_: bool;
-    var phi_802_: bool;
-    var phi_811_: bool;
-    var phi_812_: bool;
-    var phi_813_: bool;
-    var phi_814_: bool;
-    var phi_818_: bool;
-    var phi_819_: bool;
-    var phi_820_: vec2<u32>;
-    var phi_903_: bool;
-    var phi_907_: f32;
-    var phi_911_: lt_mask_Reprojection;
-    var phi_920_: bool;
-    var phi_921_: bool;
-    var phi_923_: bool;
-    var phi_924_: lt_mask_Reprojection;
-    var phi_925_: lt_mask_Reprojection;
-    var phi_926_: bool;
-    var phi_930_: bool;
-    var phi_931_: lt_mask_Reprojection;
-    var phi_937_: bool;
-    var phi_959_: u32;
-    var phi_961_: u32;
-    var phi_964_: lt_mask_Neighbourhood;
-    var phi_976_: bool;
-    var phi_977_: bool;
-    var phi_986_: u32;
-    var phi_987_: u32;
-    var phi_1047_: vec2<i32>;
-    var phi_1067_: vec2<i32>;
-    var phi_1094_: u32;
-    var phi_1113_: u32;
-    var phi_1121_: u32;
-    var phi_1147_: bool;
-    var phi_1148_: bool;
-    var phi_1149_: bool;
-    var phi_1150_: bool;
-    var phi_1151_: bool;
-    var phi_1152_: bool;
-    var phi_1153_: bool;
-    var phi_1158_: bool;
-    var phi_1159_: bool;
-    var phi_1160_: bool;
-    var phi_1161_: bool;
-    var phi_1162_: bool;
-    var phi_1163_: bool;
-    var phi_1164_: bool;
-    var phi_1165_: bool;
-    var phi_1166_: bool;
-    var phi_1181_: bool;
-    var phi_1182_: bool;
-    var phi_1189_: bool;
-    var phi_1190_: bool;
-    var phi_1191_: bool;
-    var phi_1192_: bool;
-    var phi_1193_: bool;
-    var phi_1197_: bool;
-    var phi_1198_: bool;
-    var phi_1199_: bool;
-    var phi_1203_: bool;
-    var phi_1204_: bool;
+    var phi_453_: bool;
+    var phi_464_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_465_: bool;
+    var phi_466_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_467_: bool;
+    var phi_474_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_478_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_491_: bool;
+    var phi_519_: bool;
+    var phi_520_: bool;
+    var phi_521_: bool;
+    var phi_522_: bool;
+    var phi_526_: bool;
+    var phi_530_: bool;
+    var phi_531_: bool;
+    var phi_739_: f32;
+    var phi_744_: f32;
+    var phi_745_: bool;
+    var phi_746_: f32;
+    var phi_747_: bool;
+    var phi_751_: f32;
+    var phi_772_: f32;
+    var phi_777_: f32;
+    var phi_778_: bool;
+    var phi_779_: f32;
+    var phi_780_: bool;
+    var phi_784_: f32;
+    var phi_805_: bool;
+    var phi_824_: vec2<u32>;
+    var phi_825_: bool;
+    var phi_826_: bool;
+    var phi_827_: bool;
+    var phi_828_: vec2<u32>;
+    var phi_829_: bool;
+    var phi_830_: bool;
+    var phi_831_: bool;
+    var phi_832_: bool;
+    var phi_833_: bool;
+    var phi_834_: bool;
+    var phi_835_: vec2<u32>;
+    var phi_836_: bool;
+    var phi_837_: bool;
+    var phi_838_: bool;
+    var phi_839_: bool;
+    var phi_840_: bool;
+    var phi_841_: bool;
+    var phi_842_: vec2<u32>;
+    var phi_843_: bool;
+    var phi_844_: bool;
+    var phi_845_: bool;
+    var phi_846_: bool;
+    var phi_855_: bool;
+    var phi_856_: bool;
+    var phi_857_: bool;
+    var phi_858_: bool;
+    var phi_862_: bool;
+    var phi_863_: bool;
+    var phi_864_: vec2<u32>;
+    var phi_899_: bool;
+    var phi_901_: lt_mask_Reprojection;
+    var phi_902_: lt_mask_Reprojection;
+    var phi_903_: lt_mask_Reprojection;
+    var phi_904_: bool;
+    var phi_905_: bool;
+    var phi_906_: lt_mask_Reprojection;
+    var phi_907_: lt_mask_Reprojection;
+    var phi_908_: lt_mask_Reprojection;
+    var phi_909_: bool;
+    var phi_910_: bool;
+    var phi_962_: bool;
+    var phi_966_: f32;
+    var phi_970_: lt_mask_Reprojection;
+    var phi_971_: bool;
+    var phi_983_: bool;
+    var phi_984_: bool;
+    var phi_985_: bool;
+    var phi_986_: lt_mask_Reprojection;
+    var phi_987_: bool;
+    var phi_991_: bool;
+    var phi_992_: lt_mask_Reprojection;
+    var phi_998_: bool;
+    var phi_1020_: u32;
+    var phi_1022_: u32;
+    var phi_1025_: lt_mask_Neighbourhood;
+    var phi_1037_: bool;
+    var phi_1038_: bool;
+    var phi_1047_: u32;
+    var phi_1048_: u32;
+    var phi_1108_: vec2<i32>;
+    var phi_1128_: vec2<i32>;
+    var phi_1155_: u32;
+    var phi_1174_: u32;
+    var phi_1182_: u32;
     var phi_1208_: bool;
     var phi_1209_: bool;
+    var phi_1210_: bool;
+    var phi_1211_: bool;
+    var phi_1212_: bool;
+    var phi_1213_: bool;
+    var phi_1214_: bool;
+    var phi_1219_: bool;
+    var phi_1220_: bool;
+    var phi_1221_: bool;
+    var phi_1222_: bool;
+    var phi_1223_: bool;
+    var phi_1224_: bool;
+    var phi_1225_: bool;
+    var phi_1226_: bool;
     var phi_1227_: bool;
-    var phi_1228_: bool;
-    var phi_1229_: bool;
-    var phi_962_: u32;
-    var phi_965_: lt_mask_Neighbourhood;
-    var phi_1232_: lt_mask_Neighbourhood;
-    var phi_1233_: lt_mask_Neighbourhood;
-    var phi_1234_: lt_mask_Neighbourhood;
-    var phi_1266_: bool;
-    var phi_1267_: bool;
+    var phi_1242_: bool;
+    var phi_1243_: bool;
+    var phi_1250_: bool;
+    var phi_1251_: bool;
+    var phi_1252_: bool;
+    var phi_1253_: bool;
+    var phi_1254_: bool;
+    var phi_1258_: bool;
+    var phi_1259_: bool;
+    var phi_1260_: bool;
+    var phi_1264_: bool;
+    var phi_1265_: bool;
+    var phi_1269_: bool;
+    var phi_1270_: bool;
+    var phi_1288_: bool;
     var phi_1289_: bool;
     var phi_1290_: bool;
-    var phi_1291_: bool;
-    var phi_1295_: bool;
-    var phi_1317_: bool;
-    var phi_1318_: bool;
-    var phi_1331_: bool;
-    var phi_1332_: bool;
-    var phi_1333_: bool;
-    var phi_1340_: u32;
-    var phi_1341_: u32;
-    var phi_1342_: u32;
-    var phi_1343_: u32;
-    var phi_1344_: u32;
-    var phi_1345_: u32;
-    var phi_1346_: u32;
-    var phi_1358_: bool;
-    var phi_1359_: bool;
-    var phi_1360_: bool;
-    var phi_1361_: bool;
-    var phi_1365_: bool;
-    var phi_1371_: bool;
-    var phi_1379_: u32;
-    var phi_1384_: u32;
-    var phi_1393_: u32;
-    var phi_1398_: u32;
+    var phi_1023_: u32;
+    var phi_1026_: lt_mask_Neighbourhood;
+    var phi_1293_: lt_mask_Neighbourhood;
+    var phi_1294_: lt_mask_Neighbourhood;
+    var phi_1295_: lt_mask_Neighbourhood;
+    var phi_1327_: bool;
+    var phi_1328_: bool;
+    var phi_1350_: bool;
+    var phi_1351_: bool;
+    var phi_1352_: bool;
+    var phi_1356_: bool;
+    var phi_1378_: bool;
+    var phi_1379_: bool;
+    var phi_1392_: bool;
+    var phi_1393_: bool;
+    var phi_1394_: bool;
+    var phi_1401_: u32;
     var phi_1402_: u32;
     var phi_1403_: u32;
     var phi_1404_: u32;
-    var phi_1408_: f32;
-    var phi_1410_: mask_Masked;
-    var phi_1482_: bool;
-    var phi_1483_: bool;
-    var phi_1484_: bool;
-    var phi_1485_: bool;
-    var phi_1489_: bool;
-    var phi_1517_: f32;
-    var phi_1520_: bool;
-    var phi_1521_: u32;
-    var phi_1532_: u32;
+    var phi_1405_: u32;
+    var phi_1406_: u32;
+    var phi_1407_: u32;
+    var phi_1419_: bool;
+    var phi_1420_: bool;
+    var phi_1421_: bool;
+    var phi_1422_: bool;
+    var phi_1426_: bool;
+    var phi_1432_: bool;
+    var phi_1440_: u32;
+    var phi_1445_: u32;
+    var phi_1454_: u32;
+    var phi_1459_: u32;
+    var phi_1463_: u32;
+    var phi_1464_: u32;
+    var phi_1465_: u32;
+    var phi_1469_: f32;
+    var phi_1471_: mask_Masked;
+    var phi_1543_: bool;
+    var phi_1544_: bool;
+    var phi_1545_: bool;
+    var phi_1546_: bool;
+    var phi_1550_: bool;
+    var phi_1578_: f32;
+    var phi_1581_: bool;
+    var phi_1582_: u32;
+    var phi_1593_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e60 = id_1;
-    let _e61 = local_2;
-    let _e66 = arrayLength((&last_bits.member));
-    let _e78 = p.member.current.size[0u];
-    let _e80 = p.member.current.size[1u];
-    let _e81 = lt_shaders_entry_pixel_index(_e60, _e78, _e80);
-    if (bitcast<i32>(_e81.word) != 0i) {
-        let _e88 = p.member.light.number;
-        let _e89 = (_e88 * 3u);
-        let _e93 = p.member.light.mask_words;
-        let _e99 = mask_BitsPlace(lt_mask_LightPlace((_e89 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
-        let _e105 = mask_BitsPlace(lt_mask_LightPlace(_e99.light.word, (_e89 % 32u)), _e99.words);
-        let _e108 = mask_BitsPlace(_e105.light, _e93);
-        let _e112 = p.member.current.size[0u];
-        let _e115 = past.member[_e81.shift];
-        let _e120 = visibility.member[_e81.shift];
-        let _e126 = samples.member[_e81.shift].normal[0u];
-        let _e128 = global[0u];
-        if (_e126 == _e128) {
-            let _e131 = samples.member[_e81.shift].normal[1u];
-            let _e133 = global[1u];
-            if (_e131 == _e133) {
-                let _e136 = samples.member[_e81.shift].normal[2u];
-                let _e138 = global[2u];
-                phi_374_ = (_e136 == _e138);
-                phi_375_ = false;
+    let _e61 = id_1;
+    let _e62 = local_2;
+    let _e67 = arrayLength((&last_bits.member));
+    let _e79 = p.member.current.size[0u];
+    let _e81 = p.member.current.size[1u];
+    let _e82 = lt_shaders_entry_pixel_index(_e61, _e79, _e81);
+    if (bitcast<i32>(_e82.word) != 0i) {
+        let _e89 = p.member.light.number;
+        let _e90 = (_e89 * 3u);
+        let _e94 = p.member.light.mask_words;
+        let _e100 = mask_BitsPlace(lt_mask_LightPlace((_e90 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
+        let _e106 = mask_BitsPlace(lt_mask_LightPlace(_e100.light.word, (_e90 % 32u)), _e100.words);
+        let _e109 = mask_BitsPlace(_e106.light, _e94);
+        let _e113 = p.member.current.size[0u];
+        let _e116 = past.member[_e82.shift];
+        let _e121 = visibility.member[_e82.shift];
+        let _e127 = samples.member[_e82.shift].normal[0u];
+        let _e129 = global[0u];
+        if (_e127 == _e129) {
+            let _e132 = samples.member[_e82.shift].normal[1u];
+            let _e134 = global[1u];
+            if (_e132 == _e134) {
+                let _e137 = samples.member[_e82.shift].normal[2u];
+                let _e139 = global[2u];
+                phi_375_ = (_e137 == _e139);
+                phi_376_ = false;
             } else {
-                phi_374_ = bool();
-                phi_375_ = true;
+                phi_375_ = bool();
+                phi_376_ = true;
             }
-            let _e141 = phi_374_;
-            let _e143 = phi_375_;
-            phi_376_ = _e141;
-            phi_377_ = _e143;
+            let _e142 = phi_375_;
+            let _e144 = phi_376_;
+            phi_377_ = _e142;
+            phi_378_ = _e144;
         } else {
-            phi_376_ = bool();
-            phi_377_ = true;
+            phi_377_ = bool();
+            phi_378_ = true;
         }
-        let _e145 = phi_376_;
-        let _e147 = phi_377_;
-        if _e147 {
-            phi_381_ = false;
+        let _e146 = phi_377_;
+        let _e148 = phi_378_;
+        if _e148 {
+            phi_382_ = false;
         } else {
-            phi_381_ = _e145;
+            phi_382_ = _e146;
         }
-        let _e149 = phi_381_;
-        if !(_e149) {
-            let _e152 = samples.member[_e81.shift].position;
-            let _e154 = p.member.light.place;
-            let _e160 = p.member.light.place[3u];
-            let _e167 = (_e154.x - (_e152.x * _e160));
-            let _e168 = (_e154.y - (_e152.y * _e160));
-            let _e169 = (_e154.z - (_e152.z * _e160));
-            let _e171 = samples.member[_e81.shift].normal;
-            if ((((_e171.x * _e167) + (_e171.y * _e168)) + (_e171.z * _e169)) > 0f) {
-                let _e185 = (((_e167 * _e167) + (_e168 * _e168)) + (_e169 * _e169));
-                let _e187 = p.member.light.axis;
-                let _e199 = p.member.light.place[3u];
-                if (_e199 == 0f) {
-                    phi_452_ = true;
+        let _e150 = phi_382_;
+        if !(_e150) {
+            let _e153 = samples.member[_e82.shift].position;
+            let _e155 = p.member.light.place;
+            let _e161 = p.member.light.place[3u];
+            let _e168 = (_e155.x - (_e153.x * _e161));
+            let _e169 = (_e155.y - (_e153.y * _e161));
+            let _e170 = (_e155.z - (_e153.z * _e161));
+            let _e172 = samples.member[_e82.shift].normal;
+            if ((((_e172.x * _e168) + (_e172.y * _e169)) + (_e172.z * _e170)) > 0f) {
+                let _e186 = (((_e168 * _e168) + (_e169 * _e169)) + (_e170 * _e170));
+                let _e188 = p.member.light.axis;
+                let _e200 = p.member.light.place[3u];
+                if (_e200 == 0f) {
+                    phi_453_ = true;
                 } else {
-                    let _e202 = p.member.light.range_squared;
-                    if (_e185 <= _e202) {
-                        let _e205 = p.member.light.cos_outer;
-                        phi_451_ = (-((((_e167 * _e187.x) + (_e168 * _e187.y)) + (_e169 * _e187.z))) >= (_e205 * sqrt(_e185)));
+                    let _e203 = p.member.light.range_squared;
+                    if (_e186 <= _e203) {
+                        let _e206 = p.member.light.cos_outer;
+                        phi_452_ = (-((((_e168 * _e188.x) + (_e169 * _e188.y)) + (_e170 * _e188.z))) >= (_e206 * sqrt(_e186)));
                     } else {
-                        phi_451_ = false;
+                        phi_452_ = false;
                     }
-                    let _e210 = phi_451_;
-                    phi_452_ = _e210;
+                    let _e211 = phi_452_;
+                    phi_453_ = _e211;
                 }
-                let _e212 = phi_452_;
-                if _e212 {
-                    let _e214 = samples.member[_e81.shift].flags;
-                    let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
-                    phi_463_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, ((_e214 & 1u) == 0u));
-                    phi_464_ = false;
+                let _e213 = phi_453_;
+                if _e213 {
+                    let _e215 = samples.member[_e82.shift].flags;
+                    let _e223 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e229 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e223.unnamed.visibility, false), _e223.unnamed_1);
+                    phi_464_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e229.unnamed, ((_e215 & 1u) == 0u));
+                    phi_465_ = false;
                 } else {
-                    phi_463_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_464_ = true;
+                    phi_464_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_465_ = true;
                 }
-                let _e233 = phi_463_;
-                let _e235 = phi_464_;
-                phi_465_ = _e233;
-                phi_466_ = _e235;
+                let _e234 = phi_464_;
+                let _e236 = phi_465_;
+                phi_466_ = _e234;
+                phi_467_ = _e236;
             } else {
-                phi_465_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_466_ = true;
+                phi_466_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_467_ = true;
             }
-            let _e237 = phi_465_;
-            let _e239 = phi_466_;
-            if _e239 {
-                let _e245 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e251 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e245.unnamed.visibility, false), _e245.unnamed_1);
-                phi_473_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e251.unnamed, true);
+            let _e238 = phi_466_;
+            let _e240 = phi_467_;
+            if _e240 {
+                let _e246 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e252 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e246.unnamed.visibility, false), _e246.unnamed_1);
+                phi_474_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e252.unnamed, true);
             } else {
-                phi_473_ = _e237;
+                phi_474_ = _e238;
             }
-            let _e256 = phi_473_;
-            phi_477_ = _e256;
+            let _e257 = phi_474_;
+            phi_478_ = _e257;
         } else {
-            let _e262 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e268 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e262.unnamed.visibility, false), _e262.unnamed_1);
-            phi_477_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e268.unnamed, true);
+            let _e263 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e269 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e263.unnamed.visibility, false), _e263.unnamed_1);
+            phi_478_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e269.unnamed, true);
         }
-        let _e273 = phi_477_;
-        if _e273.unnamed_1 {
-            phi_1410_ = mask_Masked(_e273.unnamed.visibility, 0u, false);
+        let _e274 = phi_478_;
+        if _e274.unnamed_1 {
+            phi_1471_ = mask_Masked(_e274.unnamed.visibility, 0u, false);
         } else {
-            let _e278 = (_e120 < 0.5f);
-            if (_e120 > 0f) {
-                phi_490_ = (_e120 < 1f);
+            let _e279 = (_e121 < 0.5f);
+            if (_e121 > 0f) {
+                phi_491_ = (_e121 < 1f);
             } else {
-                phi_490_ = false;
+                phi_491_ = false;
             }
-            let _e282 = phi_490_;
-            let _e284 = samples.member[_e81.shift].position;
-            let _e288 = p.member.previous.eye;
-            let _e290 = (_e115.x - _e288.x);
-            let _e292 = (_e115.y - _e288.y);
-            let _e294 = (_e115.z - _e288.z);
-            let _e296 = p.member.previous.forward;
-            let _e304 = (((_e290 * _e296.x) + (_e292 * _e296.y)) + (_e294 * _e296.z));
-            let _e306 = p.member.previous.right;
-            let _e316 = p.member.previous.right;
-            let _e331 = p.member.previous.up;
-            let _e341 = p.member.previous.up;
-            let _e356 = p.member.current.eye;
-            let _e359 = (_e284.x - _e356.x);
-            let _e362 = (_e284.y - _e356.y);
-            let _e365 = (_e284.z - _e356.z);
-            let _e367 = p.member.current.forward;
-            let _e375 = (((_e359 * _e367.x) + (_e362 * _e367.y)) + (_e365 * _e367.z));
-            let _e377 = p.member.current.right;
-            let _e387 = p.member.current.right;
-            let _e402 = p.member.current.up;
-            let _e412 = p.member.current.up;
-            let _e431 = p.member.current.size[0u];
-            let _e433 = (((((((_e290 * _e306.x) + (_e292 * _e306.y)) + (_e294 * _e306.z)) / ((((_e316.x * _e316.x) + (_e316.y * _e316.y)) + (_e316.z * _e316.z)) * _e304)) - ((((_e359 * _e377.x) + (_e362 * _e377.y)) + (_e365 * _e377.z)) / ((((_e387.x * _e387.x) + (_e387.y * _e387.y)) + (_e387.z * _e387.z)) * _e375))) * 0.5f) * f32(_e431));
-            let _e437 = p.member.current.size[1u];
-            let _e439 = (((((((_e290 * _e331.x) + (_e292 * _e331.y)) + (_e294 * _e331.z)) / ((((_e341.x * _e341.x) + (_e341.y * _e341.y)) + (_e341.z * _e341.z)) * _e304)) - ((((_e359 * _e402.x) + (_e362 * _e402.y)) + (_e365 * _e402.z)) / ((((_e412.x * _e412.x) + (_e412.y * _e412.y)) + (_e412.z * _e412.z)) * _e375))) * -0.5f) * f32(_e437));
-            let _e443 = p.member.current.grid[0u];
-            let _e445 = p.member.current.grid[1u];
-            let _e465 = p.member.current.size[0u];
-            let _e467 = p.member.current.size[1u];
-            let _e469 = ((f32(_e60.x) + ((f32((_e60.y & (_e445 - 1u))) + 0.5f) / f32(_e445))) + _e433);
-            if (_e469 > -8388608f) {
-                let _e481 = f32(select(0i, select(select(i32(_e469), i32(-2147483648), (_e469 < bitcast<f32>(3472883712u))), 2147483647i, (_e469 > bitcast<f32>(1325400063u))), (_e469 == _e469)));
-                if (_e481 > _e469) {
-                    phi_695_ = 1f;
-                } else {
-                    phi_695_ = 0f;
-                }
-                let _e484 = phi_695_;
-                if (_e469 < 8388608f) {
-                    phi_700_ = (_e481 - _e484);
-                    phi_701_ = false;
-                } else {
-                    phi_700_ = f32();
-                    phi_701_ = true;
-                }
-                let _e487 = phi_700_;
-                let _e489 = phi_701_;
-                phi_702_ = _e487;
-                phi_703_ = _e489;
+            let _e283 = phi_491_;
+            let _e290 = lt_mask_Reprojection(vec2<u32>(_e61.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e297 = lt_mask_Reprojection(vec2<u32>(_e290.pixel.x, _e61.y), _e290.is_valid, _e290.has_moved);
+            let _e301 = lt_mask_Reprojection(_e297.pixel, true, _e297.has_moved);
+            let _e307 = p.member.flags;
+            if ((_e307 & 16u) == 0u) {
+                phi_531_ = true;
             } else {
-                phi_702_ = f32();
-                phi_703_ = true;
-            }
-            let _e491 = phi_702_;
-            let _e493 = phi_703_;
-            if _e493 {
-                phi_707_ = _e469;
-            } else {
-                phi_707_ = _e491;
-            }
-            let _e495 = phi_707_;
-            let _e496 = ((f32(_e60.y) + ((f32((_e60.x & (_e443 - 1u))) + 0.5f) / f32(_e443))) + _e439);
-            if (_e496 > -8388608f) {
-                let _e508 = f32(select(0i, select(select(i32(_e496), i32(-2147483648), (_e496 < bitcast<f32>(3472883712u))), 2147483647i, (_e496 > bitcast<f32>(1325400063u))), (_e496 == _e496)));
-                if (_e508 > _e496) {
-                    phi_728_ = 1f;
-                } else {
-                    phi_728_ = 0f;
-                }
-                let _e511 = phi_728_;
-                if (_e496 < 8388608f) {
-                    phi_733_ = (_e508 - _e511);
-                    phi_734_ = false;
-                } else {
-                    phi_733_ = f32();
-                    phi_734_ = true;
-                }
-                let _e514 = phi_733_;
-                let _e516 = phi_734_;
-                phi_735_ = _e514;
-                phi_736_ = _e516;
-            } else {
-                phi_735_ = f32();
-                phi_736_ = true;
-            }
-            let _e518 = phi_735_;
-            let _e520 = phi_736_;
-            if _e520 {
-                phi_740_ = _e496;
-            } else {
-                phi_740_ = _e518;
-            }
-            let _e522 = phi_740_;
-            if (_e495 >= 0f) {
-                if (_e522 >= 0f) {
-                    if (_e495 < f32(_e465)) {
-                        let _e528 = (_e522 < f32(_e467));
-                        if (_e433 == 0f) {
-                            phi_761_ = (_e439 == 0f);
-                        } else {
-                            phi_761_ = false;
-                        }
-                        let _e532 = phi_761_;
-                        if _e528 {
-                            phi_780_ = vec2<u32>(select(select(u32(_e495), 0u, (_e495 < bitcast<f32>(0u))), 4294967295u, (_e495 > bitcast<f32>(1333788671u))), select(select(u32(_e522), 0u, (_e522 < bitcast<f32>(0u))), 4294967295u, (_e522 > bitcast<f32>(1333788671u))));
-                            phi_781_ = false;
-                        } else {
-                            phi_780_ = vec2<u32>();
-                            phi_781_ = true;
-                        }
-                        let _e549 = phi_780_;
-                        let _e551 = phi_781_;
-                        phi_782_ = _e532;
-                        phi_783_ = _e528;
-                        phi_784_ = _e549;
-                        phi_785_ = _e532;
-                        phi_786_ = _e528;
-                        phi_787_ = false;
-                        phi_788_ = _e551;
+                let _e312 = samples.member[_e82.shift].position[0u];
+                if (_e116.x == _e312) {
+                    let _e315 = samples.member[_e82.shift].position[1u];
+                    if (_e116.y == _e315) {
+                        let _e318 = samples.member[_e82.shift].position[2u];
+                        phi_519_ = (_e116.z == _e318);
+                        phi_520_ = false;
                     } else {
-                        phi_782_ = bool();
-                        phi_783_ = bool();
-                        phi_784_ = vec2<u32>();
-                        phi_785_ = bool();
-                        phi_786_ = bool();
-                        phi_787_ = true;
-                        phi_788_ = false;
+                        phi_519_ = bool();
+                        phi_520_ = true;
                     }
-                    let _e553 = phi_782_;
-                    let _e555 = phi_783_;
-                    let _e557 = phi_784_;
-                    let _e559 = phi_785_;
-                    let _e561 = phi_786_;
-                    let _e563 = phi_787_;
-                    let _e565 = phi_788_;
-                    phi_789_ = _e553;
-                    phi_790_ = _e555;
-                    phi_791_ = _e557;
-                    phi_792_ = _e559;
-                    phi_793_ = _e561;
-                    phi_794_ = _e563;
-                    phi_795_ = _e565;
+                    let _e321 = phi_519_;
+                    let _e323 = phi_520_;
+                    phi_521_ = _e321;
+                    phi_522_ = _e323;
                 } else {
-                    phi_789_ = bool();
-                    phi_790_ = bool();
-                    phi_791_ = vec2<u32>();
-                    phi_792_ = bool();
-                    phi_793_ = bool();
-                    phi_794_ = true;
-                    phi_795_ = false;
+                    phi_521_ = bool();
+                    phi_522_ = true;
                 }
-                let _e567 = phi_789_;
-                let _e569 = phi_790_;
-                let _e571 = phi_791_;
-                let _e573 = phi_792_;
-                let _e575 = phi_793_;
-                let _e577 = phi_794_;
-                let _e579 = phi_795_;
-                phi_796_ = _e567;
-                phi_797_ = _e569;
-                phi_798_ = _e571;
-                phi_799_ = _e573;
-                phi_800_ = _e575;
-                phi_801_ = _e577;
-                phi_802_ = _e579;
-            } else {
-                phi_796_ = bool();
-                phi_797_ = bool();
-                phi_798_ = vec2<u32>();
-                phi_799_ = bool();
-                phi_800_ = bool();
-                phi_801_ = true;
-                phi_802_ = false;
-            }
-            let _e581 = phi_796_;
-            let _e583 = phi_797_;
-            let _e585 = phi_798_;
-            let _e587 = phi_799_;
-            let _e589 = phi_800_;
-            let _e591 = phi_801_;
-            let _e593 = phi_802_;
-            if _e591 {
-                if (_e433 == 0f) {
-                    phi_811_ = (_e439 == 0f);
+                let _e325 = phi_521_;
+                let _e327 = phi_522_;
+                if _e327 {
+                    phi_526_ = false;
                 } else {
-                    phi_811_ = false;
+                    phi_526_ = _e325;
                 }
-                let _e597 = phi_811_;
-                phi_812_ = _e597;
-                phi_813_ = false;
-                phi_814_ = true;
-            } else {
-                phi_812_ = _e587;
-                phi_813_ = _e589;
-                phi_814_ = _e593;
+                let _e329 = phi_526_;
+                if _e329 {
+                    phi_530_ = false;
+                } else {
+                    phi_530_ = true;
+                }
+                let _e331 = phi_530_;
+                phi_531_ = _e331;
             }
-            let _e599 = phi_812_;
-            let _e601 = phi_813_;
-            let _e603 = phi_814_;
-            if _e603 {
-                phi_818_ = _e599;
-                phi_819_ = _e601;
-                phi_820_ = vec2<u32>(_e60.x, _e60.y);
-            } else {
-                phi_818_ = _e581;
-                phi_819_ = _e583;
-                phi_820_ = _e585;
-            }
-            let _e605 = phi_818_;
-            let _e607 = phi_819_;
-            let _e609 = phi_820_;
-            let _e619 = lt_mask_Reprojection(vec2<u32>(_e609.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e626 = lt_mask_Reprojection(vec2<u32>(_e619.pixel.x, _e609.y), _e619.is_valid, _e619.has_moved);
-            let _e630 = lt_mask_Reprojection(_e626.pixel, _e607, _e626.has_moved);
-            let _e634 = lt_mask_Reprojection(_e630.pixel, _e630.is_valid, !(_e605));
-            if _e607 {
-                let _e637 = p.member.previous.eye;
-                let _e645 = p.member.previous.forward;
-                let _e654 = (((((_e115.x - _e637.x) * _e645.x) + ((_e115.y - _e637.y) * _e645.y)) + ((_e115.z - _e637.z) * _e645.z)) > 0f);
-                let _e658 = lt_mask_Reprojection(_e634.pixel, _e654, _e634.has_moved);
-                if _e654 {
-                    let _e661 = p.member.previous.eye;
-                    let _e669 = p.member.previous.forward;
-                    let _e677 = ((((_e115.x - _e661.x) * _e669.x) + ((_e115.y - _e661.y) * _e669.y)) + ((_e115.z - _e661.z) * _e669.z));
-                    let _e679 = ((_e609.y * _e112) + _e609.x);
-                    if (_e679 < arrayLength((&last_depths.member))) {
+            let _e333 = phi_531_;
+            if _e333 {
+                let _e335 = samples.member[_e82.shift].position;
+                let _e339 = p.member.previous.eye;
+                let _e341 = (_e116.x - _e339.x);
+                let _e343 = (_e116.y - _e339.y);
+                let _e345 = (_e116.z - _e339.z);
+                let _e347 = p.member.previous.forward;
+                let _e355 = (((_e341 * _e347.x) + (_e343 * _e347.y)) + (_e345 * _e347.z));
+                let _e357 = p.member.previous.right;
+                let _e367 = p.member.previous.right;
+                let _e382 = p.member.previous.up;
+                let _e392 = p.member.previous.up;
+                let _e407 = p.member.current.eye;
+                let _e410 = (_e335.x - _e407.x);
+                let _e413 = (_e335.y - _e407.y);
+                let _e416 = (_e335.z - _e407.z);
+                let _e418 = p.member.current.forward;
+                let _e426 = (((_e410 * _e418.x) + (_e413 * _e418.y)) + (_e416 * _e418.z));
+                let _e428 = p.member.current.right;
+                let _e438 = p.member.current.right;
+                let _e453 = p.member.current.up;
+                let _e463 = p.member.current.up;
+                let _e482 = p.member.current.size[0u];
+                let _e484 = (((((((_e341 * _e357.x) + (_e343 * _e357.y)) + (_e345 * _e357.z)) / ((((_e367.x * _e367.x) + (_e367.y * _e367.y)) + (_e367.z * _e367.z)) * _e355)) - ((((_e410 * _e428.x) + (_e413 * _e428.y)) + (_e416 * _e428.z)) / ((((_e438.x * _e438.x) + (_e438.y * _e438.y)) + (_e438.z * _e438.z)) * _e426))) * 0.5f) * f32(_e482));
+                let _e488 = p.member.current.size[1u];
+                let _e490 = (((((((_e341 * _e382.x) + (_e343 * _e382.y)) + (_e345 * _e382.z)) / ((((_e392.x * _e392.x) + (_e392.y * _e392.y)) + (_e392.z * _e392.z)) * _e355)) - ((((_e410 * _e453.x) + (_e413 * _e453.y)) + (_e416 * _e453.z)) / ((((_e463.x * _e463.x) + (_e463.y * _e463.y)) + (_e463.z * _e463.z)) * _e426))) * -0.5f) * f32(_e488));
+                let _e494 = p.member.current.grid[0u];
+                let _e496 = p.member.current.grid[1u];
+                let _e516 = p.member.current.size[0u];
+                let _e518 = p.member.current.size[1u];
+                let _e520 = ((f32(_e61.x) + ((f32((_e61.y & (_e496 - 1u))) + 0.5f) / f32(_e496))) + _e484);
+                if (_e520 > -8388608f) {
+                    let _e532 = f32(select(0i, select(select(i32(_e520), i32(-2147483648), (_e520 < bitcast<f32>(3472883712u))), 2147483647i, (_e520 > bitcast<f32>(1325400063u))), (_e520 == _e520)));
+                    if (_e532 > _e520) {
+                        phi_739_ = 1f;
                     } else {
-                        return;
+                        phi_739_ = 0f;
                     }
-                    let _e683 = last_depths.member[(0u + _e679)];
-                    let _e685 = p.member.depth_tolerance;
-                    let _e688 = abs(_e677);
-                    let _e689 = abs(_e683);
-                    if ((bitcast<u32>(_e689) & 2147483647u) > 2139095040u) {
-                        phi_903_ = true;
+                    let _e535 = phi_739_;
+                    if (_e520 < 8388608f) {
+                        phi_744_ = (_e532 - _e535);
+                        phi_745_ = false;
                     } else {
-                        let _e693 = (_e689 > _e688);
-                        if _e693 {
-                        }
-                        phi_903_ = _e693;
+                        phi_744_ = f32();
+                        phi_745_ = true;
                     }
-                    let _e695 = phi_903_;
-                    if _e695 {
-                        phi_907_ = _e689;
+                    let _e538 = phi_744_;
+                    let _e540 = phi_745_;
+                    phi_746_ = _e538;
+                    phi_747_ = _e540;
+                } else {
+                    phi_746_ = f32();
+                    phi_747_ = true;
+                }
+                let _e542 = phi_746_;
+                let _e544 = phi_747_;
+                if _e544 {
+                    phi_751_ = _e520;
+                } else {
+                    phi_751_ = _e542;
+                }
+                let _e546 = phi_751_;
+                let _e547 = ((f32(_e61.y) + ((f32((_e61.x & (_e494 - 1u))) + 0.5f) / f32(_e494))) + _e490);
+                if (_e547 > -8388608f) {
+                    let _e559 = f32(select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < bitcast<f32>(3472883712u))), 2147483647i, (_e547 > bitcast<f32>(1325400063u))), (_e547 == _e547)));
+                    if (_e559 > _e547) {
+                        phi_772_ = 1f;
                     } else {
-                        phi_907_ = _e688;
+                        phi_772_ = 0f;
                     }
-                    let _e697 = phi_907_;
-                    phi_911_ = lt_mask_Reprojection(_e658.pixel, (abs((_e677 - _e683)) <= (_e685 * _e697)), _e658.has_moved);
-                } else {
-                    phi_911_ = _e658;
-                }
-                let _e705 = phi_911_;
-                if _e705.is_valid {
-                    let _e708 = p.member.flags;
-                    phi_920_ = ((_e708 & 1u) != 0u);
-                    phi_921_ = false;
-                } else {
-                    phi_920_ = bool();
-                    phi_921_ = true;
-                }
-                let _e712 = phi_920_;
-                let _e714 = phi_921_;
-                phi_923_ = _e712;
-                phi_924_ = _e705;
-                phi_925_ = _e705;
-                phi_926_ = _e714;
-            } else {
-                phi_923_ = bool();
-                phi_924_ = lt_mask_Reprojection();
-                phi_925_ = lt_mask_Reprojection(_e634.pixel, false, _e634.has_moved);
-                phi_926_ = true;
-            }
-            let _e720 = phi_923_;
-            let _e722 = phi_924_;
-            let _e724 = phi_925_;
-            let _e726 = phi_926_;
-            if _e726 {
-                phi_930_ = false;
-                phi_931_ = _e724;
-            } else {
-                phi_930_ = _e720;
-                phi_931_ = _e722;
-            }
-            let _e728 = phi_930_;
-            let _e730 = phi_931_;
-            let _e734 = lt_mask_Reprojection(_e730.pixel, _e728, _e730.has_moved);
-            let _e735 = lt_mask_Neighbourhood(false, true);
-            if _e282 {
-                phi_937_ = false;
-            } else {
-                phi_937_ = true;
-            }
-            let _e737 = phi_937_;
-            if _e737 {
-                if _e728 {
-                    if ((0u & 2u) != 0u) {
-                        phi_1232_ = _e735;
+                    let _e562 = phi_772_;
+                    if (_e547 < 8388608f) {
+                        phi_777_ = (_e559 - _e562);
+                        phi_778_ = false;
                     } else {
-                        let _e741 = p.member.expansion;
-                        if _e734.has_moved {
-                            let _e744 = p.member.moving_pattern;
-                            phi_959_ = _e744;
-                        } else {
-                            let _e746 = p.member.still_pattern;
-                            phi_959_ = _e746;
-                        }
-                        let _e748 = phi_959_;
-                        phi_961_ = 0u;
-                        phi_964_ = _e735;
-                        loop {
-                            let _e750 = phi_961_;
-                            let _e752 = phi_964_;
-                            local_1 = _e752;
-                            if (1u <= _e748) {
-                                if (_e748 <= 4u) {
-                                    phi_976_ = false;
-                                } else {
-                                    phi_976_ = true;
-                                }
-                                let _e756 = phi_976_;
-                                phi_977_ = _e756;
+                        phi_777_ = f32();
+                        phi_778_ = true;
+                    }
+                    let _e565 = phi_777_;
+                    let _e567 = phi_778_;
+                    phi_779_ = _e565;
+                    phi_780_ = _e567;
+                } else {
+                    phi_779_ = f32();
+                    phi_780_ = true;
+                }
+                let _e569 = phi_779_;
+                let _e571 = phi_780_;
+                if _e571 {
+                    phi_784_ = _e547;
+                } else {
+                    phi_784_ = _e569;
+                }
+                let _e573 = phi_784_;
+                if (_e546 >= 0f) {
+                    if (_e573 >= 0f) {
+                        if (_e546 < f32(_e516)) {
+                            let _e579 = (_e573 < f32(_e518));
+                            if (_e484 == 0f) {
+                                phi_805_ = (_e490 == 0f);
                             } else {
-                                phi_977_ = true;
+                                phi_805_ = false;
                             }
-                            let _e758 = phi_977_;
-                            if _e758 {
-                                switch bitcast<i32>(_e748) {
+                            let _e583 = phi_805_;
+                            if _e579 {
+                                phi_824_ = vec2<u32>(select(select(u32(_e546), 0u, (_e546 < bitcast<f32>(0u))), 4294967295u, (_e546 > bitcast<f32>(1333788671u))), select(select(u32(_e573), 0u, (_e573 < bitcast<f32>(0u))), 4294967295u, (_e573 > bitcast<f32>(1333788671u))));
+                                phi_825_ = false;
+                            } else {
+                                phi_824_ = vec2<u32>();
+                                phi_825_ = true;
+                            }
+                            let _e600 = phi_824_;
+                            let _e602 = phi_825_;
+                            phi_826_ = _e583;
+                            phi_827_ = _e579;
+                            phi_828_ = _e600;
+                            phi_829_ = _e583;
+                            phi_830_ = _e579;
+                            phi_831_ = false;
+                            phi_832_ = _e602;
+                        } else {
+                            phi_826_ = bool();
+                            phi_827_ = bool();
+                            phi_828_ = vec2<u32>();
+                            phi_829_ = bool();
+                            phi_830_ = bool();
+                            phi_831_ = true;
+                            phi_832_ = false;
+                        }
+                        let _e604 = phi_826_;
+                        let _e606 = phi_827_;
+                        let _e608 = phi_828_;
+                        let _e610 = phi_829_;
+                        let _e612 = phi_830_;
+                        let _e614 = phi_831_;
+                        let _e616 = phi_832_;
+                        phi_833_ = _e604;
+                        phi_834_ = _e606;
+                        phi_835_ = _e608;
+                        phi_836_ = _e610;
+                        phi_837_ = _e612;
+                        phi_838_ = _e614;
+                        phi_839_ = _e616;
+                    } else {
+                        phi_833_ = bool();
+                        phi_834_ = bool();
+                        phi_835_ = vec2<u32>();
+                        phi_836_ = bool();
+                        phi_837_ = bool();
+                        phi_838_ = true;
+                        phi_839_ = false;
+                    }
+                    let _e618 = phi_833_;
+                    let _e620 = phi_834_;
+                    let _e622 = phi_835_;
+                    let _e624 = phi_836_;
+                    let _e626 = phi_837_;
+                    let _e628 = phi_838_;
+                    let _e630 = phi_839_;
+                    phi_840_ = _e618;
+                    phi_841_ = _e620;
+                    phi_842_ = _e622;
+                    phi_843_ = _e624;
+                    phi_844_ = _e626;
+                    phi_845_ = _e628;
+                    phi_846_ = _e630;
+                } else {
+                    phi_840_ = bool();
+                    phi_841_ = bool();
+                    phi_842_ = vec2<u32>();
+                    phi_843_ = bool();
+                    phi_844_ = bool();
+                    phi_845_ = true;
+                    phi_846_ = false;
+                }
+                let _e632 = phi_840_;
+                let _e634 = phi_841_;
+                let _e636 = phi_842_;
+                let _e638 = phi_843_;
+                let _e640 = phi_844_;
+                let _e642 = phi_845_;
+                let _e644 = phi_846_;
+                if _e642 {
+                    if (_e484 == 0f) {
+                        phi_855_ = (_e490 == 0f);
+                    } else {
+                        phi_855_ = false;
+                    }
+                    let _e648 = phi_855_;
+                    phi_856_ = _e648;
+                    phi_857_ = false;
+                    phi_858_ = true;
+                } else {
+                    phi_856_ = _e638;
+                    phi_857_ = _e640;
+                    phi_858_ = _e644;
+                }
+                let _e650 = phi_856_;
+                let _e652 = phi_857_;
+                let _e654 = phi_858_;
+                if _e654 {
+                    phi_862_ = _e650;
+                    phi_863_ = _e652;
+                    phi_864_ = vec2<u32>(_e61.x, _e61.y);
+                } else {
+                    phi_862_ = _e632;
+                    phi_863_ = _e634;
+                    phi_864_ = _e636;
+                }
+                let _e656 = phi_862_;
+                let _e658 = phi_863_;
+                let _e660 = phi_864_;
+                let _e670 = lt_mask_Reprojection(vec2<u32>(_e660.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e677 = lt_mask_Reprojection(vec2<u32>(_e670.pixel.x, _e660.y), _e670.is_valid, _e670.has_moved);
+                let _e681 = lt_mask_Reprojection(_e677.pixel, _e658, _e677.has_moved);
+                let _e685 = lt_mask_Reprojection(_e681.pixel, _e681.is_valid, !(_e656));
+                if _e658 {
+                    let _e688 = p.member.previous.eye;
+                    let _e696 = p.member.previous.forward;
+                    let _e705 = (((((_e116.x - _e688.x) * _e696.x) + ((_e116.y - _e688.y) * _e696.y)) + ((_e116.z - _e688.z) * _e696.z)) > 0f);
+                    let _e709 = lt_mask_Reprojection(_e685.pixel, _e705, _e685.has_moved);
+                    if _e705 {
+                        phi_899_ = false;
+                    } else {
+                        phi_899_ = true;
+                    }
+                    let _e711 = phi_899_;
+                    phi_901_ = _e709;
+                    phi_902_ = _e709;
+                    phi_903_ = lt_mask_Reprojection();
+                    phi_904_ = _e705;
+                    phi_905_ = _e711;
+                } else {
+                    phi_901_ = lt_mask_Reprojection();
+                    phi_902_ = lt_mask_Reprojection();
+                    phi_903_ = lt_mask_Reprojection(_e685.pixel, false, _e685.has_moved);
+                    phi_904_ = false;
+                    phi_905_ = false;
+                }
+                let _e717 = phi_901_;
+                let _e719 = phi_902_;
+                let _e721 = phi_903_;
+                let _e723 = phi_904_;
+                let _e725 = phi_905_;
+                phi_906_ = _e717;
+                phi_907_ = _e719;
+                phi_908_ = _e721;
+                phi_909_ = _e723;
+                phi_910_ = _e725;
+            } else {
+                phi_906_ = lt_mask_Reprojection(_e301.pixel, _e301.is_valid, false);
+                phi_907_ = lt_mask_Reprojection();
+                phi_908_ = lt_mask_Reprojection();
+                phi_909_ = true;
+                phi_910_ = false;
+            }
+            let _e727 = phi_906_;
+            let _e729 = phi_907_;
+            let _e731 = phi_908_;
+            let _e733 = phi_909_;
+            let _e735 = phi_910_;
+            if _e733 {
+                let _e738 = p.member.previous.eye;
+                let _e746 = p.member.previous.forward;
+                let _e754 = ((((_e116.x - _e738.x) * _e746.x) + ((_e116.y - _e738.y) * _e746.y)) + ((_e116.z - _e738.z) * _e746.z));
+                let _e760 = ((_e727.pixel.y * _e113) + _e727.pixel.x);
+                if (_e760 < arrayLength((&last_depths.member))) {
+                } else {
+                    return;
+                }
+                let _e764 = last_depths.member[(0u + _e760)];
+                let _e766 = p.member.depth_tolerance;
+                let _e769 = abs(_e754);
+                let _e770 = abs(_e764);
+                if ((bitcast<u32>(_e770) & 2147483647u) > 2139095040u) {
+                    phi_962_ = true;
+                } else {
+                    let _e774 = (_e770 > _e769);
+                    if _e774 {
+                    }
+                    phi_962_ = _e774;
+                }
+                let _e776 = phi_962_;
+                if _e776 {
+                    phi_966_ = _e770;
+                } else {
+                    phi_966_ = _e769;
+                }
+                let _e778 = phi_966_;
+                phi_970_ = lt_mask_Reprojection(_e727.pixel, (abs((_e754 - _e764)) <= (_e766 * _e778)), _e727.has_moved);
+                phi_971_ = true;
+            } else {
+                phi_970_ = _e729;
+                phi_971_ = _e735;
+            }
+            let _e786 = phi_970_;
+            let _e788 = phi_971_;
+            if _e788 {
+                if _e786.is_valid {
+                    let _e791 = p.member.flags;
+                    phi_983_ = ((_e791 & 1u) != 0u);
+                    phi_984_ = false;
+                } else {
+                    phi_983_ = bool();
+                    phi_984_ = true;
+                }
+                let _e795 = phi_983_;
+                let _e797 = phi_984_;
+                phi_985_ = _e795;
+                phi_986_ = _e786;
+                phi_987_ = _e797;
+            } else {
+                phi_985_ = bool();
+                phi_986_ = _e731;
+                phi_987_ = true;
+            }
+            let _e799 = phi_985_;
+            let _e801 = phi_986_;
+            let _e803 = phi_987_;
+            if _e803 {
+                phi_991_ = false;
+                phi_992_ = _e801;
+            } else {
+                phi_991_ = _e799;
+                phi_992_ = _e786;
+            }
+            let _e805 = phi_991_;
+            let _e807 = phi_992_;
+            let _e811 = lt_mask_Reprojection(_e807.pixel, _e805, _e807.has_moved);
+            let _e812 = lt_mask_Neighbourhood(false, true);
+            if _e283 {
+                phi_998_ = false;
+            } else {
+                phi_998_ = true;
+            }
+            let _e814 = phi_998_;
+            if _e814 {
+                if _e805 {
+                    if ((0u & 2u) != 0u) {
+                        phi_1293_ = _e812;
+                    } else {
+                        let _e818 = p.member.expansion;
+                        if _e811.has_moved {
+                            let _e821 = p.member.moving_pattern;
+                            phi_1020_ = _e821;
+                        } else {
+                            let _e823 = p.member.still_pattern;
+                            phi_1020_ = _e823;
+                        }
+                        let _e825 = phi_1020_;
+                        phi_1022_ = 0u;
+                        phi_1025_ = _e812;
+                        loop {
+                            let _e827 = phi_1022_;
+                            let _e829 = phi_1025_;
+                            local_1 = _e829;
+                            if (1u <= _e825) {
+                                if (_e825 <= 4u) {
+                                    phi_1037_ = false;
+                                } else {
+                                    phi_1037_ = true;
+                                }
+                                let _e833 = phi_1037_;
+                                phi_1038_ = _e833;
+                            } else {
+                                phi_1038_ = true;
+                            }
+                            let _e835 = phi_1038_;
+                            if _e835 {
+                                switch bitcast<i32>(_e825) {
                                     case 5: {
-                                        phi_986_ = 4u;
+                                        phi_1047_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_986_ = 25u;
+                                        phi_1047_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_986_ = 13u;
+                                        phi_1047_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_986_ = 9u;
+                                        phi_1047_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e761 = phi_986_;
-                                phi_987_ = _e761;
+                                let _e838 = phi_1047_;
+                                phi_1048_ = _e838;
                             } else {
-                                phi_987_ = 5u;
+                                phi_1048_ = 5u;
                             }
-                            let _e763 = phi_987_;
-                            let _e764 = (_e750 < _e763);
-                            if _e764 {
-                                let _e770 = p.member.frame;
-                                let _e774 = p.member.current.size[0u];
-                                let _e776 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e748) {
+                            let _e840 = phi_1048_;
+                            let _e841 = (_e827 < _e840);
+                            if _e841 {
+                                let _e847 = p.member.frame;
+                                let _e851 = p.member.current.size[0u];
+                                let _e853 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e825) {
                                     case 1: {
-                                        let _e786 = lt_mask_pattern_plus(_e750);
-                                        phi_1067_ = vec2<i32>(_e786.x, _e786.y);
+                                        let _e863 = lt_mask_pattern_plus(_e827);
+                                        phi_1128_ = vec2<i32>(_e863.x, _e863.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e790 = lt_mask_pattern_cross(_e750);
-                                        phi_1067_ = vec2<i32>(_e790.x, _e790.y);
+                                        let _e867 = lt_mask_pattern_cross(_e827);
+                                        phi_1128_ = vec2<i32>(_e867.x, _e867.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e796 = lt_mask_pattern_plus_or_cross(_e750, ((_e734.pixel.x + _e734.pixel.y) & 1u));
-                                        phi_1067_ = vec2<i32>(_e796.x, _e796.y);
+                                        let _e873 = lt_mask_pattern_plus_or_cross(_e827, ((_e811.pixel.x + _e811.pixel.y) & 1u));
+                                        phi_1128_ = vec2<i32>(_e873.x, _e873.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e801 = lt_mask_pattern_plus_or_cross(_e750, (_e770 & 1u));
-                                        phi_1067_ = vec2<i32>(_e801.x, _e801.y);
+                                        let _e878 = lt_mask_pattern_plus_or_cross(_e827, (_e847 & 1u));
+                                        phi_1128_ = vec2<i32>(_e878.x, _e878.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e770 & 3u)) {
+                                        switch bitcast<i32>((_e847 & 3u)) {
                                             case 0: {
-                                                phi_1047_ = vec2(-1i);
+                                                phi_1108_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1047_ = vec2(0i);
+                                                phi_1108_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1047_ = vec2<i32>(0i, -1i);
+                                                phi_1108_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1047_ = vec2<i32>(-1i, 0i);
+                                                phi_1108_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e812 = phi_1047_;
-                                        phi_1067_ = (_e812 + vec2<i32>(bitcast<i32>((_e750 & 1u)), bitcast<i32>(((_e750 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e889 = phi_1108_;
+                                        phi_1128_ = (_e889 + vec2<i32>(bitcast<i32>((_e827 & 1u)), bitcast<i32>(((_e827 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1067_ = vec2<i32>((bitcast<i32>((_e750 % 5u)) - 2i), (bitcast<i32>(((_e750 / 5u) % 5u)) - 2i));
+                                        phi_1128_ = vec2<i32>((bitcast<i32>((_e827 % 5u)) - 2i), (bitcast<i32>(((_e827 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e829 = lt_mask_pattern_diamond(_e750);
-                                        phi_1067_ = vec2<i32>(_e829.x, _e829.y);
+                                        let _e906 = lt_mask_pattern_diamond(_e827);
+                                        phi_1128_ = vec2<i32>(_e906.x, _e906.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1067_ = vec2<i32>((bitcast<i32>((_e750 % 3u)) - 1i), (bitcast<i32>(((_e750 / 3u) % 3u)) - 1i));
+                                        phi_1128_ = vec2<i32>((bitcast<i32>((_e827 % 3u)) - 1i), (bitcast<i32>(((_e827 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e834 = phi_1067_;
-                                let _e837 = lt_mask_pattern_step_clamped(_e734.pixel.x, _e834.x, _e774);
-                                let _e838 = lt_mask_pattern_step_clamped(_e734.pixel.y, _e834.y, _e776);
-                                let _e845 = ((((_e838 * _e112) + _e837) * _e108.words) + _e108.light.word);
-                                if (_e108.light.shift > 29u) {
-                                    let _e849 = (_e845 + 1u);
-                                    if (_e849 < _e66) {
+                                let _e911 = phi_1128_;
+                                let _e914 = lt_mask_pattern_step_clamped(_e811.pixel.x, _e911.x, _e851);
+                                let _e915 = lt_mask_pattern_step_clamped(_e811.pixel.y, _e911.y, _e853);
+                                let _e922 = ((((_e915 * _e113) + _e914) * _e109.words) + _e109.light.word);
+                                if (_e109.light.shift > 29u) {
+                                    let _e926 = (_e922 + 1u);
+                                    if (_e926 < _e67) {
                                     } else {
                                         return;
                                     }
-                                    let _e853 = last_bits.member[(0u + _e849)];
-                                    phi_1094_ = _e853;
+                                    let _e930 = last_bits.member[(0u + _e926)];
+                                    phi_1155_ = _e930;
                                 } else {
-                                    phi_1094_ = 0u;
+                                    phi_1155_ = 0u;
                                 }
-                                let _e855 = phi_1094_;
-                                if (_e845 < _e66) {
+                                let _e932 = phi_1155_;
+                                if (_e922 < _e67) {
                                 } else {
                                     return;
                                 }
-                                let _e861 = last_bits.member[(0u + _e845)];
-                                let _e864 = (_e861 >> bitcast<u32>((_e108.light.shift & 31u)));
-                                if (_e108.light.shift > 29u) {
-                                    phi_1113_ = (_e864 | (_e855 << bitcast<u32>(((32u - _e108.light.shift) & 31u))));
+                                let _e938 = last_bits.member[(0u + _e922)];
+                                let _e941 = (_e938 >> bitcast<u32>((_e109.light.shift & 31u)));
+                                if (_e109.light.shift > 29u) {
+                                    phi_1174_ = (_e941 | (_e932 << bitcast<u32>(((32u - _e109.light.shift) & 31u))));
                                 } else {
-                                    phi_1113_ = _e864;
+                                    phi_1174_ = _e941;
                                 }
-                                let _e872 = phi_1113_;
-                                if ((_e872 & 2u) == 0u) {
-                                    phi_1121_ = (_e872 & 1u);
+                                let _e949 = phi_1174_;
+                                if ((_e949 & 2u) == 0u) {
+                                    phi_1182_ = (_e949 & 1u);
                                 } else {
-                                    phi_1121_ = (_e872 & 7u);
+                                    phi_1182_ = (_e949 & 7u);
                                 }
-                                let _e878 = phi_1121_;
-                                if _e752.any_expands {
-                                    phi_1209_ = true;
+                                let _e955 = phi_1182_;
+                                if _e829.any_expands {
+                                    phi_1270_ = true;
                                 } else {
-                                    if ((_e878 & 2u) != 0u) {
-                                        let _e885 = (((_e878 & 4u) != 0u) != _e278);
-                                        switch bitcast<i32>(_e741) {
+                                    if ((_e955 & 2u) != 0u) {
+                                        let _e962 = (((_e955 & 4u) != 0u) != _e279);
+                                        switch bitcast<i32>(_e818) {
                                             case 1: {
-                                                phi_1149_ = bool();
-                                                phi_1150_ = false;
-                                                phi_1151_ = true;
-                                                phi_1152_ = false;
-                                                phi_1153_ = false;
+                                                phi_1210_ = bool();
+                                                phi_1211_ = false;
+                                                phi_1212_ = true;
+                                                phi_1213_ = false;
+                                                phi_1214_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e885 {
-                                                    phi_1147_ = (((_e878 & 4u) != 0u) != ((_e878 & 1u) != 0u));
-                                                    phi_1148_ = false;
+                                                if _e962 {
+                                                    phi_1208_ = (((_e955 & 4u) != 0u) != ((_e955 & 1u) != 0u));
+                                                    phi_1209_ = false;
                                                 } else {
-                                                    phi_1147_ = bool();
-                                                    phi_1148_ = true;
+                                                    phi_1208_ = bool();
+                                                    phi_1209_ = true;
                                                 }
-                                                let _e893 = phi_1147_;
-                                                let _e895 = phi_1148_;
-                                                phi_1149_ = _e893;
-                                                phi_1150_ = false;
-                                                phi_1151_ = false;
-                                                phi_1152_ = _e895;
-                                                phi_1153_ = _e885;
+                                                let _e970 = phi_1208_;
+                                                let _e972 = phi_1209_;
+                                                phi_1210_ = _e970;
+                                                phi_1211_ = false;
+                                                phi_1212_ = false;
+                                                phi_1213_ = _e972;
+                                                phi_1214_ = _e962;
                                                 break;
                                             }
                                             default: {
-                                                phi_1149_ = bool();
-                                                phi_1150_ = true;
-                                                phi_1151_ = false;
-                                                phi_1152_ = false;
-                                                phi_1153_ = false;
+                                                phi_1210_ = bool();
+                                                phi_1211_ = true;
+                                                phi_1212_ = false;
+                                                phi_1213_ = false;
+                                                phi_1214_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e897 = phi_1149_;
-                                        let _e899 = phi_1150_;
-                                        let _e901 = phi_1151_;
-                                        let _e903 = phi_1152_;
-                                        let _e905 = phi_1153_;
-                                        phi_1161_ = _e885;
-                                        phi_1162_ = _e897;
-                                        phi_1163_ = _e899;
-                                        phi_1164_ = _e901;
-                                        phi_1165_ = _e903;
-                                        phi_1166_ = _e905;
+                                        let _e974 = phi_1210_;
+                                        let _e976 = phi_1211_;
+                                        let _e978 = phi_1212_;
+                                        let _e980 = phi_1213_;
+                                        let _e982 = phi_1214_;
+                                        phi_1222_ = _e962;
+                                        phi_1223_ = _e974;
+                                        phi_1224_ = _e976;
+                                        phi_1225_ = _e978;
+                                        phi_1226_ = _e980;
+                                        phi_1227_ = _e982;
                                     } else {
-                                        switch bitcast<i32>(_e741) {
+                                        switch bitcast<i32>(_e818) {
                                             case 1: {
-                                                phi_1158_ = false;
-                                                phi_1159_ = true;
-                                                phi_1160_ = false;
+                                                phi_1219_ = false;
+                                                phi_1220_ = true;
+                                                phi_1221_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1158_ = false;
-                                                phi_1159_ = false;
-                                                phi_1160_ = true;
+                                                phi_1219_ = false;
+                                                phi_1220_ = false;
+                                                phi_1221_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_1158_ = true;
-                                                phi_1159_ = false;
-                                                phi_1160_ = false;
+                                                phi_1219_ = true;
+                                                phi_1220_ = false;
+                                                phi_1221_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e908 = phi_1158_;
-                                        let _e910 = phi_1159_;
-                                        let _e912 = phi_1160_;
-                                        phi_1161_ = false;
-                                        phi_1162_ = bool();
-                                        phi_1163_ = _e908;
-                                        phi_1164_ = _e910;
-                                        phi_1165_ = _e912;
-                                        phi_1166_ = false;
+                                        let _e985 = phi_1219_;
+                                        let _e987 = phi_1220_;
+                                        let _e989 = phi_1221_;
+                                        phi_1222_ = false;
+                                        phi_1223_ = bool();
+                                        phi_1224_ = _e985;
+                                        phi_1225_ = _e987;
+                                        phi_1226_ = _e989;
+                                        phi_1227_ = false;
                                     }
-                                    let _e914 = phi_1161_;
-                                    let _e916 = phi_1162_;
-                                    let _e918 = phi_1163_;
-                                    let _e920 = phi_1164_;
-                                    let _e922 = phi_1165_;
-                                    let _e924 = phi_1166_;
-                                    if _e918 {
-                                        if ((_e878 & 2u) != 0u) {
-                                            if (((_e878 & 4u) != 0u) != _e278) {
-                                                phi_1181_ = false;
+                                    let _e991 = phi_1222_;
+                                    let _e993 = phi_1223_;
+                                    let _e995 = phi_1224_;
+                                    let _e997 = phi_1225_;
+                                    let _e999 = phi_1226_;
+                                    let _e1001 = phi_1227_;
+                                    if _e995 {
+                                        if ((_e955 & 2u) != 0u) {
+                                            if (((_e955 & 4u) != 0u) != _e279) {
+                                                phi_1242_ = false;
                                             } else {
-                                                phi_1181_ = true;
+                                                phi_1242_ = true;
                                             }
-                                            let _e931 = phi_1181_;
-                                            phi_1182_ = _e931;
+                                            let _e1008 = phi_1242_;
+                                            phi_1243_ = _e1008;
                                         } else {
-                                            phi_1182_ = true;
+                                            phi_1243_ = true;
                                         }
-                                        let _e933 = phi_1182_;
-                                        if _e933 {
-                                            phi_1189_ = (((_e878 & 1u) != 0u) != _e278);
+                                        let _e1010 = phi_1243_;
+                                        if _e1010 {
+                                            phi_1250_ = (((_e955 & 1u) != 0u) != _e279);
                                         } else {
-                                            phi_1189_ = true;
+                                            phi_1250_ = true;
                                         }
-                                        let _e938 = phi_1189_;
-                                        phi_1190_ = _e938;
-                                        phi_1191_ = false;
-                                        phi_1192_ = false;
-                                        phi_1193_ = false;
+                                        let _e1015 = phi_1250_;
+                                        phi_1251_ = _e1015;
+                                        phi_1252_ = false;
+                                        phi_1253_ = false;
+                                        phi_1254_ = false;
                                     } else {
-                                        phi_1190_ = bool();
-                                        phi_1191_ = _e920;
-                                        phi_1192_ = _e922;
-                                        phi_1193_ = _e924;
+                                        phi_1251_ = bool();
+                                        phi_1252_ = _e997;
+                                        phi_1253_ = _e999;
+                                        phi_1254_ = _e1001;
                                     }
-                                    let _e940 = phi_1190_;
-                                    let _e942 = phi_1191_;
-                                    let _e944 = phi_1192_;
-                                    let _e946 = phi_1193_;
-                                    if _e942 {
-                                        phi_1197_ = _e914;
-                                        phi_1198_ = false;
-                                        phi_1199_ = false;
+                                    let _e1017 = phi_1251_;
+                                    let _e1019 = phi_1252_;
+                                    let _e1021 = phi_1253_;
+                                    let _e1023 = phi_1254_;
+                                    if _e1019 {
+                                        phi_1258_ = _e991;
+                                        phi_1259_ = false;
+                                        phi_1260_ = false;
                                     } else {
-                                        phi_1197_ = _e940;
-                                        phi_1198_ = _e944;
-                                        phi_1199_ = _e946;
+                                        phi_1258_ = _e1017;
+                                        phi_1259_ = _e1021;
+                                        phi_1260_ = _e1023;
                                     }
-                                    let _e948 = phi_1197_;
-                                    let _e950 = phi_1198_;
-                                    let _e952 = phi_1199_;
-                                    if _e950 {
-                                        phi_1203_ = false;
-                                        phi_1204_ = true;
+                                    let _e1025 = phi_1258_;
+                                    let _e1027 = phi_1259_;
+                                    let _e1029 = phi_1260_;
+                                    if _e1027 {
+                                        phi_1264_ = false;
+                                        phi_1265_ = true;
                                     } else {
-                                        phi_1203_ = _e916;
-                                        phi_1204_ = _e952;
+                                        phi_1264_ = _e993;
+                                        phi_1265_ = _e1029;
                                     }
-                                    let _e954 = phi_1203_;
-                                    let _e956 = phi_1204_;
-                                    if _e956 {
-                                        phi_1208_ = _e954;
+                                    let _e1031 = phi_1264_;
+                                    let _e1033 = phi_1265_;
+                                    if _e1033 {
+                                        phi_1269_ = _e1031;
                                     } else {
-                                        phi_1208_ = _e948;
+                                        phi_1269_ = _e1025;
                                     }
-                                    let _e958 = phi_1208_;
-                                    phi_1209_ = _e958;
+                                    let _e1035 = phi_1269_;
+                                    phi_1270_ = _e1035;
                                 }
-                                let _e960 = phi_1209_;
-                                if _e752.all_remove {
-                                    if (((_e878 & 1u) != 0u) == _e278) {
-                                        if ((_e878 & 2u) != 0u) {
-                                            phi_1227_ = (((_e878 & 4u) != 0u) == _e278);
+                                let _e1037 = phi_1270_;
+                                if _e829.all_remove {
+                                    if (((_e955 & 1u) != 0u) == _e279) {
+                                        if ((_e955 & 2u) != 0u) {
+                                            phi_1288_ = (((_e955 & 4u) != 0u) == _e279);
                                         } else {
-                                            phi_1227_ = true;
+                                            phi_1288_ = true;
                                         }
-                                        let _e970 = phi_1227_;
-                                        phi_1228_ = _e970;
+                                        let _e1047 = phi_1288_;
+                                        phi_1289_ = _e1047;
                                     } else {
-                                        phi_1228_ = false;
+                                        phi_1289_ = false;
                                     }
-                                    let _e972 = phi_1228_;
-                                    phi_1229_ = _e972;
+                                    let _e1049 = phi_1289_;
+                                    phi_1290_ = _e1049;
                                 } else {
-                                    phi_1229_ = false;
+                                    phi_1290_ = false;
                                 }
-                                let _e974 = phi_1229_;
-                                phi_962_ = (_e750 + 1u);
-                                phi_965_ = lt_mask_Neighbourhood(_e960, _e974);
+                                let _e1051 = phi_1290_;
+                                phi_1023_ = (_e827 + 1u);
+                                phi_1026_ = lt_mask_Neighbourhood(_e1037, _e1051);
                             } else {
-                                phi_962_ = u32();
-                                phi_965_ = lt_mask_Neighbourhood();
+                                phi_1023_ = u32();
+                                phi_1026_ = lt_mask_Neighbourhood();
                             }
-                            let _e978 = phi_962_;
-                            let _e980 = phi_965_;
+                            let _e1055 = phi_1023_;
+                            let _e1057 = phi_1026_;
                             continue;
                             continuing {
-                                phi_961_ = _e978;
-                                phi_964_ = _e980;
-                                break if !(_e764);
+                                phi_1022_ = _e1055;
+                                phi_1025_ = _e1057;
+                                break if !(_e841);
                             }
                         }
-                        let _e1326 = local_1;
-                        phi_1232_ = _e1326;
+                        let _e1421 = local_1;
+                        phi_1293_ = _e1421;
                     }
-                    let _e983 = phi_1232_;
-                    phi_1233_ = _e983;
+                    let _e1060 = phi_1293_;
+                    phi_1294_ = _e1060;
                 } else {
-                    phi_1233_ = _e735;
+                    phi_1294_ = _e812;
                 }
-                let _e985 = phi_1233_;
-                phi_1234_ = _e985;
+                let _e1062 = phi_1294_;
+                phi_1295_ = _e1062;
             } else {
-                phi_1234_ = _e735;
+                phi_1295_ = _e812;
             }
-            let _e987 = phi_1234_;
-            let _e990 = p.member.frame;
-            let _e992 = p.member.refresh;
-            if (_e992 == 0u) {
-                phi_1267_ = false;
+            let _e1064 = phi_1295_;
+            let _e1067 = p.member.frame;
+            let _e1069 = p.member.refresh;
+            if (_e1069 == 0u) {
+                phi_1328_ = false;
             } else {
-                if (_e992 == 0u) {
+                if (_e1069 == 0u) {
                     return;
                 }
-                let _e1001 = ((_e60.x + (_e60.y * (((_e992 * 5u) / 8u) | 1u))) + (_e990 % _e992));
-                if (_e992 == 0u) {
-                    phi_1266_ = (_e1001 == 0u);
+                let _e1078 = ((_e61.x + (_e61.y * (((_e1069 * 5u) / 8u) | 1u))) + (_e1067 % _e1069));
+                if (_e1069 == 0u) {
+                    phi_1327_ = (_e1078 == 0u);
                 } else {
-                    if (_e992 == 0u) {
+                    if (_e1069 == 0u) {
                         return;
                     }
-                    phi_1266_ = ((_e1001 % _e992) == 0u);
+                    phi_1327_ = ((_e1078 % _e1069) == 0u);
                 }
-                let _e1008 = phi_1266_;
-                phi_1267_ = _e1008;
+                let _e1085 = phi_1327_;
+                phi_1328_ = _e1085;
             }
-            let _e1010 = phi_1267_;
-            if _e728 {
-                if _e1010 {
-                    phi_1289_ = bool();
+            let _e1087 = phi_1328_;
+            if _e805 {
+                if _e1087 {
+                    phi_1350_ = bool();
                 } else {
-                    phi_1289_ = ((0u & 2u) != 0u);
+                    phi_1350_ = ((0u & 2u) != 0u);
                 }
-                let _e1016 = phi_1289_;
-                phi_1290_ = _e1016;
-                phi_1291_ = _e1010;
+                let _e1093 = phi_1350_;
+                phi_1351_ = _e1093;
+                phi_1352_ = _e1087;
             } else {
-                phi_1290_ = bool();
-                phi_1291_ = true;
+                phi_1351_ = bool();
+                phi_1352_ = true;
             }
-            let _e1018 = phi_1290_;
-            let _e1020 = phi_1291_;
-            if _e1020 {
-                phi_1295_ = false;
+            let _e1095 = phi_1351_;
+            let _e1097 = phi_1352_;
+            if _e1097 {
+                phi_1356_ = false;
             } else {
-                phi_1295_ = _e1018;
+                phi_1356_ = _e1095;
             }
-            let _e1022 = phi_1295_;
-            if _e1022 {
-                phi_1346_ = 7u;
+            let _e1099 = phi_1356_;
+            if _e1099 {
+                phi_1407_ = 7u;
             } else {
-                if (_e120 != 0.5f) {
-                    if _e728 {
-                        if _e1010 {
-                            phi_1343_ = 6u;
+                if (_e121 != 0.5f) {
+                    if _e805 {
+                        if _e1087 {
+                            phi_1404_ = 6u;
                         } else {
-                            if _e282 {
-                                phi_1318_ = true;
+                            if _e283 {
+                                phi_1379_ = true;
                             } else {
-                                if _e987.any_expands {
-                                    phi_1317_ = false;
+                                if _e1064.any_expands {
+                                    phi_1378_ = false;
                                 } else {
-                                    phi_1317_ = true;
+                                    phi_1378_ = true;
                                 }
-                                let _e1024 = phi_1317_;
-                                phi_1318_ = _e1024;
+                                let _e1101 = phi_1378_;
+                                phi_1379_ = _e1101;
                             }
-                            let _e1026 = phi_1318_;
-                            if _e1026 {
-                                if _e282 {
+                            let _e1103 = phi_1379_;
+                            if _e1103 {
+                                if _e283 {
                                     if false {
-                                        if _e987.all_remove {
-                                            phi_1331_ = false;
+                                        if _e1064.all_remove {
+                                            phi_1392_ = false;
                                         } else {
-                                            phi_1331_ = true;
+                                            phi_1392_ = true;
                                         }
-                                        let _e1028 = phi_1331_;
-                                        phi_1332_ = _e1028;
+                                        let _e1105 = phi_1392_;
+                                        phi_1393_ = _e1105;
                                     } else {
-                                        phi_1332_ = true;
+                                        phi_1393_ = true;
                                     }
-                                    let _e1030 = phi_1332_;
-                                    phi_1333_ = _e1030;
+                                    let _e1107 = phi_1393_;
+                                    phi_1394_ = _e1107;
                                 } else {
-                                    phi_1333_ = true;
+                                    phi_1394_ = true;
                                 }
-                                let _e1032 = phi_1333_;
-                                if _e1032 {
-                                    if _e282 {
-                                        phi_1340_ = 1u;
+                                let _e1109 = phi_1394_;
+                                if _e1109 {
+                                    if _e283 {
+                                        phi_1401_ = 1u;
                                     } else {
-                                        phi_1340_ = 0u;
+                                        phi_1401_ = 0u;
                                     }
-                                    let _e1034 = phi_1340_;
-                                    phi_1341_ = _e1034;
+                                    let _e1111 = phi_1401_;
+                                    phi_1402_ = _e1111;
                                 } else {
-                                    phi_1341_ = 5u;
+                                    phi_1402_ = 5u;
                                 }
-                                let _e1036 = phi_1341_;
-                                phi_1342_ = _e1036;
+                                let _e1113 = phi_1402_;
+                                phi_1403_ = _e1113;
                             } else {
-                                phi_1342_ = 4u;
+                                phi_1403_ = 4u;
                             }
-                            let _e1038 = phi_1342_;
-                            phi_1343_ = _e1038;
+                            let _e1115 = phi_1403_;
+                            phi_1404_ = _e1115;
                         }
-                        let _e1040 = phi_1343_;
-                        phi_1344_ = _e1040;
+                        let _e1117 = phi_1404_;
+                        phi_1405_ = _e1117;
                     } else {
-                        phi_1344_ = 3u;
+                        phi_1405_ = 3u;
                     }
-                    let _e1042 = phi_1344_;
-                    phi_1345_ = _e1042;
+                    let _e1119 = phi_1405_;
+                    phi_1406_ = _e1119;
                 } else {
-                    phi_1345_ = 2u;
+                    phi_1406_ = 2u;
                 }
-                let _e1044 = phi_1345_;
-                phi_1346_ = _e1044;
+                let _e1121 = phi_1406_;
+                phi_1407_ = _e1121;
             }
-            let _e1046 = phi_1346_;
-            if !((_e1046 == 0u)) {
-                if !((_e1046 == 5u)) {
-                    phi_1358_ = !(_e1022);
-                    phi_1359_ = false;
+            let _e1123 = phi_1407_;
+            if !((_e1123 == 0u)) {
+                if !((_e1123 == 5u)) {
+                    phi_1419_ = !(_e1099);
+                    phi_1420_ = false;
                 } else {
-                    phi_1358_ = bool();
-                    phi_1359_ = true;
+                    phi_1419_ = bool();
+                    phi_1420_ = true;
                 }
-                let _e1053 = phi_1358_;
-                let _e1055 = phi_1359_;
-                phi_1360_ = _e1053;
-                phi_1361_ = _e1055;
+                let _e1130 = phi_1419_;
+                let _e1132 = phi_1420_;
+                phi_1421_ = _e1130;
+                phi_1422_ = _e1132;
             } else {
-                phi_1360_ = bool();
-                phi_1361_ = true;
+                phi_1421_ = bool();
+                phi_1422_ = true;
             }
-            let _e1057 = phi_1360_;
-            let _e1059 = phi_1361_;
-            if _e1059 {
-                phi_1365_ = false;
+            let _e1134 = phi_1421_;
+            let _e1136 = phi_1422_;
+            if _e1136 {
+                phi_1426_ = false;
             } else {
-                phi_1365_ = _e1057;
+                phi_1426_ = _e1134;
             }
-            let _e1061 = phi_1365_;
-            if _e1022 {
-                phi_1371_ = ((0u & 4u) != 0u);
+            let _e1138 = phi_1426_;
+            if _e1099 {
+                phi_1432_ = ((0u & 4u) != 0u);
             } else {
-                phi_1371_ = _e278;
+                phi_1432_ = _e279;
             }
-            let _e1065 = phi_1371_;
-            if _e1061 {
-                if _e278 {
-                    phi_1379_ = (2u | 1u);
+            let _e1142 = phi_1432_;
+            if _e1138 {
+                if _e279 {
+                    phi_1440_ = (2u | 1u);
                 } else {
-                    phi_1379_ = 2u;
+                    phi_1440_ = 2u;
                 }
-                let _e1068 = phi_1379_;
+                let _e1145 = phi_1440_;
                 if false {
-                    phi_1384_ = (_e1068 | 4u);
+                    phi_1445_ = (_e1145 | 4u);
                 } else {
-                    phi_1384_ = _e1068;
+                    phi_1445_ = _e1145;
                 }
-                let _e1071 = phi_1384_;
-                phi_1404_ = _e1071;
+                let _e1148 = phi_1445_;
+                phi_1465_ = _e1148;
             } else {
-                if (_e1046 == 7u) {
-                    if _e278 {
-                        phi_1393_ = (2u | 1u);
+                if (_e1123 == 7u) {
+                    if _e279 {
+                        phi_1454_ = (2u | 1u);
                     } else {
-                        phi_1393_ = 2u;
+                        phi_1454_ = 2u;
                     }
-                    let _e1075 = phi_1393_;
-                    if _e1065 {
-                        phi_1398_ = (_e1075 | 4u);
+                    let _e1152 = phi_1454_;
+                    if _e1142 {
+                        phi_1459_ = (_e1152 | 4u);
                     } else {
-                        phi_1398_ = _e1075;
+                        phi_1459_ = _e1152;
                     }
-                    let _e1078 = phi_1398_;
-                    phi_1403_ = _e1078;
+                    let _e1155 = phi_1459_;
+                    phi_1464_ = _e1155;
                 } else {
-                    if _e278 {
-                        phi_1402_ = 1u;
+                    if _e279 {
+                        phi_1463_ = 1u;
                     } else {
-                        phi_1402_ = 0u;
+                        phi_1463_ = 0u;
                     }
-                    let _e1080 = phi_1402_;
-                    phi_1403_ = _e1080;
+                    let _e1157 = phi_1463_;
+                    phi_1464_ = _e1157;
                 }
-                let _e1082 = phi_1403_;
-                phi_1404_ = _e1082;
+                let _e1159 = phi_1464_;
+                phi_1465_ = _e1159;
             }
-            let _e1084 = phi_1404_;
-            if _e1065 {
-                phi_1408_ = 0f;
+            let _e1161 = phi_1465_;
+            if _e1142 {
+                phi_1469_ = 0f;
             } else {
-                phi_1408_ = 1f;
+                phi_1469_ = 1f;
             }
-            let _e1086 = phi_1408_;
-            phi_1410_ = mask_Masked(_e1086, _e1084, _e1061);
+            let _e1163 = phi_1469_;
+            phi_1471_ = mask_Masked(_e1163, _e1161, _e1138);
         }
-        let _e1089 = phi_1410_;
-        visibility.member[_e81.shift] = _e1089.visibility;
-        let _e1094 = p.member.light.number;
-        let _e1095 = (_e1094 * 3u);
-        let _e1097 = (_e1095 % 32u);
-        let _e1099 = p.member.light.mask_words;
-        let _e1101 = ((_e81.shift * _e1099) + (_e1095 / 32u));
-        let _e1103 = bits.member[_e1101];
-        bits.member[_e1101] = ((_e1103 & ~((7u << bitcast<u32>((_e1097 & 31u))))) | (_e1089.bits << bitcast<u32>((_e1097 & 31u))));
-        if (_e1097 > 29u) {
-            let _e1118 = bits.member[(_e1101 + 1u)];
-            let _e1120 = (32u - _e1097);
-            bits.member[(_e1101 + 1u)] = ((_e1118 & ~((7u >> bitcast<u32>((_e1120 & 31u))))) | (_e1089.bits >> bitcast<u32>((_e1120 & 31u))));
+        let _e1166 = phi_1471_;
+        visibility.member[_e82.shift] = _e1166.visibility;
+        let _e1171 = p.member.light.number;
+        let _e1172 = (_e1171 * 3u);
+        let _e1174 = (_e1172 % 32u);
+        let _e1176 = p.member.light.mask_words;
+        let _e1178 = ((_e82.shift * _e1176) + (_e1172 / 32u));
+        let _e1180 = bits.member[_e1178];
+        bits.member[_e1178] = ((_e1180 & ~((7u << bitcast<u32>((_e1174 & 31u))))) | (_e1166.bits << bitcast<u32>((_e1174 & 31u))));
+        if (_e1174 > 29u) {
+            let _e1195 = bits.member[(_e1178 + 1u)];
+            let _e1197 = (32u - _e1174);
+            bits.member[(_e1178 + 1u)] = ((_e1195 & ~((7u >> bitcast<u32>((_e1197 & 31u))))) | (_e1166.bits >> bitcast<u32>((_e1197 & 31u))));
         }
-        let _e1135 = samples.member[_e81.shift].normal[0u];
-        let _e1137 = global[0u];
-        if (_e1135 == _e1137) {
-            let _e1140 = samples.member[_e81.shift].normal[1u];
-            let _e1142 = global[1u];
-            if (_e1140 == _e1142) {
-                let _e1145 = samples.member[_e81.shift].normal[2u];
-                let _e1147 = global[2u];
-                phi_1482_ = (_e1145 == _e1147);
-                phi_1483_ = false;
+        let _e1212 = samples.member[_e82.shift].normal[0u];
+        let _e1214 = global[0u];
+        if (_e1212 == _e1214) {
+            let _e1217 = samples.member[_e82.shift].normal[1u];
+            let _e1219 = global[1u];
+            if (_e1217 == _e1219) {
+                let _e1222 = samples.member[_e82.shift].normal[2u];
+                let _e1224 = global[2u];
+                phi_1543_ = (_e1222 == _e1224);
+                phi_1544_ = false;
             } else {
-                phi_1482_ = bool();
-                phi_1483_ = true;
+                phi_1543_ = bool();
+                phi_1544_ = true;
             }
-            let _e1150 = phi_1482_;
-            let _e1152 = phi_1483_;
-            phi_1484_ = _e1150;
-            phi_1485_ = _e1152;
+            let _e1227 = phi_1543_;
+            let _e1229 = phi_1544_;
+            phi_1545_ = _e1227;
+            phi_1546_ = _e1229;
         } else {
-            phi_1484_ = bool();
-            phi_1485_ = true;
+            phi_1545_ = bool();
+            phi_1546_ = true;
         }
-        let _e1154 = phi_1484_;
-        let _e1156 = phi_1485_;
-        if _e1156 {
-            phi_1489_ = false;
+        let _e1231 = phi_1545_;
+        let _e1233 = phi_1546_;
+        if _e1233 {
+            phi_1550_ = false;
         } else {
-            phi_1489_ = _e1154;
+            phi_1550_ = _e1231;
         }
-        let _e1158 = phi_1489_;
-        if !(_e1158) {
-            let _e1161 = samples.member[_e81.shift].position;
-            let _e1163 = p.member.current.eye;
-            let _e1174 = p.member.current.forward;
-            phi_1517_ = ((((_e1161.x - _e1163.x) * _e1174.x) + ((_e1161.y - _e1163.y) * _e1174.y)) + ((_e1161.z - _e1163.z) * _e1174.z));
+        let _e1235 = phi_1550_;
+        if !(_e1235) {
+            let _e1238 = samples.member[_e82.shift].position;
+            let _e1240 = p.member.current.eye;
+            let _e1251 = p.member.current.forward;
+            phi_1578_ = ((((_e1238.x - _e1240.x) * _e1251.x) + ((_e1238.y - _e1240.y) * _e1251.y)) + ((_e1238.z - _e1240.z) * _e1251.z));
         } else {
-            phi_1517_ = 0f;
+            phi_1578_ = 0f;
         }
-        let _e1184 = phi_1517_;
-        depths.member[_e81.shift] = _e1184;
-        phi_1520_ = _e1089.needs_ray;
-        phi_1521_ = _e81.shift;
+        let _e1261 = phi_1578_;
+        depths.member[_e82.shift] = _e1261;
+        phi_1581_ = _e1166.needs_ray;
+        phi_1582_ = _e82.shift;
     } else {
-        phi_1520_ = false;
-        phi_1521_ = 0u;
+        phi_1581_ = false;
+        phi_1582_ = 0u;
     }
-    let _e1188 = phi_1520_;
-    let _e1190 = phi_1521_;
-    if (_e61 == 0u) {
+    let _e1265 = phi_1581_;
+    let _e1267 = phi_1582_;
+    if (_e62 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1188 {
-        let _e1194 = atomicAdd((&shared_[0u]), 1u);
-        phi_1532_ = _e1194;
+    if _e1265 {
+        let _e1271 = atomicAdd((&shared_[0u]), 1u);
+        phi_1593_ = _e1271;
     } else {
-        phi_1532_ = 0u;
+        phi_1593_ = 0u;
     }
-    let _e1196 = phi_1532_;
+    let _e1273 = phi_1593_;
     workgroupBarrier();
-    if (_e61 == 0u) {
-        let _e1200 = atomicLoad((&shared_[0u]));
-        let _e1201 = atomicAdd((&list.member[3u]), _e1200);
-        atomicStore((&shared_[1u]), _e1201);
+    if (_e62 == 0u) {
+        let _e1277 = atomicLoad((&shared_[0u]));
+        let _e1278 = atomicAdd((&list.member[3u]), _e1277);
+        atomicStore((&shared_[1u]), _e1278);
     }
     workgroupBarrier();
-    if _e1188 {
-        let _e1204 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1204) + _e1196)]), _e1190);
+    if _e1265 {
+        let _e1281 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1281) + _e1273)]), _e1267);
     }
     return;
 }

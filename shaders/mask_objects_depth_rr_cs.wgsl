@@ -129,1457 +129,1560 @@ var<storage, read_write> depths: type_21;
 var<storage> past: type_44;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_183_: lt_mask_LightPlace;
-    var phi_184_: bool;
-    var phi_185_: lt_mask_LightPlace;
-    var phi_186_: bool;
-    var phi_191_: lt_mask_LightPlace;
+    var phi_184_: lt_mask_LightPlace;
+    var phi_185_: bool;
+    var phi_186_: lt_mask_LightPlace;
+    var phi_187_: bool;
+    var phi_192_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_183_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_184_ = false;
+            phi_184_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_185_ = false;
         } else {
-            phi_183_ = lt_mask_LightPlace();
-            phi_184_ = true;
+            phi_184_ = lt_mask_LightPlace();
+            phi_185_ = true;
         }
-        let _e73 = phi_183_;
-        let _e75 = phi_184_;
-        phi_185_ = _e73;
-        phi_186_ = _e75;
+        let _e74 = phi_184_;
+        let _e76 = phi_185_;
+        phi_186_ = _e74;
+        phi_187_ = _e76;
     } else {
-        phi_185_ = lt_mask_LightPlace();
-        phi_186_ = true;
+        phi_186_ = lt_mask_LightPlace();
+        phi_187_ = true;
     }
-    let _e77 = phi_185_;
-    let _e79 = phi_186_;
-    if _e79 {
-        phi_191_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e78 = phi_186_;
+    let _e80 = phi_187_;
+    if _e80 {
+        phi_192_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_191_ = _e77;
+        phi_192_ = _e78;
     }
-    let _e84 = phi_191_;
-    return lt_mask_LightPlace(_e84.word, _e84.shift);
+    let _e85 = phi_192_;
+    return lt_mask_LightPlace(_e85.word, _e85.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_209_: vec2<i32>;
+    var phi_210_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_209_ = vec2(0i);
+            phi_210_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_209_ = vec2<i32>(0i, -1i);
+            phi_210_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_209_ = vec2<i32>(-1i, 0i);
+            phi_210_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_209_ = vec2<i32>(1i, 0i);
+            phi_210_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_209_ = vec2<i32>(0i, 1i);
+            phi_210_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e69 = phi_209_;
-    return vec2<i32>(_e69.x, _e69.y);
+    let _e70 = phi_210_;
+    return vec2<i32>(_e70.x, _e70.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_227_: vec2<i32>;
+    var phi_228_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_227_ = vec2(0i);
+            phi_228_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_227_ = vec2(-1i);
+            phi_228_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_227_ = vec2<i32>(1i, -1i);
+            phi_228_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_227_ = vec2<i32>(-1i, 1i);
+            phi_228_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_227_ = vec2(1i);
+            phi_228_ = vec2(1i);
             break;
         }
     }
-    let _e69 = phi_227_;
-    return vec2<i32>(_e69.x, _e69.y);
+    let _e70 = phi_228_;
+    return vec2<i32>(_e70.x, _e70.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_246_: vec2<i32>;
+    var phi_247_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e63 = lt_mask_pattern_plus(param_5);
-        phi_246_ = vec2<i32>(_e63.x, _e63.y);
+        let _e64 = lt_mask_pattern_plus(param_5);
+        phi_247_ = vec2<i32>(_e64.x, _e64.y);
     } else {
-        let _e67 = lt_mask_pattern_cross(param_5);
-        phi_246_ = vec2<i32>(_e67.x, _e67.y);
+        let _e68 = lt_mask_pattern_cross(param_5);
+        phi_247_ = vec2<i32>(_e68.x, _e68.y);
     }
-    let _e72 = phi_246_;
-    return vec2<i32>(_e72.x, _e72.y);
+    let _e73 = phi_247_;
+    return vec2<i32>(_e73.x, _e73.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_271_: vec2<i32>;
+    var phi_272_: vec2<i32>;
 
-    let _e61 = (param_7 % 13u);
-    switch bitcast<i32>(_e61) {
+    let _e62 = (param_7 % 13u);
+    switch bitcast<i32>(_e62) {
         case 9: {
-            phi_271_ = vec2<i32>(0i, -2i);
+            phi_272_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_271_ = vec2<i32>(-2i, 0i);
+            phi_272_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_271_ = vec2<i32>(2i, 0i);
+            phi_272_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_271_ = vec2<i32>(0i, 2i);
+            phi_272_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_271_ = vec2<i32>((bitcast<i32>((_e61 % 3u)) - 1i), (bitcast<i32>(((_e61 / 3u) % 3u)) - 1i));
+            phi_272_ = vec2<i32>((bitcast<i32>((_e62 % 3u)) - 1i), (bitcast<i32>(((_e62 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e76 = phi_271_;
-    return vec2<i32>(_e76.x, _e76.y);
+    let _e77 = phi_272_;
+    return vec2<i32>(_e77.x, _e77.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_292_: u32;
     var phi_293_: u32;
+    var phi_294_: u32;
 
-    let _e64 = (bitcast<i32>(param_8) + param_9);
-    if (_e64 < 0i) {
-        phi_293_ = 0u;
+    let _e65 = (bitcast<i32>(param_8) + param_9);
+    if (_e65 < 0i) {
+        phi_294_ = 0u;
     } else {
-        if (_e64 >= bitcast<i32>(param_10)) {
-            phi_292_ = (param_10 - 1u);
+        if (_e65 >= bitcast<i32>(param_10)) {
+            phi_293_ = (param_10 - 1u);
         } else {
-            phi_292_ = bitcast<u32>(_e64);
+            phi_293_ = bitcast<u32>(_e65);
         }
-        let _e71 = phi_292_;
-        phi_293_ = _e71;
+        let _e72 = phi_293_;
+        phi_294_ = _e72;
     }
-    let _e73 = phi_293_;
-    return _e73;
+    let _e74 = phi_294_;
+    return _e74;
 }
 
 fn function_() {
-    var phi_374_: bool;
     var phi_375_: bool;
     var phi_376_: bool;
     var phi_377_: bool;
-    var phi_381_: bool;
-    var phi_451_: bool;
+    var phi_378_: bool;
+    var phi_382_: bool;
     var phi_452_: bool;
-    var phi_463_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_464_: bool;
-    var phi_465_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_466_: bool;
-    var phi_473_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_477_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_490_: bool;
-    var phi_695_: f32;
-    var phi_700_: f32;
-    var phi_701_: bool;
-    var phi_702_: f32;
-    var phi_703_: bool;
-    var phi_707_: f32;
-    var phi_728_: f32;
-    var phi_733_: f32;
-    var phi_734_: bool;
-    var phi_735_: f32;
-    var phi_736_: bool;
-    var phi_740_: f32;
-    var phi_761_: bool;
-    var phi_780_: vec2<u32>;
-    var phi_781_: bool;
-    var phi_782_: bool;
-    var phi_783_: bool;
-    var phi_784_: vec2<u32>;
-    var phi_785_: bool;
-    var phi_786_: bool;
-    var phi_787_: bool;
-    var phi_788_: bool;
-    var phi_789_: bool;
-    var phi_790_: bool;
-    var phi_791_: vec2<u32>;
-    var phi_792_: bool;
-    var phi_793_: bool;
-    var phi_794_: bool;
-    var phi_795_: bool;
-    var phi_796_: bool;
-    var phi_797_: bool;
-    var phi_798_: vec2<u32>;
-    var phi_799_: bool;
-    var phi_800_: bool;
-    var phi_801_: bool;
-    var phi_802_: bool;
-    var phi_811_: bool;
-    var phi_812_: bool;
-    var phi_813_: bool;
-    var phi_814_: bool;
-    var phi_818_: bool;
-    var phi_819_: bool;
-    var phi_820_: vec2<u32>;
-    var phi_903_: bool;
-    var phi_907_: f32;
-    var phi_911_: lt_mask_Reprojection;
-    var phi_920_: bool;
-    var phi_921_: bool;
-    var phi_923_: bool;
-    var phi_924_: lt_mask_Reprojection;
-    var phi_925_: lt_mask_Reprojection;
-    var phi_926_: bool;
-    var phi_930_: bool;
-    var phi_931_: lt_mask_Reprojection;
-    var phi_974_: u32;
-    var phi_993_: u32;
-    var phi_1001_: u32;
-    var phi_1002_: u32;
-    var phi_1003_: bool;
-    var phi_1004_: u32;
-    var phi_1005_: bool;
-    var phi_1006_: bool;
-    var phi_1007_: u32;
-    var phi_1008_: bool;
-    var phi_1009_: bool;
-    var phi_1013_: bool;
-    var phi_1017_: u32;
-    var phi_1022_: bool;
-    var phi_1044_: u32;
-    var phi_1046_: u32;
-    var phi_1049_: lt_mask_Neighbourhood;
-    var phi_1061_: bool;
-    var phi_1062_: bool;
-    var phi_1071_: u32;
-    var phi_1072_: u32;
-    var phi_1132_: vec2<i32>;
-    var phi_1152_: vec2<i32>;
-    var phi_1179_: u32;
-    var phi_1198_: u32;
-    var phi_1206_: u32;
-    var phi_1232_: bool;
-    var phi_1233_: bool;
-    var phi_1234_: bool;
-    var phi_1235_: bool;
-    var phi_1236_: bool;
-    var phi_1237_: bool;
-    var phi_1238_: bool;
-    var phi_1243_: bool;
-    var phi_1244_: bool;
-    var phi_1245_: bool;
-    var phi_1246_: bool;
-    var phi_1247_: bool;
-    var phi_1248_: bool;
-    var phi_1249_: bool;
-    var phi_1250_: bool;
-    var phi_1251_: bool;
-    var phi_1266_: bool;
-    var phi_1267_: bool;
-    var phi_1274_: bool;
-    var phi_1275_: bool;
-    var phi_1276_: bool;
-    var phi_1277_: bool;
-    var phi_1278_: bool;
-    var phi_1282_: bool;
-    var phi_1283_: bool;
-    var phi_1284_: bool;
-    var phi_1288_: bool;
-    var phi_1289_: bool;
+    var phi_453_: bool;
+    var phi_464_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_465_: bool;
+    var phi_466_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_467_: bool;
+    var phi_474_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_478_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_491_: bool;
+    var phi_519_: bool;
+    var phi_520_: bool;
+    var phi_521_: bool;
+    var phi_522_: bool;
+    var phi_526_: bool;
+    var phi_530_: bool;
+    var phi_531_: bool;
+    var phi_739_: f32;
+    var phi_744_: f32;
+    var phi_745_: bool;
+    var phi_746_: f32;
+    var phi_747_: bool;
+    var phi_751_: f32;
+    var phi_772_: f32;
+    var phi_777_: f32;
+    var phi_778_: bool;
+    var phi_779_: f32;
+    var phi_780_: bool;
+    var phi_784_: f32;
+    var phi_805_: bool;
+    var phi_824_: vec2<u32>;
+    var phi_825_: bool;
+    var phi_826_: bool;
+    var phi_827_: bool;
+    var phi_828_: vec2<u32>;
+    var phi_829_: bool;
+    var phi_830_: bool;
+    var phi_831_: bool;
+    var phi_832_: bool;
+    var phi_833_: bool;
+    var phi_834_: bool;
+    var phi_835_: vec2<u32>;
+    var phi_836_: bool;
+    var phi_837_: bool;
+    var phi_838_: bool;
+    var phi_839_: bool;
+    var phi_840_: bool;
+    var phi_841_: bool;
+    var phi_842_: vec2<u32>;
+    var phi_843_: bool;
+    var phi_844_: bool;
+    var phi_845_: bool;
+    var phi_846_: bool;
+    var phi_855_: bool;
+    var phi_856_: bool;
+    var phi_857_: bool;
+    var phi_858_: bool;
+    var phi_862_: bool;
+    var phi_863_: bool;
+    var phi_864_: vec2<u32>;
+    var phi_899_: bool;
+    var phi_901_: lt_mask_Reprojection;
+    var phi_902_: lt_mask_Reprojection;
+    var phi_903_: lt_mask_Reprojection;
+    var phi_904_: bool;
+    var phi_905_: bool;
+    var phi_906_: lt_mask_Reprojection;
+    var phi_907_: lt_mask_Reprojection;
+    var phi_908_: lt_mask_Reprojection;
+    var phi_909_: bool;
+    var phi_910_: bool;
+    var phi_962_: bool;
+    var phi_966_: f32;
+    var phi_970_: lt_mask_Reprojection;
+    var phi_971_: bool;
+    var phi_983_: bool;
+    var phi_984_: bool;
+    var phi_985_: bool;
+    var phi_986_: lt_mask_Reprojection;
+    var phi_987_: bool;
+    var phi_991_: bool;
+    var phi_992_: lt_mask_Reprojection;
+    var phi_1035_: u32;
+    var phi_1054_: u32;
+    var phi_1062_: u32;
+    var phi_1063_: u32;
+    var phi_1064_: bool;
+    var phi_1065_: u32;
+    var phi_1066_: bool;
+    var phi_1067_: bool;
+    var phi_1068_: u32;
+    var phi_1069_: bool;
+    var phi_1070_: bool;
+    var phi_1074_: bool;
+    var phi_1078_: u32;
+    var phi_1083_: bool;
+    var phi_1105_: u32;
+    var phi_1107_: u32;
+    var phi_1110_: lt_mask_Neighbourhood;
+    var phi_1122_: bool;
+    var phi_1123_: bool;
+    var phi_1132_: u32;
+    var phi_1133_: u32;
+    var phi_1193_: vec2<i32>;
+    var phi_1213_: vec2<i32>;
+    var phi_1240_: u32;
+    var phi_1259_: u32;
+    var phi_1267_: u32;
     var phi_1293_: bool;
     var phi_1294_: bool;
+    var phi_1295_: bool;
+    var phi_1296_: bool;
+    var phi_1297_: bool;
+    var phi_1298_: bool;
+    var phi_1299_: bool;
+    var phi_1304_: bool;
+    var phi_1305_: bool;
+    var phi_1306_: bool;
+    var phi_1307_: bool;
+    var phi_1308_: bool;
+    var phi_1309_: bool;
+    var phi_1310_: bool;
+    var phi_1311_: bool;
     var phi_1312_: bool;
-    var phi_1313_: bool;
-    var phi_1314_: bool;
-    var phi_1047_: u32;
-    var phi_1050_: lt_mask_Neighbourhood;
-    var phi_1317_: lt_mask_Neighbourhood;
-    var phi_1318_: lt_mask_Neighbourhood;
-    var phi_1319_: lt_mask_Neighbourhood;
-    var phi_1351_: bool;
-    var phi_1352_: bool;
+    var phi_1327_: bool;
+    var phi_1328_: bool;
+    var phi_1335_: bool;
+    var phi_1336_: bool;
+    var phi_1337_: bool;
+    var phi_1338_: bool;
+    var phi_1339_: bool;
+    var phi_1343_: bool;
+    var phi_1344_: bool;
+    var phi_1345_: bool;
+    var phi_1349_: bool;
+    var phi_1350_: bool;
+    var phi_1354_: bool;
+    var phi_1355_: bool;
+    var phi_1373_: bool;
     var phi_1374_: bool;
     var phi_1375_: bool;
-    var phi_1376_: bool;
-    var phi_1380_: bool;
-    var phi_1402_: bool;
-    var phi_1403_: bool;
-    var phi_1416_: bool;
-    var phi_1417_: bool;
-    var phi_1418_: bool;
-    var phi_1425_: u32;
-    var phi_1426_: u32;
-    var phi_1427_: u32;
-    var phi_1428_: u32;
-    var phi_1429_: u32;
-    var phi_1430_: u32;
-    var phi_1431_: u32;
-    var phi_1443_: bool;
-    var phi_1444_: bool;
-    var phi_1445_: bool;
-    var phi_1446_: bool;
-    var phi_1450_: bool;
-    var phi_1456_: bool;
-    var phi_1464_: u32;
-    var phi_1469_: u32;
-    var phi_1478_: u32;
-    var phi_1483_: u32;
+    var phi_1108_: u32;
+    var phi_1111_: lt_mask_Neighbourhood;
+    var phi_1378_: lt_mask_Neighbourhood;
+    var phi_1379_: lt_mask_Neighbourhood;
+    var phi_1380_: lt_mask_Neighbourhood;
+    var phi_1412_: bool;
+    var phi_1413_: bool;
+    var phi_1435_: bool;
+    var phi_1436_: bool;
+    var phi_1437_: bool;
+    var phi_1441_: bool;
+    var phi_1463_: bool;
+    var phi_1464_: bool;
+    var phi_1477_: bool;
+    var phi_1478_: bool;
+    var phi_1479_: bool;
+    var phi_1486_: u32;
     var phi_1487_: u32;
     var phi_1488_: u32;
     var phi_1489_: u32;
-    var phi_1493_: f32;
-    var phi_1495_: mask_Masked;
-    var phi_1567_: bool;
-    var phi_1568_: bool;
-    var phi_1569_: bool;
-    var phi_1570_: bool;
-    var phi_1574_: bool;
-    var phi_1602_: f32;
-    var phi_1605_: bool;
-    var phi_1606_: u32;
-    var phi_1617_: u32;
+    var phi_1490_: u32;
+    var phi_1491_: u32;
+    var phi_1492_: u32;
+    var phi_1504_: bool;
+    var phi_1505_: bool;
+    var phi_1506_: bool;
+    var phi_1507_: bool;
+    var phi_1511_: bool;
+    var phi_1517_: bool;
+    var phi_1525_: u32;
+    var phi_1530_: u32;
+    var phi_1539_: u32;
+    var phi_1544_: u32;
+    var phi_1548_: u32;
+    var phi_1549_: u32;
+    var phi_1550_: u32;
+    var phi_1554_: f32;
+    var phi_1556_: mask_Masked;
+    var phi_1628_: bool;
+    var phi_1629_: bool;
+    var phi_1630_: bool;
+    var phi_1631_: bool;
+    var phi_1635_: bool;
+    var phi_1663_: f32;
+    var phi_1666_: bool;
+    var phi_1667_: u32;
+    var phi_1678_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e60 = id_1;
-    let _e61 = local_2;
-    let _e66 = arrayLength((&last_bits.member));
-    let _e78 = p.member.current.size[0u];
-    let _e80 = p.member.current.size[1u];
-    let _e81 = lt_shaders_entry_pixel_index(_e60, _e78, _e80);
-    if (bitcast<i32>(_e81.word) != 0i) {
-        let _e88 = p.member.light.number;
-        let _e89 = (_e88 * 3u);
-        let _e93 = p.member.light.mask_words;
-        let _e99 = mask_BitsPlace(lt_mask_LightPlace((_e89 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
-        let _e105 = mask_BitsPlace(lt_mask_LightPlace(_e99.light.word, (_e89 % 32u)), _e99.words);
-        let _e108 = mask_BitsPlace(_e105.light, _e93);
-        let _e112 = p.member.current.size[0u];
-        let _e115 = past.member[_e81.shift];
-        let _e120 = visibility.member[_e81.shift];
-        let _e126 = samples.member[_e81.shift].normal[0u];
-        let _e128 = global[0u];
-        if (_e126 == _e128) {
-            let _e131 = samples.member[_e81.shift].normal[1u];
-            let _e133 = global[1u];
-            if (_e131 == _e133) {
-                let _e136 = samples.member[_e81.shift].normal[2u];
-                let _e138 = global[2u];
-                phi_374_ = (_e136 == _e138);
-                phi_375_ = false;
+    let _e61 = id_1;
+    let _e62 = local_2;
+    let _e67 = arrayLength((&last_bits.member));
+    let _e79 = p.member.current.size[0u];
+    let _e81 = p.member.current.size[1u];
+    let _e82 = lt_shaders_entry_pixel_index(_e61, _e79, _e81);
+    if (bitcast<i32>(_e82.word) != 0i) {
+        let _e89 = p.member.light.number;
+        let _e90 = (_e89 * 3u);
+        let _e94 = p.member.light.mask_words;
+        let _e100 = mask_BitsPlace(lt_mask_LightPlace((_e90 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
+        let _e106 = mask_BitsPlace(lt_mask_LightPlace(_e100.light.word, (_e90 % 32u)), _e100.words);
+        let _e109 = mask_BitsPlace(_e106.light, _e94);
+        let _e113 = p.member.current.size[0u];
+        let _e116 = past.member[_e82.shift];
+        let _e121 = visibility.member[_e82.shift];
+        let _e127 = samples.member[_e82.shift].normal[0u];
+        let _e129 = global[0u];
+        if (_e127 == _e129) {
+            let _e132 = samples.member[_e82.shift].normal[1u];
+            let _e134 = global[1u];
+            if (_e132 == _e134) {
+                let _e137 = samples.member[_e82.shift].normal[2u];
+                let _e139 = global[2u];
+                phi_375_ = (_e137 == _e139);
+                phi_376_ = false;
             } else {
-                phi_374_ = bool();
-                phi_375_ = true;
+                phi_375_ = bool();
+                phi_376_ = true;
             }
-            let _e141 = phi_374_;
-            let _e143 = phi_375_;
-            phi_376_ = _e141;
-            phi_377_ = _e143;
+            let _e142 = phi_375_;
+            let _e144 = phi_376_;
+            phi_377_ = _e142;
+            phi_378_ = _e144;
         } else {
-            phi_376_ = bool();
-            phi_377_ = true;
+            phi_377_ = bool();
+            phi_378_ = true;
         }
-        let _e145 = phi_376_;
-        let _e147 = phi_377_;
-        if _e147 {
-            phi_381_ = false;
+        let _e146 = phi_377_;
+        let _e148 = phi_378_;
+        if _e148 {
+            phi_382_ = false;
         } else {
-            phi_381_ = _e145;
+            phi_382_ = _e146;
         }
-        let _e149 = phi_381_;
-        if !(_e149) {
-            let _e152 = samples.member[_e81.shift].position;
-            let _e154 = p.member.light.place;
-            let _e160 = p.member.light.place[3u];
-            let _e167 = (_e154.x - (_e152.x * _e160));
-            let _e168 = (_e154.y - (_e152.y * _e160));
-            let _e169 = (_e154.z - (_e152.z * _e160));
-            let _e171 = samples.member[_e81.shift].normal;
-            if ((((_e171.x * _e167) + (_e171.y * _e168)) + (_e171.z * _e169)) > 0f) {
-                let _e185 = (((_e167 * _e167) + (_e168 * _e168)) + (_e169 * _e169));
-                let _e187 = p.member.light.axis;
-                let _e199 = p.member.light.place[3u];
-                if (_e199 == 0f) {
-                    phi_452_ = true;
+        let _e150 = phi_382_;
+        if !(_e150) {
+            let _e153 = samples.member[_e82.shift].position;
+            let _e155 = p.member.light.place;
+            let _e161 = p.member.light.place[3u];
+            let _e168 = (_e155.x - (_e153.x * _e161));
+            let _e169 = (_e155.y - (_e153.y * _e161));
+            let _e170 = (_e155.z - (_e153.z * _e161));
+            let _e172 = samples.member[_e82.shift].normal;
+            if ((((_e172.x * _e168) + (_e172.y * _e169)) + (_e172.z * _e170)) > 0f) {
+                let _e186 = (((_e168 * _e168) + (_e169 * _e169)) + (_e170 * _e170));
+                let _e188 = p.member.light.axis;
+                let _e200 = p.member.light.place[3u];
+                if (_e200 == 0f) {
+                    phi_453_ = true;
                 } else {
-                    let _e202 = p.member.light.range_squared;
-                    if (_e185 <= _e202) {
-                        let _e205 = p.member.light.cos_outer;
-                        phi_451_ = (-((((_e167 * _e187.x) + (_e168 * _e187.y)) + (_e169 * _e187.z))) >= (_e205 * sqrt(_e185)));
+                    let _e203 = p.member.light.range_squared;
+                    if (_e186 <= _e203) {
+                        let _e206 = p.member.light.cos_outer;
+                        phi_452_ = (-((((_e168 * _e188.x) + (_e169 * _e188.y)) + (_e170 * _e188.z))) >= (_e206 * sqrt(_e186)));
                     } else {
-                        phi_451_ = false;
+                        phi_452_ = false;
                     }
-                    let _e210 = phi_451_;
-                    phi_452_ = _e210;
+                    let _e211 = phi_452_;
+                    phi_453_ = _e211;
                 }
-                let _e212 = phi_452_;
-                if _e212 {
-                    let _e214 = samples.member[_e81.shift].flags;
-                    let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
-                    phi_463_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, ((_e214 & 1u) == 0u));
-                    phi_464_ = false;
+                let _e213 = phi_453_;
+                if _e213 {
+                    let _e215 = samples.member[_e82.shift].flags;
+                    let _e223 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e229 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e223.unnamed.visibility, false), _e223.unnamed_1);
+                    phi_464_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e229.unnamed, ((_e215 & 1u) == 0u));
+                    phi_465_ = false;
                 } else {
-                    phi_463_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_464_ = true;
+                    phi_464_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_465_ = true;
                 }
-                let _e233 = phi_463_;
-                let _e235 = phi_464_;
-                phi_465_ = _e233;
-                phi_466_ = _e235;
+                let _e234 = phi_464_;
+                let _e236 = phi_465_;
+                phi_466_ = _e234;
+                phi_467_ = _e236;
             } else {
-                phi_465_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_466_ = true;
+                phi_466_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_467_ = true;
             }
-            let _e237 = phi_465_;
-            let _e239 = phi_466_;
-            if _e239 {
-                let _e245 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e251 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e245.unnamed.visibility, false), _e245.unnamed_1);
-                phi_473_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e251.unnamed, true);
+            let _e238 = phi_466_;
+            let _e240 = phi_467_;
+            if _e240 {
+                let _e246 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e252 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e246.unnamed.visibility, false), _e246.unnamed_1);
+                phi_474_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e252.unnamed, true);
             } else {
-                phi_473_ = _e237;
+                phi_474_ = _e238;
             }
-            let _e256 = phi_473_;
-            phi_477_ = _e256;
+            let _e257 = phi_474_;
+            phi_478_ = _e257;
         } else {
-            let _e262 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e268 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e262.unnamed.visibility, false), _e262.unnamed_1);
-            phi_477_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e268.unnamed, true);
+            let _e263 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e269 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e263.unnamed.visibility, false), _e263.unnamed_1);
+            phi_478_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e269.unnamed, true);
         }
-        let _e273 = phi_477_;
-        if _e273.unnamed_1 {
-            phi_1495_ = mask_Masked(_e273.unnamed.visibility, 0u, false);
+        let _e274 = phi_478_;
+        if _e274.unnamed_1 {
+            phi_1556_ = mask_Masked(_e274.unnamed.visibility, 0u, false);
         } else {
-            let _e278 = (_e120 < 0.5f);
-            if (_e120 > 0f) {
-                phi_490_ = (_e120 < 1f);
+            let _e279 = (_e121 < 0.5f);
+            if (_e121 > 0f) {
+                phi_491_ = (_e121 < 1f);
             } else {
-                phi_490_ = false;
+                phi_491_ = false;
             }
-            let _e282 = phi_490_;
-            let _e284 = samples.member[_e81.shift].position;
-            let _e288 = p.member.previous.eye;
-            let _e290 = (_e115.x - _e288.x);
-            let _e292 = (_e115.y - _e288.y);
-            let _e294 = (_e115.z - _e288.z);
-            let _e296 = p.member.previous.forward;
-            let _e304 = (((_e290 * _e296.x) + (_e292 * _e296.y)) + (_e294 * _e296.z));
-            let _e306 = p.member.previous.right;
-            let _e316 = p.member.previous.right;
-            let _e331 = p.member.previous.up;
-            let _e341 = p.member.previous.up;
-            let _e356 = p.member.current.eye;
-            let _e359 = (_e284.x - _e356.x);
-            let _e362 = (_e284.y - _e356.y);
-            let _e365 = (_e284.z - _e356.z);
-            let _e367 = p.member.current.forward;
-            let _e375 = (((_e359 * _e367.x) + (_e362 * _e367.y)) + (_e365 * _e367.z));
-            let _e377 = p.member.current.right;
-            let _e387 = p.member.current.right;
-            let _e402 = p.member.current.up;
-            let _e412 = p.member.current.up;
-            let _e431 = p.member.current.size[0u];
-            let _e433 = (((((((_e290 * _e306.x) + (_e292 * _e306.y)) + (_e294 * _e306.z)) / ((((_e316.x * _e316.x) + (_e316.y * _e316.y)) + (_e316.z * _e316.z)) * _e304)) - ((((_e359 * _e377.x) + (_e362 * _e377.y)) + (_e365 * _e377.z)) / ((((_e387.x * _e387.x) + (_e387.y * _e387.y)) + (_e387.z * _e387.z)) * _e375))) * 0.5f) * f32(_e431));
-            let _e437 = p.member.current.size[1u];
-            let _e439 = (((((((_e290 * _e331.x) + (_e292 * _e331.y)) + (_e294 * _e331.z)) / ((((_e341.x * _e341.x) + (_e341.y * _e341.y)) + (_e341.z * _e341.z)) * _e304)) - ((((_e359 * _e402.x) + (_e362 * _e402.y)) + (_e365 * _e402.z)) / ((((_e412.x * _e412.x) + (_e412.y * _e412.y)) + (_e412.z * _e412.z)) * _e375))) * -0.5f) * f32(_e437));
-            let _e443 = p.member.current.grid[0u];
-            let _e445 = p.member.current.grid[1u];
-            let _e465 = p.member.current.size[0u];
-            let _e467 = p.member.current.size[1u];
-            let _e469 = ((f32(_e60.x) + ((f32((_e60.y & (_e445 - 1u))) + 0.5f) / f32(_e445))) + _e433);
-            if (_e469 > -8388608f) {
-                let _e481 = f32(select(0i, select(select(i32(_e469), i32(-2147483648), (_e469 < bitcast<f32>(3472883712u))), 2147483647i, (_e469 > bitcast<f32>(1325400063u))), (_e469 == _e469)));
-                if (_e481 > _e469) {
-                    phi_695_ = 1f;
-                } else {
-                    phi_695_ = 0f;
-                }
-                let _e484 = phi_695_;
-                if (_e469 < 8388608f) {
-                    phi_700_ = (_e481 - _e484);
-                    phi_701_ = false;
-                } else {
-                    phi_700_ = f32();
-                    phi_701_ = true;
-                }
-                let _e487 = phi_700_;
-                let _e489 = phi_701_;
-                phi_702_ = _e487;
-                phi_703_ = _e489;
+            let _e283 = phi_491_;
+            let _e290 = lt_mask_Reprojection(vec2<u32>(_e61.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e297 = lt_mask_Reprojection(vec2<u32>(_e290.pixel.x, _e61.y), _e290.is_valid, _e290.has_moved);
+            let _e301 = lt_mask_Reprojection(_e297.pixel, true, _e297.has_moved);
+            let _e307 = p.member.flags;
+            if ((_e307 & 16u) == 0u) {
+                phi_531_ = true;
             } else {
-                phi_702_ = f32();
-                phi_703_ = true;
-            }
-            let _e491 = phi_702_;
-            let _e493 = phi_703_;
-            if _e493 {
-                phi_707_ = _e469;
-            } else {
-                phi_707_ = _e491;
-            }
-            let _e495 = phi_707_;
-            let _e496 = ((f32(_e60.y) + ((f32((_e60.x & (_e443 - 1u))) + 0.5f) / f32(_e443))) + _e439);
-            if (_e496 > -8388608f) {
-                let _e508 = f32(select(0i, select(select(i32(_e496), i32(-2147483648), (_e496 < bitcast<f32>(3472883712u))), 2147483647i, (_e496 > bitcast<f32>(1325400063u))), (_e496 == _e496)));
-                if (_e508 > _e496) {
-                    phi_728_ = 1f;
-                } else {
-                    phi_728_ = 0f;
-                }
-                let _e511 = phi_728_;
-                if (_e496 < 8388608f) {
-                    phi_733_ = (_e508 - _e511);
-                    phi_734_ = false;
-                } else {
-                    phi_733_ = f32();
-                    phi_734_ = true;
-                }
-                let _e514 = phi_733_;
-                let _e516 = phi_734_;
-                phi_735_ = _e514;
-                phi_736_ = _e516;
-            } else {
-                phi_735_ = f32();
-                phi_736_ = true;
-            }
-            let _e518 = phi_735_;
-            let _e520 = phi_736_;
-            if _e520 {
-                phi_740_ = _e496;
-            } else {
-                phi_740_ = _e518;
-            }
-            let _e522 = phi_740_;
-            if (_e495 >= 0f) {
-                if (_e522 >= 0f) {
-                    if (_e495 < f32(_e465)) {
-                        let _e528 = (_e522 < f32(_e467));
-                        if (_e433 == 0f) {
-                            phi_761_ = (_e439 == 0f);
-                        } else {
-                            phi_761_ = false;
-                        }
-                        let _e532 = phi_761_;
-                        if _e528 {
-                            phi_780_ = vec2<u32>(select(select(u32(_e495), 0u, (_e495 < bitcast<f32>(0u))), 4294967295u, (_e495 > bitcast<f32>(1333788671u))), select(select(u32(_e522), 0u, (_e522 < bitcast<f32>(0u))), 4294967295u, (_e522 > bitcast<f32>(1333788671u))));
-                            phi_781_ = false;
-                        } else {
-                            phi_780_ = vec2<u32>();
-                            phi_781_ = true;
-                        }
-                        let _e549 = phi_780_;
-                        let _e551 = phi_781_;
-                        phi_782_ = _e532;
-                        phi_783_ = _e528;
-                        phi_784_ = _e549;
-                        phi_785_ = _e532;
-                        phi_786_ = _e528;
-                        phi_787_ = false;
-                        phi_788_ = _e551;
+                let _e312 = samples.member[_e82.shift].position[0u];
+                if (_e116.x == _e312) {
+                    let _e315 = samples.member[_e82.shift].position[1u];
+                    if (_e116.y == _e315) {
+                        let _e318 = samples.member[_e82.shift].position[2u];
+                        phi_519_ = (_e116.z == _e318);
+                        phi_520_ = false;
                     } else {
-                        phi_782_ = bool();
-                        phi_783_ = bool();
-                        phi_784_ = vec2<u32>();
-                        phi_785_ = bool();
-                        phi_786_ = bool();
-                        phi_787_ = true;
-                        phi_788_ = false;
+                        phi_519_ = bool();
+                        phi_520_ = true;
                     }
-                    let _e553 = phi_782_;
-                    let _e555 = phi_783_;
-                    let _e557 = phi_784_;
-                    let _e559 = phi_785_;
-                    let _e561 = phi_786_;
-                    let _e563 = phi_787_;
-                    let _e565 = phi_788_;
-                    phi_789_ = _e553;
-                    phi_790_ = _e555;
-                    phi_791_ = _e557;
-                    phi_792_ = _e559;
-                    phi_793_ = _e561;
-                    phi_794_ = _e563;
-                    phi_795_ = _e565;
+                    let _e321 = phi_519_;
+                    let _e323 = phi_520_;
+                    phi_521_ = _e321;
+                    phi_522_ = _e323;
                 } else {
-                    phi_789_ = bool();
-                    phi_790_ = bool();
-                    phi_791_ = vec2<u32>();
-                    phi_792_ = bool();
-                    phi_793_ = bool();
-                    phi_794_ = true;
-                    phi_795_ = false;
+                    phi_521_ = bool();
+                    phi_522_ = true;
                 }
-                let _e567 = phi_789_;
-                let _e569 = phi_790_;
-                let _e571 = phi_791_;
-                let _e573 = phi_792_;
-                let _e575 = phi_793_;
-                let _e577 = phi_794_;
-                let _e579 = phi_795_;
-                phi_796_ = _e567;
-                phi_797_ = _e569;
-                phi_798_ = _e571;
-                phi_799_ = _e573;
-                phi_800_ = _e575;
-                phi_801_ = _e577;
-                phi_802_ = _e579;
-            } else {
-                phi_796_ = bool();
-                phi_797_ = bool();
-                phi_798_ = vec2<u32>();
-                phi_799_ = bool();
-                phi_800_ = bool();
-                phi_801_ = true;
-                phi_802_ = false;
-            }
-            let _e581 = phi_796_;
-            let _e583 = phi_797_;
-            let _e585 = phi_798_;
-            let _e587 = phi_799_;
-            let _e589 = phi_800_;
-            let _e591 = phi_801_;
-            let _e593 = phi_802_;
-            if _e591 {
-                if (_e433 == 0f) {
-                    phi_811_ = (_e439 == 0f);
+                let _e325 = phi_521_;
+                let _e327 = phi_522_;
+                if _e327 {
+                    phi_526_ = false;
                 } else {
-                    phi_811_ = false;
+                    phi_526_ = _e325;
                 }
-                let _e597 = phi_811_;
-                phi_812_ = _e597;
-                phi_813_ = false;
-                phi_814_ = true;
-            } else {
-                phi_812_ = _e587;
-                phi_813_ = _e589;
-                phi_814_ = _e593;
+                let _e329 = phi_526_;
+                if _e329 {
+                    phi_530_ = false;
+                } else {
+                    phi_530_ = true;
+                }
+                let _e331 = phi_530_;
+                phi_531_ = _e331;
             }
-            let _e599 = phi_812_;
-            let _e601 = phi_813_;
-            let _e603 = phi_814_;
-            if _e603 {
-                phi_818_ = _e599;
-                phi_819_ = _e601;
-                phi_820_ = vec2<u32>(_e60.x, _e60.y);
-            } else {
-                phi_818_ = _e581;
-                phi_819_ = _e583;
-                phi_820_ = _e585;
-            }
-            let _e605 = phi_818_;
-            let _e607 = phi_819_;
-            let _e609 = phi_820_;
-            let _e619 = lt_mask_Reprojection(vec2<u32>(_e609.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e626 = lt_mask_Reprojection(vec2<u32>(_e619.pixel.x, _e609.y), _e619.is_valid, _e619.has_moved);
-            let _e630 = lt_mask_Reprojection(_e626.pixel, _e607, _e626.has_moved);
-            let _e634 = lt_mask_Reprojection(_e630.pixel, _e630.is_valid, !(_e605));
-            if _e607 {
-                let _e637 = p.member.previous.eye;
-                let _e645 = p.member.previous.forward;
-                let _e654 = (((((_e115.x - _e637.x) * _e645.x) + ((_e115.y - _e637.y) * _e645.y)) + ((_e115.z - _e637.z) * _e645.z)) > 0f);
-                let _e658 = lt_mask_Reprojection(_e634.pixel, _e654, _e634.has_moved);
+            let _e333 = phi_531_;
+            if _e333 {
+                let _e335 = samples.member[_e82.shift].position;
+                let _e339 = p.member.previous.eye;
+                let _e341 = (_e116.x - _e339.x);
+                let _e343 = (_e116.y - _e339.y);
+                let _e345 = (_e116.z - _e339.z);
+                let _e347 = p.member.previous.forward;
+                let _e355 = (((_e341 * _e347.x) + (_e343 * _e347.y)) + (_e345 * _e347.z));
+                let _e357 = p.member.previous.right;
+                let _e367 = p.member.previous.right;
+                let _e382 = p.member.previous.up;
+                let _e392 = p.member.previous.up;
+                let _e407 = p.member.current.eye;
+                let _e410 = (_e335.x - _e407.x);
+                let _e413 = (_e335.y - _e407.y);
+                let _e416 = (_e335.z - _e407.z);
+                let _e418 = p.member.current.forward;
+                let _e426 = (((_e410 * _e418.x) + (_e413 * _e418.y)) + (_e416 * _e418.z));
+                let _e428 = p.member.current.right;
+                let _e438 = p.member.current.right;
+                let _e453 = p.member.current.up;
+                let _e463 = p.member.current.up;
+                let _e482 = p.member.current.size[0u];
+                let _e484 = (((((((_e341 * _e357.x) + (_e343 * _e357.y)) + (_e345 * _e357.z)) / ((((_e367.x * _e367.x) + (_e367.y * _e367.y)) + (_e367.z * _e367.z)) * _e355)) - ((((_e410 * _e428.x) + (_e413 * _e428.y)) + (_e416 * _e428.z)) / ((((_e438.x * _e438.x) + (_e438.y * _e438.y)) + (_e438.z * _e438.z)) * _e426))) * 0.5f) * f32(_e482));
+                let _e488 = p.member.current.size[1u];
+                let _e490 = (((((((_e341 * _e382.x) + (_e343 * _e382.y)) + (_e345 * _e382.z)) / ((((_e392.x * _e392.x) + (_e392.y * _e392.y)) + (_e392.z * _e392.z)) * _e355)) - ((((_e410 * _e453.x) + (_e413 * _e453.y)) + (_e416 * _e453.z)) / ((((_e463.x * _e463.x) + (_e463.y * _e463.y)) + (_e463.z * _e463.z)) * _e426))) * -0.5f) * f32(_e488));
+                let _e494 = p.member.current.grid[0u];
+                let _e496 = p.member.current.grid[1u];
+                let _e516 = p.member.current.size[0u];
+                let _e518 = p.member.current.size[1u];
+                let _e520 = ((f32(_e61.x) + ((f32((_e61.y & (_e496 - 1u))) + 0.5f) / f32(_e496))) + _e484);
+                if (_e520 > -8388608f) {
+                    let _e532 = f32(select(0i, select(select(i32(_e520), i32(-2147483648), (_e520 < bitcast<f32>(3472883712u))), 2147483647i, (_e520 > bitcast<f32>(1325400063u))), (_e520 == _e520)));
+                    if (_e532 > _e520) {
+                        phi_739_ = 1f;
+                    } else {
+                        phi_739_ = 0f;
+                    }
+                    let _e535 = phi_739_;
+                    if (_e520 < 8388608f) {
+                        phi_744_ = (_e532 - _e535);
+                        phi_745_ = false;
+                    } else {
+                        phi_744_ = f32();
+                        phi_745_ = true;
+                    }
+                    let _e538 = phi_744_;
+                    let _e540 = phi_745_;
+                    phi_746_ = _e538;
+                    phi_747_ = _e540;
+                } else {
+                    phi_746_ = f32();
+                    phi_747_ = true;
+                }
+                let _e542 = phi_746_;
+                let _e544 = phi_747_;
+                if _e544 {
+                    phi_751_ = _e520;
+                } else {
+                    phi_751_ = _e542;
+                }
+                let _e546 = phi_751_;
+                let _e547 = ((f32(_e61.y) + ((f32((_e61.x & (_e494 - 1u))) + 0.5f) / f32(_e494))) + _e490);
+                if (_e547 > -8388608f) {
+                    let _e559 = f32(select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < bitcast<f32>(3472883712u))), 2147483647i, (_e547 > bitcast<f32>(1325400063u))), (_e547 == _e547)));
+                    if (_e559 > _e547) {
+                        phi_772_ = 1f;
+                    } else {
+                        phi_772_ = 0f;
+                    }
+                    let _e562 = phi_772_;
+                    if (_e547 < 8388608f) {
+                        phi_777_ = (_e559 - _e562);
+                        phi_778_ = false;
+                    } else {
+                        phi_777_ = f32();
+                        phi_778_ = true;
+                    }
+                    let _e565 = phi_777_;
+                    let _e567 = phi_778_;
+                    phi_779_ = _e565;
+                    phi_780_ = _e567;
+                } else {
+                    phi_779_ = f32();
+                    phi_780_ = true;
+                }
+                let _e569 = phi_779_;
+                let _e571 = phi_780_;
+                if _e571 {
+                    phi_784_ = _e547;
+                } else {
+                    phi_784_ = _e569;
+                }
+                let _e573 = phi_784_;
+                if (_e546 >= 0f) {
+                    if (_e573 >= 0f) {
+                        if (_e546 < f32(_e516)) {
+                            let _e579 = (_e573 < f32(_e518));
+                            if (_e484 == 0f) {
+                                phi_805_ = (_e490 == 0f);
+                            } else {
+                                phi_805_ = false;
+                            }
+                            let _e583 = phi_805_;
+                            if _e579 {
+                                phi_824_ = vec2<u32>(select(select(u32(_e546), 0u, (_e546 < bitcast<f32>(0u))), 4294967295u, (_e546 > bitcast<f32>(1333788671u))), select(select(u32(_e573), 0u, (_e573 < bitcast<f32>(0u))), 4294967295u, (_e573 > bitcast<f32>(1333788671u))));
+                                phi_825_ = false;
+                            } else {
+                                phi_824_ = vec2<u32>();
+                                phi_825_ = true;
+                            }
+                            let _e600 = phi_824_;
+                            let _e602 = phi_825_;
+                            phi_826_ = _e583;
+                            phi_827_ = _e579;
+                            phi_828_ = _e600;
+                            phi_829_ = _e583;
+                            phi_830_ = _e579;
+                            phi_831_ = false;
+                            phi_832_ = _e602;
+                        } else {
+                            phi_826_ = bool();
+                            phi_827_ = bool();
+                            phi_828_ = vec2<u32>();
+                            phi_829_ = bool();
+                            phi_830_ = bool();
+                            phi_831_ = true;
+                            phi_832_ = false;
+                        }
+                        let _e604 = phi_826_;
+                        let _e606 = phi_827_;
+                        let _e608 = phi_828_;
+                        let _e610 = phi_829_;
+                        let _e612 = phi_830_;
+                        let _e614 = phi_831_;
+                        let _e616 = phi_832_;
+                        phi_833_ = _e604;
+                        phi_834_ = _e606;
+                        phi_835_ = _e608;
+                        phi_836_ = _e610;
+                        phi_837_ = _e612;
+                        phi_838_ = _e614;
+                        phi_839_ = _e616;
+                    } else {
+                        phi_833_ = bool();
+                        phi_834_ = bool();
+                        phi_835_ = vec2<u32>();
+                        phi_836_ = bool();
+                        phi_837_ = bool();
+                        phi_838_ = true;
+                        phi_839_ = false;
+                    }
+                    let _e618 = phi_833_;
+                    let _e620 = phi_834_;
+                    let _e622 = phi_835_;
+                    let _e624 = phi_836_;
+                    let _e626 = phi_837_;
+                    let _e628 = phi_838_;
+                    let _e630 = phi_839_;
+                    phi_840_ = _e618;
+                    phi_841_ = _e620;
+                    phi_842_ = _e622;
+                    phi_843_ = _e624;
+                    phi_844_ = _e626;
+                    phi_845_ = _e628;
+                    phi_846_ = _e630;
+                } else {
+                    phi_840_ = bool();
+                    phi_841_ = bool();
+                    phi_842_ = vec2<u32>();
+                    phi_843_ = bool();
+                    phi_844_ = bool();
+                    phi_845_ = true;
+                    phi_846_ = false;
+                }
+                let _e632 = phi_840_;
+                let _e634 = phi_841_;
+                let _e636 = phi_842_;
+                let _e638 = phi_843_;
+                let _e640 = phi_844_;
+                let _e642 = phi_845_;
+                let _e644 = phi_846_;
+                if _e642 {
+                    if (_e484 == 0f) {
+                        phi_855_ = (_e490 == 0f);
+                    } else {
+                        phi_855_ = false;
+                    }
+                    let _e648 = phi_855_;
+                    phi_856_ = _e648;
+                    phi_857_ = false;
+                    phi_858_ = true;
+                } else {
+                    phi_856_ = _e638;
+                    phi_857_ = _e640;
+                    phi_858_ = _e644;
+                }
+                let _e650 = phi_856_;
+                let _e652 = phi_857_;
+                let _e654 = phi_858_;
                 if _e654 {
-                    let _e661 = p.member.previous.eye;
-                    let _e669 = p.member.previous.forward;
-                    let _e677 = ((((_e115.x - _e661.x) * _e669.x) + ((_e115.y - _e661.y) * _e669.y)) + ((_e115.z - _e661.z) * _e669.z));
-                    let _e679 = ((_e609.y * _e112) + _e609.x);
-                    if (_e679 < arrayLength((&last_depths.member))) {
-                    } else {
-                        return;
-                    }
-                    let _e683 = last_depths.member[(0u + _e679)];
-                    let _e685 = p.member.depth_tolerance;
-                    let _e688 = abs(_e677);
-                    let _e689 = abs(_e683);
-                    if ((bitcast<u32>(_e689) & 2147483647u) > 2139095040u) {
-                        phi_903_ = true;
-                    } else {
-                        let _e693 = (_e689 > _e688);
-                        if _e693 {
-                        }
-                        phi_903_ = _e693;
-                    }
-                    let _e695 = phi_903_;
-                    if _e695 {
-                        phi_907_ = _e689;
-                    } else {
-                        phi_907_ = _e688;
-                    }
-                    let _e697 = phi_907_;
-                    phi_911_ = lt_mask_Reprojection(_e658.pixel, (abs((_e677 - _e683)) <= (_e685 * _e697)), _e658.has_moved);
+                    phi_862_ = _e650;
+                    phi_863_ = _e652;
+                    phi_864_ = vec2<u32>(_e61.x, _e61.y);
                 } else {
-                    phi_911_ = _e658;
+                    phi_862_ = _e632;
+                    phi_863_ = _e634;
+                    phi_864_ = _e636;
                 }
-                let _e705 = phi_911_;
-                if _e705.is_valid {
-                    let _e708 = p.member.flags;
-                    phi_920_ = ((_e708 & 1u) != 0u);
-                    phi_921_ = false;
+                let _e656 = phi_862_;
+                let _e658 = phi_863_;
+                let _e660 = phi_864_;
+                let _e670 = lt_mask_Reprojection(vec2<u32>(_e660.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e677 = lt_mask_Reprojection(vec2<u32>(_e670.pixel.x, _e660.y), _e670.is_valid, _e670.has_moved);
+                let _e681 = lt_mask_Reprojection(_e677.pixel, _e658, _e677.has_moved);
+                let _e685 = lt_mask_Reprojection(_e681.pixel, _e681.is_valid, !(_e656));
+                if _e658 {
+                    let _e688 = p.member.previous.eye;
+                    let _e696 = p.member.previous.forward;
+                    let _e705 = (((((_e116.x - _e688.x) * _e696.x) + ((_e116.y - _e688.y) * _e696.y)) + ((_e116.z - _e688.z) * _e696.z)) > 0f);
+                    let _e709 = lt_mask_Reprojection(_e685.pixel, _e705, _e685.has_moved);
+                    if _e705 {
+                        phi_899_ = false;
+                    } else {
+                        phi_899_ = true;
+                    }
+                    let _e711 = phi_899_;
+                    phi_901_ = _e709;
+                    phi_902_ = _e709;
+                    phi_903_ = lt_mask_Reprojection();
+                    phi_904_ = _e705;
+                    phi_905_ = _e711;
                 } else {
-                    phi_920_ = bool();
-                    phi_921_ = true;
+                    phi_901_ = lt_mask_Reprojection();
+                    phi_902_ = lt_mask_Reprojection();
+                    phi_903_ = lt_mask_Reprojection(_e685.pixel, false, _e685.has_moved);
+                    phi_904_ = false;
+                    phi_905_ = false;
                 }
-                let _e712 = phi_920_;
-                let _e714 = phi_921_;
-                phi_923_ = _e712;
-                phi_924_ = _e705;
-                phi_925_ = _e705;
-                phi_926_ = _e714;
+                let _e717 = phi_901_;
+                let _e719 = phi_902_;
+                let _e721 = phi_903_;
+                let _e723 = phi_904_;
+                let _e725 = phi_905_;
+                phi_906_ = _e717;
+                phi_907_ = _e719;
+                phi_908_ = _e721;
+                phi_909_ = _e723;
+                phi_910_ = _e725;
             } else {
-                phi_923_ = bool();
-                phi_924_ = lt_mask_Reprojection();
-                phi_925_ = lt_mask_Reprojection(_e634.pixel, false, _e634.has_moved);
-                phi_926_ = true;
+                phi_906_ = lt_mask_Reprojection(_e301.pixel, _e301.is_valid, false);
+                phi_907_ = lt_mask_Reprojection();
+                phi_908_ = lt_mask_Reprojection();
+                phi_909_ = true;
+                phi_910_ = false;
             }
-            let _e720 = phi_923_;
-            let _e722 = phi_924_;
-            let _e724 = phi_925_;
-            let _e726 = phi_926_;
-            if _e726 {
-                phi_930_ = false;
-                phi_931_ = _e724;
+            let _e727 = phi_906_;
+            let _e729 = phi_907_;
+            let _e731 = phi_908_;
+            let _e733 = phi_909_;
+            let _e735 = phi_910_;
+            if _e733 {
+                let _e738 = p.member.previous.eye;
+                let _e746 = p.member.previous.forward;
+                let _e754 = ((((_e116.x - _e738.x) * _e746.x) + ((_e116.y - _e738.y) * _e746.y)) + ((_e116.z - _e738.z) * _e746.z));
+                let _e760 = ((_e727.pixel.y * _e113) + _e727.pixel.x);
+                if (_e760 < arrayLength((&last_depths.member))) {
+                } else {
+                    return;
+                }
+                let _e764 = last_depths.member[(0u + _e760)];
+                let _e766 = p.member.depth_tolerance;
+                let _e769 = abs(_e754);
+                let _e770 = abs(_e764);
+                if ((bitcast<u32>(_e770) & 2147483647u) > 2139095040u) {
+                    phi_962_ = true;
+                } else {
+                    let _e774 = (_e770 > _e769);
+                    if _e774 {
+                    }
+                    phi_962_ = _e774;
+                }
+                let _e776 = phi_962_;
+                if _e776 {
+                    phi_966_ = _e770;
+                } else {
+                    phi_966_ = _e769;
+                }
+                let _e778 = phi_966_;
+                phi_970_ = lt_mask_Reprojection(_e727.pixel, (abs((_e754 - _e764)) <= (_e766 * _e778)), _e727.has_moved);
+                phi_971_ = true;
             } else {
-                phi_930_ = _e720;
-                phi_931_ = _e722;
+                phi_970_ = _e729;
+                phi_971_ = _e735;
             }
-            let _e728 = phi_930_;
-            let _e730 = phi_931_;
-            let _e734 = lt_mask_Reprojection(_e730.pixel, _e728, _e730.has_moved);
-            let _e736 = p.member.flags;
-            let _e738 = ((_e736 & 2u) != 0u);
-            let _e740 = p.member.flags;
-            if ((_e740 & 4u) == 0u) {
-                phi_1007_ = u32();
-                phi_1008_ = true;
-                phi_1009_ = false;
+            let _e786 = phi_970_;
+            let _e788 = phi_971_;
+            if _e788 {
+                if _e786.is_valid {
+                    let _e791 = p.member.flags;
+                    phi_983_ = ((_e791 & 1u) != 0u);
+                    phi_984_ = false;
+                } else {
+                    phi_983_ = bool();
+                    phi_984_ = true;
+                }
+                let _e795 = phi_983_;
+                let _e797 = phi_984_;
+                phi_985_ = _e795;
+                phi_986_ = _e786;
+                phi_987_ = _e797;
             } else {
-                if _e728 {
-                    if !(_e734.has_moved) {
-                        let _e751 = ((((_e60.y * _e112) + _e60.x) * _e108.words) + _e108.light.word);
-                        if (_e108.light.shift > 29u) {
-                            let _e755 = (_e751 + 1u);
-                            if (_e755 < _e66) {
+                phi_985_ = bool();
+                phi_986_ = _e731;
+                phi_987_ = true;
+            }
+            let _e799 = phi_985_;
+            let _e801 = phi_986_;
+            let _e803 = phi_987_;
+            if _e803 {
+                phi_991_ = false;
+                phi_992_ = _e801;
+            } else {
+                phi_991_ = _e799;
+                phi_992_ = _e786;
+            }
+            let _e805 = phi_991_;
+            let _e807 = phi_992_;
+            let _e811 = lt_mask_Reprojection(_e807.pixel, _e805, _e807.has_moved);
+            let _e813 = p.member.flags;
+            let _e815 = ((_e813 & 2u) != 0u);
+            let _e817 = p.member.flags;
+            if ((_e817 & 4u) == 0u) {
+                phi_1068_ = u32();
+                phi_1069_ = true;
+                phi_1070_ = false;
+            } else {
+                if _e805 {
+                    if !(_e811.has_moved) {
+                        let _e828 = ((((_e61.y * _e113) + _e61.x) * _e109.words) + _e109.light.word);
+                        if (_e109.light.shift > 29u) {
+                            let _e832 = (_e828 + 1u);
+                            if (_e832 < _e67) {
                             } else {
                                 return;
                             }
-                            let _e759 = last_bits.member[(0u + _e755)];
-                            phi_974_ = _e759;
+                            let _e836 = last_bits.member[(0u + _e832)];
+                            phi_1035_ = _e836;
                         } else {
-                            phi_974_ = 0u;
+                            phi_1035_ = 0u;
                         }
-                        let _e761 = phi_974_;
-                        if (_e751 < _e66) {
+                        let _e838 = phi_1035_;
+                        if (_e828 < _e67) {
                         } else {
                             return;
                         }
-                        let _e767 = last_bits.member[(0u + _e751)];
-                        let _e770 = (_e767 >> bitcast<u32>((_e108.light.shift & 31u)));
-                        if (_e108.light.shift > 29u) {
-                            phi_993_ = (_e770 | (_e761 << bitcast<u32>(((32u - _e108.light.shift) & 31u))));
+                        let _e844 = last_bits.member[(0u + _e828)];
+                        let _e847 = (_e844 >> bitcast<u32>((_e109.light.shift & 31u)));
+                        if (_e109.light.shift > 29u) {
+                            phi_1054_ = (_e847 | (_e838 << bitcast<u32>(((32u - _e109.light.shift) & 31u))));
                         } else {
-                            phi_993_ = _e770;
+                            phi_1054_ = _e847;
                         }
-                        let _e778 = phi_993_;
-                        if ((_e778 & 2u) == 0u) {
-                            phi_1001_ = (_e778 & 1u);
+                        let _e855 = phi_1054_;
+                        if ((_e855 & 2u) == 0u) {
+                            phi_1062_ = (_e855 & 1u);
                         } else {
-                            phi_1001_ = (_e778 & 7u);
+                            phi_1062_ = (_e855 & 7u);
                         }
-                        let _e784 = phi_1001_;
-                        phi_1002_ = _e784;
-                        phi_1003_ = false;
+                        let _e861 = phi_1062_;
+                        phi_1063_ = _e861;
+                        phi_1064_ = false;
                     } else {
-                        phi_1002_ = u32();
-                        phi_1003_ = true;
+                        phi_1063_ = u32();
+                        phi_1064_ = true;
                     }
-                    let _e786 = phi_1002_;
-                    let _e788 = phi_1003_;
-                    phi_1004_ = _e786;
-                    phi_1005_ = false;
-                    phi_1006_ = _e788;
+                    let _e863 = phi_1063_;
+                    let _e865 = phi_1064_;
+                    phi_1065_ = _e863;
+                    phi_1066_ = false;
+                    phi_1067_ = _e865;
                 } else {
-                    phi_1004_ = u32();
-                    phi_1005_ = true;
-                    phi_1006_ = false;
+                    phi_1065_ = u32();
+                    phi_1066_ = true;
+                    phi_1067_ = false;
                 }
-                let _e790 = phi_1004_;
-                let _e792 = phi_1005_;
-                let _e794 = phi_1006_;
-                phi_1007_ = _e790;
-                phi_1008_ = _e792;
-                phi_1009_ = _e794;
+                let _e867 = phi_1065_;
+                let _e869 = phi_1066_;
+                let _e871 = phi_1067_;
+                phi_1068_ = _e867;
+                phi_1069_ = _e869;
+                phi_1070_ = _e871;
             }
-            let _e796 = phi_1007_;
-            let _e798 = phi_1008_;
-            let _e800 = phi_1009_;
-            if _e798 {
-                phi_1013_ = true;
+            let _e873 = phi_1068_;
+            let _e875 = phi_1069_;
+            let _e877 = phi_1070_;
+            if _e875 {
+                phi_1074_ = true;
             } else {
-                phi_1013_ = _e800;
+                phi_1074_ = _e877;
             }
-            let _e802 = phi_1013_;
-            if _e802 {
-                phi_1017_ = 0u;
+            let _e879 = phi_1074_;
+            if _e879 {
+                phi_1078_ = 0u;
             } else {
-                phi_1017_ = _e796;
+                phi_1078_ = _e873;
             }
-            let _e804 = phi_1017_;
-            let _e805 = lt_mask_Neighbourhood(false, true);
-            if _e282 {
-                phi_1022_ = _e738;
+            let _e881 = phi_1078_;
+            let _e882 = lt_mask_Neighbourhood(false, true);
+            if _e283 {
+                phi_1083_ = _e815;
             } else {
-                phi_1022_ = false;
+                phi_1083_ = false;
             }
-            let _e807 = phi_1022_;
-            if _e807 {
-                if _e728 {
-                    if ((_e804 & 2u) != 0u) {
-                        phi_1317_ = _e805;
+            let _e884 = phi_1083_;
+            if _e884 {
+                if _e805 {
+                    if ((_e881 & 2u) != 0u) {
+                        phi_1378_ = _e882;
                     } else {
-                        let _e811 = p.member.expansion;
-                        if _e734.has_moved {
-                            let _e814 = p.member.moving_pattern;
-                            phi_1044_ = _e814;
+                        let _e888 = p.member.expansion;
+                        if _e811.has_moved {
+                            let _e891 = p.member.moving_pattern;
+                            phi_1105_ = _e891;
                         } else {
-                            let _e816 = p.member.still_pattern;
-                            phi_1044_ = _e816;
+                            let _e893 = p.member.still_pattern;
+                            phi_1105_ = _e893;
                         }
-                        let _e818 = phi_1044_;
-                        phi_1046_ = 0u;
-                        phi_1049_ = _e805;
+                        let _e895 = phi_1105_;
+                        phi_1107_ = 0u;
+                        phi_1110_ = _e882;
                         loop {
-                            let _e820 = phi_1046_;
-                            let _e822 = phi_1049_;
-                            local_1 = _e822;
-                            if (1u <= _e818) {
-                                if (_e818 <= 4u) {
-                                    phi_1061_ = false;
+                            let _e897 = phi_1107_;
+                            let _e899 = phi_1110_;
+                            local_1 = _e899;
+                            if (1u <= _e895) {
+                                if (_e895 <= 4u) {
+                                    phi_1122_ = false;
                                 } else {
-                                    phi_1061_ = true;
+                                    phi_1122_ = true;
                                 }
-                                let _e826 = phi_1061_;
-                                phi_1062_ = _e826;
+                                let _e903 = phi_1122_;
+                                phi_1123_ = _e903;
                             } else {
-                                phi_1062_ = true;
+                                phi_1123_ = true;
                             }
-                            let _e828 = phi_1062_;
-                            if _e828 {
-                                switch bitcast<i32>(_e818) {
+                            let _e905 = phi_1123_;
+                            if _e905 {
+                                switch bitcast<i32>(_e895) {
                                     case 5: {
-                                        phi_1071_ = 4u;
+                                        phi_1132_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_1071_ = 25u;
+                                        phi_1132_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_1071_ = 13u;
+                                        phi_1132_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_1071_ = 9u;
+                                        phi_1132_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e831 = phi_1071_;
-                                phi_1072_ = _e831;
+                                let _e908 = phi_1132_;
+                                phi_1133_ = _e908;
                             } else {
-                                phi_1072_ = 5u;
+                                phi_1133_ = 5u;
                             }
-                            let _e833 = phi_1072_;
-                            let _e834 = (_e820 < _e833);
-                            if _e834 {
-                                let _e840 = p.member.frame;
-                                let _e844 = p.member.current.size[0u];
-                                let _e846 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e818) {
+                            let _e910 = phi_1133_;
+                            let _e911 = (_e897 < _e910);
+                            if _e911 {
+                                let _e917 = p.member.frame;
+                                let _e921 = p.member.current.size[0u];
+                                let _e923 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e895) {
                                     case 1: {
-                                        let _e856 = lt_mask_pattern_plus(_e820);
-                                        phi_1152_ = vec2<i32>(_e856.x, _e856.y);
+                                        let _e933 = lt_mask_pattern_plus(_e897);
+                                        phi_1213_ = vec2<i32>(_e933.x, _e933.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e860 = lt_mask_pattern_cross(_e820);
-                                        phi_1152_ = vec2<i32>(_e860.x, _e860.y);
+                                        let _e937 = lt_mask_pattern_cross(_e897);
+                                        phi_1213_ = vec2<i32>(_e937.x, _e937.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e866 = lt_mask_pattern_plus_or_cross(_e820, ((_e734.pixel.x + _e734.pixel.y) & 1u));
-                                        phi_1152_ = vec2<i32>(_e866.x, _e866.y);
+                                        let _e943 = lt_mask_pattern_plus_or_cross(_e897, ((_e811.pixel.x + _e811.pixel.y) & 1u));
+                                        phi_1213_ = vec2<i32>(_e943.x, _e943.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e871 = lt_mask_pattern_plus_or_cross(_e820, (_e840 & 1u));
-                                        phi_1152_ = vec2<i32>(_e871.x, _e871.y);
+                                        let _e948 = lt_mask_pattern_plus_or_cross(_e897, (_e917 & 1u));
+                                        phi_1213_ = vec2<i32>(_e948.x, _e948.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e840 & 3u)) {
+                                        switch bitcast<i32>((_e917 & 3u)) {
                                             case 0: {
-                                                phi_1132_ = vec2(-1i);
+                                                phi_1193_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1132_ = vec2(0i);
+                                                phi_1193_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1132_ = vec2<i32>(0i, -1i);
+                                                phi_1193_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1132_ = vec2<i32>(-1i, 0i);
+                                                phi_1193_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e882 = phi_1132_;
-                                        phi_1152_ = (_e882 + vec2<i32>(bitcast<i32>((_e820 & 1u)), bitcast<i32>(((_e820 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e959 = phi_1193_;
+                                        phi_1213_ = (_e959 + vec2<i32>(bitcast<i32>((_e897 & 1u)), bitcast<i32>(((_e897 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1152_ = vec2<i32>((bitcast<i32>((_e820 % 5u)) - 2i), (bitcast<i32>(((_e820 / 5u) % 5u)) - 2i));
+                                        phi_1213_ = vec2<i32>((bitcast<i32>((_e897 % 5u)) - 2i), (bitcast<i32>(((_e897 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e899 = lt_mask_pattern_diamond(_e820);
-                                        phi_1152_ = vec2<i32>(_e899.x, _e899.y);
+                                        let _e976 = lt_mask_pattern_diamond(_e897);
+                                        phi_1213_ = vec2<i32>(_e976.x, _e976.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1152_ = vec2<i32>((bitcast<i32>((_e820 % 3u)) - 1i), (bitcast<i32>(((_e820 / 3u) % 3u)) - 1i));
+                                        phi_1213_ = vec2<i32>((bitcast<i32>((_e897 % 3u)) - 1i), (bitcast<i32>(((_e897 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e904 = phi_1152_;
-                                let _e907 = lt_mask_pattern_step_clamped(_e734.pixel.x, _e904.x, _e844);
-                                let _e908 = lt_mask_pattern_step_clamped(_e734.pixel.y, _e904.y, _e846);
-                                let _e915 = ((((_e908 * _e112) + _e907) * _e108.words) + _e108.light.word);
-                                if (_e108.light.shift > 29u) {
-                                    let _e919 = (_e915 + 1u);
-                                    if (_e919 < _e66) {
+                                let _e981 = phi_1213_;
+                                let _e984 = lt_mask_pattern_step_clamped(_e811.pixel.x, _e981.x, _e921);
+                                let _e985 = lt_mask_pattern_step_clamped(_e811.pixel.y, _e981.y, _e923);
+                                let _e992 = ((((_e985 * _e113) + _e984) * _e109.words) + _e109.light.word);
+                                if (_e109.light.shift > 29u) {
+                                    let _e996 = (_e992 + 1u);
+                                    if (_e996 < _e67) {
                                     } else {
                                         return;
                                     }
-                                    let _e923 = last_bits.member[(0u + _e919)];
-                                    phi_1179_ = _e923;
+                                    let _e1000 = last_bits.member[(0u + _e996)];
+                                    phi_1240_ = _e1000;
                                 } else {
-                                    phi_1179_ = 0u;
+                                    phi_1240_ = 0u;
                                 }
-                                let _e925 = phi_1179_;
-                                if (_e915 < _e66) {
+                                let _e1002 = phi_1240_;
+                                if (_e992 < _e67) {
                                 } else {
                                     return;
                                 }
-                                let _e931 = last_bits.member[(0u + _e915)];
-                                let _e934 = (_e931 >> bitcast<u32>((_e108.light.shift & 31u)));
-                                if (_e108.light.shift > 29u) {
-                                    phi_1198_ = (_e934 | (_e925 << bitcast<u32>(((32u - _e108.light.shift) & 31u))));
+                                let _e1008 = last_bits.member[(0u + _e992)];
+                                let _e1011 = (_e1008 >> bitcast<u32>((_e109.light.shift & 31u)));
+                                if (_e109.light.shift > 29u) {
+                                    phi_1259_ = (_e1011 | (_e1002 << bitcast<u32>(((32u - _e109.light.shift) & 31u))));
                                 } else {
-                                    phi_1198_ = _e934;
+                                    phi_1259_ = _e1011;
                                 }
-                                let _e942 = phi_1198_;
-                                if ((_e942 & 2u) == 0u) {
-                                    phi_1206_ = (_e942 & 1u);
+                                let _e1019 = phi_1259_;
+                                if ((_e1019 & 2u) == 0u) {
+                                    phi_1267_ = (_e1019 & 1u);
                                 } else {
-                                    phi_1206_ = (_e942 & 7u);
+                                    phi_1267_ = (_e1019 & 7u);
                                 }
-                                let _e948 = phi_1206_;
-                                if _e822.any_expands {
-                                    phi_1294_ = true;
+                                let _e1025 = phi_1267_;
+                                if _e899.any_expands {
+                                    phi_1355_ = true;
                                 } else {
-                                    if ((_e948 & 2u) != 0u) {
-                                        let _e955 = (((_e948 & 4u) != 0u) != _e278);
-                                        switch bitcast<i32>(_e811) {
+                                    if ((_e1025 & 2u) != 0u) {
+                                        let _e1032 = (((_e1025 & 4u) != 0u) != _e279);
+                                        switch bitcast<i32>(_e888) {
                                             case 1: {
-                                                phi_1234_ = bool();
-                                                phi_1235_ = false;
-                                                phi_1236_ = true;
-                                                phi_1237_ = false;
-                                                phi_1238_ = false;
+                                                phi_1295_ = bool();
+                                                phi_1296_ = false;
+                                                phi_1297_ = true;
+                                                phi_1298_ = false;
+                                                phi_1299_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e955 {
-                                                    phi_1232_ = (((_e948 & 4u) != 0u) != ((_e948 & 1u) != 0u));
-                                                    phi_1233_ = false;
+                                                if _e1032 {
+                                                    phi_1293_ = (((_e1025 & 4u) != 0u) != ((_e1025 & 1u) != 0u));
+                                                    phi_1294_ = false;
                                                 } else {
-                                                    phi_1232_ = bool();
-                                                    phi_1233_ = true;
+                                                    phi_1293_ = bool();
+                                                    phi_1294_ = true;
                                                 }
-                                                let _e963 = phi_1232_;
-                                                let _e965 = phi_1233_;
-                                                phi_1234_ = _e963;
-                                                phi_1235_ = false;
-                                                phi_1236_ = false;
-                                                phi_1237_ = _e965;
-                                                phi_1238_ = _e955;
+                                                let _e1040 = phi_1293_;
+                                                let _e1042 = phi_1294_;
+                                                phi_1295_ = _e1040;
+                                                phi_1296_ = false;
+                                                phi_1297_ = false;
+                                                phi_1298_ = _e1042;
+                                                phi_1299_ = _e1032;
                                                 break;
                                             }
                                             default: {
-                                                phi_1234_ = bool();
-                                                phi_1235_ = true;
-                                                phi_1236_ = false;
-                                                phi_1237_ = false;
-                                                phi_1238_ = false;
+                                                phi_1295_ = bool();
+                                                phi_1296_ = true;
+                                                phi_1297_ = false;
+                                                phi_1298_ = false;
+                                                phi_1299_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e967 = phi_1234_;
-                                        let _e969 = phi_1235_;
-                                        let _e971 = phi_1236_;
-                                        let _e973 = phi_1237_;
-                                        let _e975 = phi_1238_;
-                                        phi_1246_ = _e955;
-                                        phi_1247_ = _e967;
-                                        phi_1248_ = _e969;
-                                        phi_1249_ = _e971;
-                                        phi_1250_ = _e973;
-                                        phi_1251_ = _e975;
+                                        let _e1044 = phi_1295_;
+                                        let _e1046 = phi_1296_;
+                                        let _e1048 = phi_1297_;
+                                        let _e1050 = phi_1298_;
+                                        let _e1052 = phi_1299_;
+                                        phi_1307_ = _e1032;
+                                        phi_1308_ = _e1044;
+                                        phi_1309_ = _e1046;
+                                        phi_1310_ = _e1048;
+                                        phi_1311_ = _e1050;
+                                        phi_1312_ = _e1052;
                                     } else {
-                                        switch bitcast<i32>(_e811) {
+                                        switch bitcast<i32>(_e888) {
                                             case 1: {
-                                                phi_1243_ = false;
-                                                phi_1244_ = true;
-                                                phi_1245_ = false;
+                                                phi_1304_ = false;
+                                                phi_1305_ = true;
+                                                phi_1306_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1243_ = false;
-                                                phi_1244_ = false;
-                                                phi_1245_ = true;
+                                                phi_1304_ = false;
+                                                phi_1305_ = false;
+                                                phi_1306_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_1243_ = true;
-                                                phi_1244_ = false;
-                                                phi_1245_ = false;
+                                                phi_1304_ = true;
+                                                phi_1305_ = false;
+                                                phi_1306_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e978 = phi_1243_;
-                                        let _e980 = phi_1244_;
-                                        let _e982 = phi_1245_;
-                                        phi_1246_ = false;
-                                        phi_1247_ = bool();
-                                        phi_1248_ = _e978;
-                                        phi_1249_ = _e980;
-                                        phi_1250_ = _e982;
-                                        phi_1251_ = false;
+                                        let _e1055 = phi_1304_;
+                                        let _e1057 = phi_1305_;
+                                        let _e1059 = phi_1306_;
+                                        phi_1307_ = false;
+                                        phi_1308_ = bool();
+                                        phi_1309_ = _e1055;
+                                        phi_1310_ = _e1057;
+                                        phi_1311_ = _e1059;
+                                        phi_1312_ = false;
                                     }
-                                    let _e984 = phi_1246_;
-                                    let _e986 = phi_1247_;
-                                    let _e988 = phi_1248_;
-                                    let _e990 = phi_1249_;
-                                    let _e992 = phi_1250_;
-                                    let _e994 = phi_1251_;
-                                    if _e988 {
-                                        if ((_e948 & 2u) != 0u) {
-                                            if (((_e948 & 4u) != 0u) != _e278) {
-                                                phi_1266_ = false;
+                                    let _e1061 = phi_1307_;
+                                    let _e1063 = phi_1308_;
+                                    let _e1065 = phi_1309_;
+                                    let _e1067 = phi_1310_;
+                                    let _e1069 = phi_1311_;
+                                    let _e1071 = phi_1312_;
+                                    if _e1065 {
+                                        if ((_e1025 & 2u) != 0u) {
+                                            if (((_e1025 & 4u) != 0u) != _e279) {
+                                                phi_1327_ = false;
                                             } else {
-                                                phi_1266_ = true;
+                                                phi_1327_ = true;
                                             }
-                                            let _e1001 = phi_1266_;
-                                            phi_1267_ = _e1001;
+                                            let _e1078 = phi_1327_;
+                                            phi_1328_ = _e1078;
                                         } else {
-                                            phi_1267_ = true;
+                                            phi_1328_ = true;
                                         }
-                                        let _e1003 = phi_1267_;
-                                        if _e1003 {
-                                            phi_1274_ = (((_e948 & 1u) != 0u) != _e278);
+                                        let _e1080 = phi_1328_;
+                                        if _e1080 {
+                                            phi_1335_ = (((_e1025 & 1u) != 0u) != _e279);
                                         } else {
-                                            phi_1274_ = true;
+                                            phi_1335_ = true;
                                         }
-                                        let _e1008 = phi_1274_;
-                                        phi_1275_ = _e1008;
-                                        phi_1276_ = false;
-                                        phi_1277_ = false;
-                                        phi_1278_ = false;
+                                        let _e1085 = phi_1335_;
+                                        phi_1336_ = _e1085;
+                                        phi_1337_ = false;
+                                        phi_1338_ = false;
+                                        phi_1339_ = false;
                                     } else {
-                                        phi_1275_ = bool();
-                                        phi_1276_ = _e990;
-                                        phi_1277_ = _e992;
-                                        phi_1278_ = _e994;
+                                        phi_1336_ = bool();
+                                        phi_1337_ = _e1067;
+                                        phi_1338_ = _e1069;
+                                        phi_1339_ = _e1071;
                                     }
-                                    let _e1010 = phi_1275_;
-                                    let _e1012 = phi_1276_;
-                                    let _e1014 = phi_1277_;
-                                    let _e1016 = phi_1278_;
-                                    if _e1012 {
-                                        phi_1282_ = _e984;
-                                        phi_1283_ = false;
-                                        phi_1284_ = false;
+                                    let _e1087 = phi_1336_;
+                                    let _e1089 = phi_1337_;
+                                    let _e1091 = phi_1338_;
+                                    let _e1093 = phi_1339_;
+                                    if _e1089 {
+                                        phi_1343_ = _e1061;
+                                        phi_1344_ = false;
+                                        phi_1345_ = false;
                                     } else {
-                                        phi_1282_ = _e1010;
-                                        phi_1283_ = _e1014;
-                                        phi_1284_ = _e1016;
+                                        phi_1343_ = _e1087;
+                                        phi_1344_ = _e1091;
+                                        phi_1345_ = _e1093;
                                     }
-                                    let _e1018 = phi_1282_;
-                                    let _e1020 = phi_1283_;
-                                    let _e1022 = phi_1284_;
-                                    if _e1020 {
-                                        phi_1288_ = false;
-                                        phi_1289_ = true;
+                                    let _e1095 = phi_1343_;
+                                    let _e1097 = phi_1344_;
+                                    let _e1099 = phi_1345_;
+                                    if _e1097 {
+                                        phi_1349_ = false;
+                                        phi_1350_ = true;
                                     } else {
-                                        phi_1288_ = _e986;
-                                        phi_1289_ = _e1022;
+                                        phi_1349_ = _e1063;
+                                        phi_1350_ = _e1099;
                                     }
-                                    let _e1024 = phi_1288_;
-                                    let _e1026 = phi_1289_;
-                                    if _e1026 {
-                                        phi_1293_ = _e1024;
+                                    let _e1101 = phi_1349_;
+                                    let _e1103 = phi_1350_;
+                                    if _e1103 {
+                                        phi_1354_ = _e1101;
                                     } else {
-                                        phi_1293_ = _e1018;
+                                        phi_1354_ = _e1095;
                                     }
-                                    let _e1028 = phi_1293_;
-                                    phi_1294_ = _e1028;
+                                    let _e1105 = phi_1354_;
+                                    phi_1355_ = _e1105;
                                 }
-                                let _e1030 = phi_1294_;
-                                if _e822.all_remove {
-                                    if (((_e948 & 1u) != 0u) == _e278) {
-                                        if ((_e948 & 2u) != 0u) {
-                                            phi_1312_ = (((_e948 & 4u) != 0u) == _e278);
+                                let _e1107 = phi_1355_;
+                                if _e899.all_remove {
+                                    if (((_e1025 & 1u) != 0u) == _e279) {
+                                        if ((_e1025 & 2u) != 0u) {
+                                            phi_1373_ = (((_e1025 & 4u) != 0u) == _e279);
                                         } else {
-                                            phi_1312_ = true;
+                                            phi_1373_ = true;
                                         }
-                                        let _e1040 = phi_1312_;
-                                        phi_1313_ = _e1040;
+                                        let _e1117 = phi_1373_;
+                                        phi_1374_ = _e1117;
                                     } else {
-                                        phi_1313_ = false;
+                                        phi_1374_ = false;
                                     }
-                                    let _e1042 = phi_1313_;
-                                    phi_1314_ = _e1042;
+                                    let _e1119 = phi_1374_;
+                                    phi_1375_ = _e1119;
                                 } else {
-                                    phi_1314_ = false;
+                                    phi_1375_ = false;
                                 }
-                                let _e1044 = phi_1314_;
-                                phi_1047_ = (_e820 + 1u);
-                                phi_1050_ = lt_mask_Neighbourhood(_e1030, _e1044);
+                                let _e1121 = phi_1375_;
+                                phi_1108_ = (_e897 + 1u);
+                                phi_1111_ = lt_mask_Neighbourhood(_e1107, _e1121);
                             } else {
-                                phi_1047_ = u32();
-                                phi_1050_ = lt_mask_Neighbourhood();
+                                phi_1108_ = u32();
+                                phi_1111_ = lt_mask_Neighbourhood();
                             }
-                            let _e1048 = phi_1047_;
-                            let _e1050 = phi_1050_;
+                            let _e1125 = phi_1108_;
+                            let _e1127 = phi_1111_;
                             continue;
                             continuing {
-                                phi_1046_ = _e1048;
-                                phi_1049_ = _e1050;
-                                break if !(_e834);
+                                phi_1107_ = _e1125;
+                                phi_1110_ = _e1127;
+                                break if !(_e911);
                             }
                         }
-                        let _e1409 = local_1;
-                        phi_1317_ = _e1409;
+                        let _e1504 = local_1;
+                        phi_1378_ = _e1504;
                     }
-                    let _e1053 = phi_1317_;
-                    phi_1318_ = _e1053;
+                    let _e1130 = phi_1378_;
+                    phi_1379_ = _e1130;
                 } else {
-                    phi_1318_ = _e805;
+                    phi_1379_ = _e882;
                 }
-                let _e1055 = phi_1318_;
-                phi_1319_ = _e1055;
+                let _e1132 = phi_1379_;
+                phi_1380_ = _e1132;
             } else {
-                phi_1319_ = _e805;
+                phi_1380_ = _e882;
             }
-            let _e1057 = phi_1319_;
-            let _e1060 = p.member.frame;
-            let _e1062 = p.member.refresh;
-            if (_e1062 == 0u) {
-                phi_1352_ = false;
+            let _e1134 = phi_1380_;
+            let _e1137 = p.member.frame;
+            let _e1139 = p.member.refresh;
+            if (_e1139 == 0u) {
+                phi_1413_ = false;
             } else {
-                if (_e1062 == 0u) {
+                if (_e1139 == 0u) {
                     return;
                 }
-                let _e1071 = ((_e60.x + (_e60.y * (((_e1062 * 5u) / 8u) | 1u))) + (_e1060 % _e1062));
-                if (_e1062 == 0u) {
-                    phi_1351_ = (_e1071 == 0u);
+                let _e1148 = ((_e61.x + (_e61.y * (((_e1139 * 5u) / 8u) | 1u))) + (_e1137 % _e1139));
+                if (_e1139 == 0u) {
+                    phi_1412_ = (_e1148 == 0u);
                 } else {
-                    if (_e1062 == 0u) {
+                    if (_e1139 == 0u) {
                         return;
                     }
-                    phi_1351_ = ((_e1071 % _e1062) == 0u);
+                    phi_1412_ = ((_e1148 % _e1139) == 0u);
                 }
-                let _e1078 = phi_1351_;
-                phi_1352_ = _e1078;
+                let _e1155 = phi_1412_;
+                phi_1413_ = _e1155;
             }
-            let _e1080 = phi_1352_;
-            if _e728 {
-                if _e1080 {
-                    phi_1374_ = bool();
+            let _e1157 = phi_1413_;
+            if _e805 {
+                if _e1157 {
+                    phi_1435_ = bool();
                 } else {
-                    phi_1374_ = ((_e804 & 2u) != 0u);
+                    phi_1435_ = ((_e881 & 2u) != 0u);
                 }
-                let _e1086 = phi_1374_;
-                phi_1375_ = _e1086;
-                phi_1376_ = _e1080;
+                let _e1163 = phi_1435_;
+                phi_1436_ = _e1163;
+                phi_1437_ = _e1157;
             } else {
-                phi_1375_ = bool();
-                phi_1376_ = true;
+                phi_1436_ = bool();
+                phi_1437_ = true;
             }
-            let _e1088 = phi_1375_;
-            let _e1090 = phi_1376_;
-            if _e1090 {
-                phi_1380_ = false;
+            let _e1165 = phi_1436_;
+            let _e1167 = phi_1437_;
+            if _e1167 {
+                phi_1441_ = false;
             } else {
-                phi_1380_ = _e1088;
+                phi_1441_ = _e1165;
             }
-            let _e1092 = phi_1380_;
-            if _e1092 {
-                phi_1431_ = 7u;
+            let _e1169 = phi_1441_;
+            if _e1169 {
+                phi_1492_ = 7u;
             } else {
-                if (_e120 != 0.5f) {
-                    if _e728 {
-                        if _e1080 {
-                            phi_1428_ = 6u;
+                if (_e121 != 0.5f) {
+                    if _e805 {
+                        if _e1157 {
+                            phi_1489_ = 6u;
                         } else {
-                            if _e282 {
-                                phi_1403_ = true;
+                            if _e283 {
+                                phi_1464_ = true;
                             } else {
-                                if _e1057.any_expands {
-                                    phi_1402_ = false;
+                                if _e1134.any_expands {
+                                    phi_1463_ = false;
                                 } else {
-                                    phi_1402_ = true;
+                                    phi_1463_ = true;
                                 }
-                                let _e1094 = phi_1402_;
-                                phi_1403_ = _e1094;
+                                let _e1171 = phi_1463_;
+                                phi_1464_ = _e1171;
                             }
-                            let _e1096 = phi_1403_;
-                            if _e1096 {
-                                if _e282 {
-                                    if _e738 {
-                                        if _e1057.all_remove {
-                                            phi_1416_ = false;
+                            let _e1173 = phi_1464_;
+                            if _e1173 {
+                                if _e283 {
+                                    if _e815 {
+                                        if _e1134.all_remove {
+                                            phi_1477_ = false;
                                         } else {
-                                            phi_1416_ = true;
+                                            phi_1477_ = true;
                                         }
-                                        let _e1098 = phi_1416_;
-                                        phi_1417_ = _e1098;
+                                        let _e1175 = phi_1477_;
+                                        phi_1478_ = _e1175;
                                     } else {
-                                        phi_1417_ = true;
+                                        phi_1478_ = true;
                                     }
-                                    let _e1100 = phi_1417_;
-                                    phi_1418_ = _e1100;
+                                    let _e1177 = phi_1478_;
+                                    phi_1479_ = _e1177;
                                 } else {
-                                    phi_1418_ = true;
+                                    phi_1479_ = true;
                                 }
-                                let _e1102 = phi_1418_;
-                                if _e1102 {
-                                    if _e282 {
-                                        phi_1425_ = 1u;
+                                let _e1179 = phi_1479_;
+                                if _e1179 {
+                                    if _e283 {
+                                        phi_1486_ = 1u;
                                     } else {
-                                        phi_1425_ = 0u;
+                                        phi_1486_ = 0u;
                                     }
-                                    let _e1104 = phi_1425_;
-                                    phi_1426_ = _e1104;
+                                    let _e1181 = phi_1486_;
+                                    phi_1487_ = _e1181;
                                 } else {
-                                    phi_1426_ = 5u;
+                                    phi_1487_ = 5u;
                                 }
-                                let _e1106 = phi_1426_;
-                                phi_1427_ = _e1106;
+                                let _e1183 = phi_1487_;
+                                phi_1488_ = _e1183;
                             } else {
-                                phi_1427_ = 4u;
+                                phi_1488_ = 4u;
                             }
-                            let _e1108 = phi_1427_;
-                            phi_1428_ = _e1108;
+                            let _e1185 = phi_1488_;
+                            phi_1489_ = _e1185;
                         }
-                        let _e1110 = phi_1428_;
-                        phi_1429_ = _e1110;
+                        let _e1187 = phi_1489_;
+                        phi_1490_ = _e1187;
                     } else {
-                        phi_1429_ = 3u;
+                        phi_1490_ = 3u;
                     }
-                    let _e1112 = phi_1429_;
-                    phi_1430_ = _e1112;
+                    let _e1189 = phi_1490_;
+                    phi_1491_ = _e1189;
                 } else {
-                    phi_1430_ = 2u;
+                    phi_1491_ = 2u;
                 }
-                let _e1114 = phi_1430_;
-                phi_1431_ = _e1114;
+                let _e1191 = phi_1491_;
+                phi_1492_ = _e1191;
             }
-            let _e1116 = phi_1431_;
-            if !((_e1116 == 0u)) {
-                if !((_e1116 == 5u)) {
-                    phi_1443_ = !(_e1092);
-                    phi_1444_ = false;
+            let _e1193 = phi_1492_;
+            if !((_e1193 == 0u)) {
+                if !((_e1193 == 5u)) {
+                    phi_1504_ = !(_e1169);
+                    phi_1505_ = false;
                 } else {
-                    phi_1443_ = bool();
-                    phi_1444_ = true;
+                    phi_1504_ = bool();
+                    phi_1505_ = true;
                 }
-                let _e1123 = phi_1443_;
-                let _e1125 = phi_1444_;
-                phi_1445_ = _e1123;
-                phi_1446_ = _e1125;
+                let _e1200 = phi_1504_;
+                let _e1202 = phi_1505_;
+                phi_1506_ = _e1200;
+                phi_1507_ = _e1202;
             } else {
-                phi_1445_ = bool();
-                phi_1446_ = true;
+                phi_1506_ = bool();
+                phi_1507_ = true;
             }
-            let _e1127 = phi_1445_;
-            let _e1129 = phi_1446_;
-            if _e1129 {
-                phi_1450_ = false;
+            let _e1204 = phi_1506_;
+            let _e1206 = phi_1507_;
+            if _e1206 {
+                phi_1511_ = false;
             } else {
-                phi_1450_ = _e1127;
+                phi_1511_ = _e1204;
             }
-            let _e1131 = phi_1450_;
-            if _e1092 {
-                phi_1456_ = ((_e804 & 4u) != 0u);
+            let _e1208 = phi_1511_;
+            if _e1169 {
+                phi_1517_ = ((_e881 & 4u) != 0u);
             } else {
-                phi_1456_ = _e278;
+                phi_1517_ = _e279;
             }
-            let _e1135 = phi_1456_;
-            if _e1131 {
-                if _e278 {
-                    phi_1464_ = (2u | 1u);
+            let _e1212 = phi_1517_;
+            if _e1208 {
+                if _e279 {
+                    phi_1525_ = (2u | 1u);
                 } else {
-                    phi_1464_ = 2u;
+                    phi_1525_ = 2u;
                 }
-                let _e1138 = phi_1464_;
+                let _e1215 = phi_1525_;
                 if false {
-                    phi_1469_ = (_e1138 | 4u);
+                    phi_1530_ = (_e1215 | 4u);
                 } else {
-                    phi_1469_ = _e1138;
+                    phi_1530_ = _e1215;
                 }
-                let _e1141 = phi_1469_;
-                phi_1489_ = _e1141;
+                let _e1218 = phi_1530_;
+                phi_1550_ = _e1218;
             } else {
-                if (_e1116 == 7u) {
-                    if _e278 {
-                        phi_1478_ = (2u | 1u);
+                if (_e1193 == 7u) {
+                    if _e279 {
+                        phi_1539_ = (2u | 1u);
                     } else {
-                        phi_1478_ = 2u;
+                        phi_1539_ = 2u;
                     }
-                    let _e1145 = phi_1478_;
-                    if _e1135 {
-                        phi_1483_ = (_e1145 | 4u);
+                    let _e1222 = phi_1539_;
+                    if _e1212 {
+                        phi_1544_ = (_e1222 | 4u);
                     } else {
-                        phi_1483_ = _e1145;
+                        phi_1544_ = _e1222;
                     }
-                    let _e1148 = phi_1483_;
-                    phi_1488_ = _e1148;
+                    let _e1225 = phi_1544_;
+                    phi_1549_ = _e1225;
                 } else {
-                    if _e278 {
-                        phi_1487_ = 1u;
+                    if _e279 {
+                        phi_1548_ = 1u;
                     } else {
-                        phi_1487_ = 0u;
+                        phi_1548_ = 0u;
                     }
-                    let _e1150 = phi_1487_;
-                    phi_1488_ = _e1150;
+                    let _e1227 = phi_1548_;
+                    phi_1549_ = _e1227;
                 }
-                let _e1152 = phi_1488_;
-                phi_1489_ = _e1152;
+                let _e1229 = phi_1549_;
+                phi_1550_ = _e1229;
             }
-            let _e1154 = phi_1489_;
-            if _e1135 {
-                phi_1493_ = 0f;
+            let _e1231 = phi_1550_;
+            if _e1212 {
+                phi_1554_ = 0f;
             } else {
-                phi_1493_ = 1f;
+                phi_1554_ = 1f;
             }
-            let _e1156 = phi_1493_;
-            phi_1495_ = mask_Masked(_e1156, _e1154, _e1131);
+            let _e1233 = phi_1554_;
+            phi_1556_ = mask_Masked(_e1233, _e1231, _e1208);
         }
-        let _e1159 = phi_1495_;
-        visibility.member[_e81.shift] = _e1159.visibility;
-        let _e1164 = p.member.light.number;
-        let _e1165 = (_e1164 * 3u);
-        let _e1167 = (_e1165 % 32u);
-        let _e1169 = p.member.light.mask_words;
-        let _e1171 = ((_e81.shift * _e1169) + (_e1165 / 32u));
-        let _e1173 = bits.member[_e1171];
-        bits.member[_e1171] = ((_e1173 & ~((7u << bitcast<u32>((_e1167 & 31u))))) | (_e1159.bits << bitcast<u32>((_e1167 & 31u))));
-        if (_e1167 > 29u) {
-            let _e1188 = bits.member[(_e1171 + 1u)];
-            let _e1190 = (32u - _e1167);
-            bits.member[(_e1171 + 1u)] = ((_e1188 & ~((7u >> bitcast<u32>((_e1190 & 31u))))) | (_e1159.bits >> bitcast<u32>((_e1190 & 31u))));
+        let _e1236 = phi_1556_;
+        visibility.member[_e82.shift] = _e1236.visibility;
+        let _e1241 = p.member.light.number;
+        let _e1242 = (_e1241 * 3u);
+        let _e1244 = (_e1242 % 32u);
+        let _e1246 = p.member.light.mask_words;
+        let _e1248 = ((_e82.shift * _e1246) + (_e1242 / 32u));
+        let _e1250 = bits.member[_e1248];
+        bits.member[_e1248] = ((_e1250 & ~((7u << bitcast<u32>((_e1244 & 31u))))) | (_e1236.bits << bitcast<u32>((_e1244 & 31u))));
+        if (_e1244 > 29u) {
+            let _e1265 = bits.member[(_e1248 + 1u)];
+            let _e1267 = (32u - _e1244);
+            bits.member[(_e1248 + 1u)] = ((_e1265 & ~((7u >> bitcast<u32>((_e1267 & 31u))))) | (_e1236.bits >> bitcast<u32>((_e1267 & 31u))));
         }
-        let _e1205 = samples.member[_e81.shift].normal[0u];
-        let _e1207 = global[0u];
-        if (_e1205 == _e1207) {
-            let _e1210 = samples.member[_e81.shift].normal[1u];
-            let _e1212 = global[1u];
-            if (_e1210 == _e1212) {
-                let _e1215 = samples.member[_e81.shift].normal[2u];
-                let _e1217 = global[2u];
-                phi_1567_ = (_e1215 == _e1217);
-                phi_1568_ = false;
+        let _e1282 = samples.member[_e82.shift].normal[0u];
+        let _e1284 = global[0u];
+        if (_e1282 == _e1284) {
+            let _e1287 = samples.member[_e82.shift].normal[1u];
+            let _e1289 = global[1u];
+            if (_e1287 == _e1289) {
+                let _e1292 = samples.member[_e82.shift].normal[2u];
+                let _e1294 = global[2u];
+                phi_1628_ = (_e1292 == _e1294);
+                phi_1629_ = false;
             } else {
-                phi_1567_ = bool();
-                phi_1568_ = true;
+                phi_1628_ = bool();
+                phi_1629_ = true;
             }
-            let _e1220 = phi_1567_;
-            let _e1222 = phi_1568_;
-            phi_1569_ = _e1220;
-            phi_1570_ = _e1222;
+            let _e1297 = phi_1628_;
+            let _e1299 = phi_1629_;
+            phi_1630_ = _e1297;
+            phi_1631_ = _e1299;
         } else {
-            phi_1569_ = bool();
-            phi_1570_ = true;
+            phi_1630_ = bool();
+            phi_1631_ = true;
         }
-        let _e1224 = phi_1569_;
-        let _e1226 = phi_1570_;
-        if _e1226 {
-            phi_1574_ = false;
+        let _e1301 = phi_1630_;
+        let _e1303 = phi_1631_;
+        if _e1303 {
+            phi_1635_ = false;
         } else {
-            phi_1574_ = _e1224;
+            phi_1635_ = _e1301;
         }
-        let _e1228 = phi_1574_;
-        if !(_e1228) {
-            let _e1231 = samples.member[_e81.shift].position;
-            let _e1233 = p.member.current.eye;
-            let _e1244 = p.member.current.forward;
-            phi_1602_ = ((((_e1231.x - _e1233.x) * _e1244.x) + ((_e1231.y - _e1233.y) * _e1244.y)) + ((_e1231.z - _e1233.z) * _e1244.z));
+        let _e1305 = phi_1635_;
+        if !(_e1305) {
+            let _e1308 = samples.member[_e82.shift].position;
+            let _e1310 = p.member.current.eye;
+            let _e1321 = p.member.current.forward;
+            phi_1663_ = ((((_e1308.x - _e1310.x) * _e1321.x) + ((_e1308.y - _e1310.y) * _e1321.y)) + ((_e1308.z - _e1310.z) * _e1321.z));
         } else {
-            phi_1602_ = 0f;
+            phi_1663_ = 0f;
         }
-        let _e1254 = phi_1602_;
-        depths.member[_e81.shift] = _e1254;
-        phi_1605_ = _e1159.needs_ray;
-        phi_1606_ = _e81.shift;
+        let _e1331 = phi_1663_;
+        depths.member[_e82.shift] = _e1331;
+        phi_1666_ = _e1236.needs_ray;
+        phi_1667_ = _e82.shift;
     } else {
-        phi_1605_ = false;
-        phi_1606_ = 0u;
+        phi_1666_ = false;
+        phi_1667_ = 0u;
     }
-    let _e1258 = phi_1605_;
-    let _e1260 = phi_1606_;
-    if (_e61 == 0u) {
+    let _e1335 = phi_1666_;
+    let _e1337 = phi_1667_;
+    if (_e62 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1258 {
-        let _e1264 = atomicAdd((&shared_[0u]), 1u);
-        phi_1617_ = _e1264;
+    if _e1335 {
+        let _e1341 = atomicAdd((&shared_[0u]), 1u);
+        phi_1678_ = _e1341;
     } else {
-        phi_1617_ = 0u;
+        phi_1678_ = 0u;
     }
-    let _e1266 = phi_1617_;
+    let _e1343 = phi_1678_;
     workgroupBarrier();
-    if (_e61 == 0u) {
-        let _e1270 = atomicLoad((&shared_[0u]));
-        let _e1271 = atomicAdd((&list.member[3u]), _e1270);
-        atomicStore((&shared_[1u]), _e1271);
+    if (_e62 == 0u) {
+        let _e1347 = atomicLoad((&shared_[0u]));
+        let _e1348 = atomicAdd((&list.member[3u]), _e1347);
+        atomicStore((&shared_[1u]), _e1348);
     }
     workgroupBarrier();
-    if _e1258 {
-        let _e1274 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1274) + _e1266)]), _e1260);
+    if _e1335 {
+        let _e1351 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1351) + _e1343)]), _e1337);
     }
     return;
 }

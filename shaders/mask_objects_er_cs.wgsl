@@ -120,1281 +120,1345 @@ var<workgroup> shared_: array<atomic<u32>, 2>;
 var<storage> past: type_44;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_177_: lt_mask_LightPlace;
-    var phi_178_: bool;
-    var phi_179_: lt_mask_LightPlace;
-    var phi_180_: bool;
-    var phi_185_: lt_mask_LightPlace;
+    var phi_178_: lt_mask_LightPlace;
+    var phi_179_: bool;
+    var phi_180_: lt_mask_LightPlace;
+    var phi_181_: bool;
+    var phi_186_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_177_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_178_ = false;
+            phi_178_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_179_ = false;
         } else {
-            phi_177_ = lt_mask_LightPlace();
-            phi_178_ = true;
+            phi_178_ = lt_mask_LightPlace();
+            phi_179_ = true;
         }
-        let _e68 = phi_177_;
-        let _e70 = phi_178_;
-        phi_179_ = _e68;
-        phi_180_ = _e70;
+        let _e69 = phi_178_;
+        let _e71 = phi_179_;
+        phi_180_ = _e69;
+        phi_181_ = _e71;
     } else {
-        phi_179_ = lt_mask_LightPlace();
-        phi_180_ = true;
+        phi_180_ = lt_mask_LightPlace();
+        phi_181_ = true;
     }
-    let _e72 = phi_179_;
-    let _e74 = phi_180_;
-    if _e74 {
-        phi_185_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e73 = phi_180_;
+    let _e75 = phi_181_;
+    if _e75 {
+        phi_186_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_185_ = _e72;
+        phi_186_ = _e73;
     }
-    let _e79 = phi_185_;
-    return lt_mask_LightPlace(_e79.word, _e79.shift);
+    let _e80 = phi_186_;
+    return lt_mask_LightPlace(_e80.word, _e80.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_203_: vec2<i32>;
+    var phi_204_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_203_ = vec2(0i);
+            phi_204_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_203_ = vec2<i32>(0i, -1i);
+            phi_204_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_203_ = vec2<i32>(-1i, 0i);
+            phi_204_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_203_ = vec2<i32>(1i, 0i);
+            phi_204_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_203_ = vec2<i32>(0i, 1i);
+            phi_204_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e64 = phi_203_;
-    return vec2<i32>(_e64.x, _e64.y);
+    let _e65 = phi_204_;
+    return vec2<i32>(_e65.x, _e65.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_221_: vec2<i32>;
+    var phi_222_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_221_ = vec2(0i);
+            phi_222_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_221_ = vec2(-1i);
+            phi_222_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_221_ = vec2<i32>(1i, -1i);
+            phi_222_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_221_ = vec2<i32>(-1i, 1i);
+            phi_222_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_221_ = vec2(1i);
+            phi_222_ = vec2(1i);
             break;
         }
     }
-    let _e64 = phi_221_;
-    return vec2<i32>(_e64.x, _e64.y);
+    let _e65 = phi_222_;
+    return vec2<i32>(_e65.x, _e65.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_240_: vec2<i32>;
+    var phi_241_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e58 = lt_mask_pattern_plus(param_5);
-        phi_240_ = vec2<i32>(_e58.x, _e58.y);
+        let _e59 = lt_mask_pattern_plus(param_5);
+        phi_241_ = vec2<i32>(_e59.x, _e59.y);
     } else {
-        let _e62 = lt_mask_pattern_cross(param_5);
-        phi_240_ = vec2<i32>(_e62.x, _e62.y);
+        let _e63 = lt_mask_pattern_cross(param_5);
+        phi_241_ = vec2<i32>(_e63.x, _e63.y);
     }
-    let _e67 = phi_240_;
-    return vec2<i32>(_e67.x, _e67.y);
+    let _e68 = phi_241_;
+    return vec2<i32>(_e68.x, _e68.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_265_: vec2<i32>;
+    var phi_266_: vec2<i32>;
 
-    let _e56 = (param_7 % 13u);
-    switch bitcast<i32>(_e56) {
+    let _e57 = (param_7 % 13u);
+    switch bitcast<i32>(_e57) {
         case 9: {
-            phi_265_ = vec2<i32>(0i, -2i);
+            phi_266_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_265_ = vec2<i32>(-2i, 0i);
+            phi_266_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_265_ = vec2<i32>(2i, 0i);
+            phi_266_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_265_ = vec2<i32>(0i, 2i);
+            phi_266_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_265_ = vec2<i32>((bitcast<i32>((_e56 % 3u)) - 1i), (bitcast<i32>(((_e56 / 3u) % 3u)) - 1i));
+            phi_266_ = vec2<i32>((bitcast<i32>((_e57 % 3u)) - 1i), (bitcast<i32>(((_e57 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e71 = phi_265_;
-    return vec2<i32>(_e71.x, _e71.y);
+    let _e72 = phi_266_;
+    return vec2<i32>(_e72.x, _e72.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_286_: u32;
     var phi_287_: u32;
+    var phi_288_: u32;
 
-    let _e59 = (bitcast<i32>(param_8) + param_9);
-    if (_e59 < 0i) {
-        phi_287_ = 0u;
+    let _e60 = (bitcast<i32>(param_8) + param_9);
+    if (_e60 < 0i) {
+        phi_288_ = 0u;
     } else {
-        if (_e59 >= bitcast<i32>(param_10)) {
-            phi_286_ = (param_10 - 1u);
+        if (_e60 >= bitcast<i32>(param_10)) {
+            phi_287_ = (param_10 - 1u);
         } else {
-            phi_286_ = bitcast<u32>(_e59);
+            phi_287_ = bitcast<u32>(_e60);
         }
-        let _e66 = phi_286_;
-        phi_287_ = _e66;
+        let _e67 = phi_287_;
+        phi_288_ = _e67;
     }
-    let _e68 = phi_287_;
-    return _e68;
+    let _e69 = phi_288_;
+    return _e69;
 }
 
 fn function_() {
-    var phi_363_: bool;
     var phi_364_: bool;
     var phi_365_: bool;
     var phi_366_: bool;
-    var phi_370_: bool;
-    var phi_440_: bool;
+    var phi_367_: bool;
+    var phi_371_: bool;
     var phi_441_: bool;
-    var phi_452_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_453_: bool;
-    var phi_454_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_455_: bool;
-    var phi_462_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_466_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_479_: bool;
-    var phi_684_: f32;
-    var phi_689_: f32;
-    var phi_690_: bool;
-    var phi_691_: f32;
-    var phi_692_: bool;
-    var phi_696_: f32;
-    var phi_717_: f32;
-    var phi_722_: f32;
-    var phi_723_: bool;
-    var phi_724_: f32;
-    var phi_725_: bool;
-    var phi_729_: f32;
-    var phi_750_: bool;
-    var phi_769_: vec2<u32>;
-    var phi_770_: bool;
-    var phi_771_: bool;
-    var phi_772_: bool;
-    var phi_773_: vec2<u32>;
-    var phi_774_: bool;
-    var phi_775_: bool;
-    var phi_776_: bool;
-    var phi_777_: bool;
-    var phi_778_: bool;
-    var phi_779_: bool;
-    var phi_780_: vec2<u32>;
-    var phi_781_: bool;
-    var phi_782_: bool;
-    var phi_783_: bool;
-    var phi_784_: bool;
-    var phi_785_: bool;
-    var phi_786_: bool;
-    var phi_787_: vec2<u32>;
-    var phi_788_: bool;
-    var phi_789_: bool;
-    var phi_790_: bool;
-    var phi_791_: bool;
-    var phi_800_: bool;
-    var phi_801_: bool;
-    var phi_802_: bool;
-    var phi_803_: bool;
-    var phi_807_: bool;
-    var phi_808_: bool;
-    var phi_809_: vec2<u32>;
-    var phi_848_: bool;
-    var phi_849_: bool;
+    var phi_442_: bool;
+    var phi_453_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_454_: bool;
+    var phi_455_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_456_: bool;
+    var phi_463_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_467_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_480_: bool;
+    var phi_508_: bool;
+    var phi_509_: bool;
+    var phi_510_: bool;
+    var phi_511_: bool;
+    var phi_515_: bool;
+    var phi_519_: bool;
+    var phi_520_: bool;
+    var phi_728_: f32;
+    var phi_733_: f32;
+    var phi_734_: bool;
+    var phi_735_: f32;
+    var phi_736_: bool;
+    var phi_740_: f32;
+    var phi_761_: f32;
+    var phi_766_: f32;
+    var phi_767_: bool;
+    var phi_768_: f32;
+    var phi_769_: bool;
+    var phi_773_: f32;
+    var phi_794_: bool;
+    var phi_813_: vec2<u32>;
+    var phi_814_: bool;
+    var phi_815_: bool;
+    var phi_816_: bool;
+    var phi_817_: vec2<u32>;
+    var phi_818_: bool;
+    var phi_819_: bool;
+    var phi_820_: bool;
+    var phi_821_: bool;
+    var phi_822_: bool;
+    var phi_823_: bool;
+    var phi_824_: vec2<u32>;
+    var phi_825_: bool;
+    var phi_826_: bool;
+    var phi_827_: bool;
+    var phi_828_: bool;
+    var phi_829_: bool;
+    var phi_830_: bool;
+    var phi_831_: vec2<u32>;
+    var phi_832_: bool;
+    var phi_833_: bool;
+    var phi_834_: bool;
+    var phi_835_: bool;
+    var phi_844_: bool;
+    var phi_845_: bool;
+    var phi_846_: bool;
+    var phi_847_: bool;
     var phi_851_: bool;
-    var phi_852_: lt_mask_Reprojection;
-    var phi_853_: lt_mask_Reprojection;
-    var phi_854_: bool;
-    var phi_858_: bool;
-    var phi_859_: lt_mask_Reprojection;
-    var phi_865_: bool;
-    var phi_887_: u32;
-    var phi_889_: u32;
-    var phi_892_: lt_mask_Neighbourhood;
-    var phi_904_: bool;
-    var phi_905_: bool;
-    var phi_914_: u32;
-    var phi_915_: u32;
-    var phi_975_: vec2<i32>;
-    var phi_995_: vec2<i32>;
-    var phi_1020_: u32;
-    var phi_1039_: u32;
-    var phi_1047_: u32;
-    var phi_1073_: bool;
-    var phi_1074_: bool;
-    var phi_1075_: bool;
-    var phi_1076_: bool;
-    var phi_1077_: bool;
-    var phi_1078_: bool;
-    var phi_1079_: bool;
-    var phi_1084_: bool;
-    var phi_1085_: bool;
-    var phi_1086_: bool;
-    var phi_1087_: bool;
-    var phi_1088_: bool;
-    var phi_1089_: bool;
-    var phi_1090_: bool;
-    var phi_1091_: bool;
-    var phi_1092_: bool;
-    var phi_1107_: bool;
-    var phi_1108_: bool;
-    var phi_1115_: bool;
-    var phi_1116_: bool;
-    var phi_1117_: bool;
-    var phi_1118_: bool;
-    var phi_1119_: bool;
+    var phi_852_: bool;
+    var phi_853_: vec2<u32>;
+    var phi_888_: bool;
+    var phi_890_: lt_mask_Reprojection;
+    var phi_891_: lt_mask_Reprojection;
+    var phi_892_: bool;
+    var phi_896_: bool;
+    var phi_897_: lt_mask_Reprojection;
+    var phi_898_: lt_mask_Reprojection;
+    var phi_899_: bool;
+    var phi_907_: bool;
+    var phi_908_: lt_mask_Reprojection;
+    var phi_914_: bool;
+    var phi_936_: u32;
+    var phi_938_: u32;
+    var phi_941_: lt_mask_Neighbourhood;
+    var phi_953_: bool;
+    var phi_954_: bool;
+    var phi_963_: u32;
+    var phi_964_: u32;
+    var phi_1024_: vec2<i32>;
+    var phi_1044_: vec2<i32>;
+    var phi_1069_: u32;
+    var phi_1088_: u32;
+    var phi_1096_: u32;
+    var phi_1122_: bool;
     var phi_1123_: bool;
     var phi_1124_: bool;
     var phi_1125_: bool;
-    var phi_1129_: bool;
-    var phi_1130_: bool;
+    var phi_1126_: bool;
+    var phi_1127_: bool;
+    var phi_1128_: bool;
+    var phi_1133_: bool;
     var phi_1134_: bool;
     var phi_1135_: bool;
-    var phi_1153_: bool;
-    var phi_1154_: bool;
-    var phi_1155_: bool;
-    var phi_890_: u32;
-    var phi_893_: lt_mask_Neighbourhood;
-    var phi_1158_: lt_mask_Neighbourhood;
-    var phi_1159_: lt_mask_Neighbourhood;
-    var phi_1160_: lt_mask_Neighbourhood;
-    var phi_1192_: bool;
-    var phi_1193_: bool;
-    var phi_1215_: bool;
-    var phi_1216_: bool;
-    var phi_1217_: bool;
-    var phi_1221_: bool;
-    var phi_1243_: bool;
-    var phi_1244_: bool;
-    var phi_1257_: bool;
-    var phi_1258_: bool;
-    var phi_1259_: bool;
-    var phi_1266_: u32;
-    var phi_1267_: u32;
-    var phi_1268_: u32;
-    var phi_1269_: u32;
-    var phi_1270_: u32;
-    var phi_1271_: u32;
-    var phi_1272_: u32;
-    var phi_1284_: bool;
-    var phi_1285_: bool;
-    var phi_1286_: bool;
-    var phi_1287_: bool;
-    var phi_1291_: bool;
-    var phi_1297_: bool;
-    var phi_1305_: u32;
-    var phi_1310_: u32;
+    var phi_1136_: bool;
+    var phi_1137_: bool;
+    var phi_1138_: bool;
+    var phi_1139_: bool;
+    var phi_1140_: bool;
+    var phi_1141_: bool;
+    var phi_1156_: bool;
+    var phi_1157_: bool;
+    var phi_1164_: bool;
+    var phi_1165_: bool;
+    var phi_1166_: bool;
+    var phi_1167_: bool;
+    var phi_1168_: bool;
+    var phi_1172_: bool;
+    var phi_1173_: bool;
+    var phi_1174_: bool;
+    var phi_1178_: bool;
+    var phi_1179_: bool;
+    var phi_1183_: bool;
+    var phi_1184_: bool;
+    var phi_1202_: bool;
+    var phi_1203_: bool;
+    var phi_1204_: bool;
+    var phi_939_: u32;
+    var phi_942_: lt_mask_Neighbourhood;
+    var phi_1207_: lt_mask_Neighbourhood;
+    var phi_1208_: lt_mask_Neighbourhood;
+    var phi_1209_: lt_mask_Neighbourhood;
+    var phi_1241_: bool;
+    var phi_1242_: bool;
+    var phi_1264_: bool;
+    var phi_1265_: bool;
+    var phi_1266_: bool;
+    var phi_1270_: bool;
+    var phi_1292_: bool;
+    var phi_1293_: bool;
+    var phi_1306_: bool;
+    var phi_1307_: bool;
+    var phi_1308_: bool;
+    var phi_1315_: u32;
+    var phi_1316_: u32;
+    var phi_1317_: u32;
+    var phi_1318_: u32;
     var phi_1319_: u32;
-    var phi_1324_: u32;
-    var phi_1328_: u32;
-    var phi_1329_: u32;
-    var phi_1330_: u32;
-    var phi_1334_: f32;
-    var phi_1336_: mask_Masked;
-    var phi_1386_: bool;
-    var phi_1387_: u32;
-    var phi_1398_: u32;
+    var phi_1320_: u32;
+    var phi_1321_: u32;
+    var phi_1333_: bool;
+    var phi_1334_: bool;
+    var phi_1335_: bool;
+    var phi_1336_: bool;
+    var phi_1340_: bool;
+    var phi_1346_: bool;
+    var phi_1354_: u32;
+    var phi_1359_: u32;
+    var phi_1368_: u32;
+    var phi_1373_: u32;
+    var phi_1377_: u32;
+    var phi_1378_: u32;
+    var phi_1379_: u32;
+    var phi_1383_: f32;
+    var phi_1385_: mask_Masked;
+    var phi_1435_: bool;
+    var phi_1436_: u32;
+    var phi_1447_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e55 = id_1;
-    let _e56 = local_2;
-    let _e61 = arrayLength((&last_bits.member));
-    let _e69 = p.member.current.size[0u];
-    let _e71 = p.member.current.size[1u];
-    let _e72 = lt_shaders_entry_pixel_index(_e55, _e69, _e71);
-    if (bitcast<i32>(_e72.word) != 0i) {
-        let _e79 = p.member.light.number;
-        let _e80 = (_e79 * 3u);
-        let _e82 = (_e80 % 32u);
-        let _e84 = p.member.light.mask_words;
-        let _e88 = p.member.current.size[0u];
-        let _e91 = past.member[_e72.shift];
-        let _e96 = visibility.member[_e72.shift];
-        let _e102 = samples.member[_e72.shift].normal[0u];
-        let _e104 = global[0u];
-        if (_e102 == _e104) {
-            let _e107 = samples.member[_e72.shift].normal[1u];
-            let _e109 = global[1u];
-            if (_e107 == _e109) {
-                let _e112 = samples.member[_e72.shift].normal[2u];
-                let _e114 = global[2u];
-                phi_363_ = (_e112 == _e114);
-                phi_364_ = false;
+    let _e56 = id_1;
+    let _e57 = local_2;
+    let _e62 = arrayLength((&last_bits.member));
+    let _e70 = p.member.current.size[0u];
+    let _e72 = p.member.current.size[1u];
+    let _e73 = lt_shaders_entry_pixel_index(_e56, _e70, _e72);
+    if (bitcast<i32>(_e73.word) != 0i) {
+        let _e80 = p.member.light.number;
+        let _e81 = (_e80 * 3u);
+        let _e83 = (_e81 % 32u);
+        let _e85 = p.member.light.mask_words;
+        let _e89 = p.member.current.size[0u];
+        let _e92 = past.member[_e73.shift];
+        let _e97 = visibility.member[_e73.shift];
+        let _e103 = samples.member[_e73.shift].normal[0u];
+        let _e105 = global[0u];
+        if (_e103 == _e105) {
+            let _e108 = samples.member[_e73.shift].normal[1u];
+            let _e110 = global[1u];
+            if (_e108 == _e110) {
+                let _e113 = samples.member[_e73.shift].normal[2u];
+                let _e115 = global[2u];
+                phi_364_ = (_e113 == _e115);
+                phi_365_ = false;
             } else {
-                phi_363_ = bool();
-                phi_364_ = true;
+                phi_364_ = bool();
+                phi_365_ = true;
             }
-            let _e117 = phi_363_;
-            let _e119 = phi_364_;
-            phi_365_ = _e117;
-            phi_366_ = _e119;
+            let _e118 = phi_364_;
+            let _e120 = phi_365_;
+            phi_366_ = _e118;
+            phi_367_ = _e120;
         } else {
-            phi_365_ = bool();
-            phi_366_ = true;
+            phi_366_ = bool();
+            phi_367_ = true;
         }
-        let _e121 = phi_365_;
-        let _e123 = phi_366_;
-        if _e123 {
-            phi_370_ = false;
+        let _e122 = phi_366_;
+        let _e124 = phi_367_;
+        if _e124 {
+            phi_371_ = false;
         } else {
-            phi_370_ = _e121;
+            phi_371_ = _e122;
         }
-        let _e125 = phi_370_;
-        if !(_e125) {
-            let _e128 = samples.member[_e72.shift].position;
-            let _e130 = p.member.light.place;
-            let _e136 = p.member.light.place[3u];
-            let _e143 = (_e130.x - (_e128.x * _e136));
-            let _e144 = (_e130.y - (_e128.y * _e136));
-            let _e145 = (_e130.z - (_e128.z * _e136));
-            let _e147 = samples.member[_e72.shift].normal;
-            if ((((_e147.x * _e143) + (_e147.y * _e144)) + (_e147.z * _e145)) > 0f) {
-                let _e161 = (((_e143 * _e143) + (_e144 * _e144)) + (_e145 * _e145));
-                let _e163 = p.member.light.axis;
-                let _e175 = p.member.light.place[3u];
-                if (_e175 == 0f) {
-                    phi_441_ = true;
+        let _e126 = phi_371_;
+        if !(_e126) {
+            let _e129 = samples.member[_e73.shift].position;
+            let _e131 = p.member.light.place;
+            let _e137 = p.member.light.place[3u];
+            let _e144 = (_e131.x - (_e129.x * _e137));
+            let _e145 = (_e131.y - (_e129.y * _e137));
+            let _e146 = (_e131.z - (_e129.z * _e137));
+            let _e148 = samples.member[_e73.shift].normal;
+            if ((((_e148.x * _e144) + (_e148.y * _e145)) + (_e148.z * _e146)) > 0f) {
+                let _e162 = (((_e144 * _e144) + (_e145 * _e145)) + (_e146 * _e146));
+                let _e164 = p.member.light.axis;
+                let _e176 = p.member.light.place[3u];
+                if (_e176 == 0f) {
+                    phi_442_ = true;
                 } else {
-                    let _e178 = p.member.light.range_squared;
-                    if (_e161 <= _e178) {
-                        let _e181 = p.member.light.cos_outer;
-                        phi_440_ = (-((((_e143 * _e163.x) + (_e144 * _e163.y)) + (_e145 * _e163.z))) >= (_e181 * sqrt(_e161)));
+                    let _e179 = p.member.light.range_squared;
+                    if (_e162 <= _e179) {
+                        let _e182 = p.member.light.cos_outer;
+                        phi_441_ = (-((((_e144 * _e164.x) + (_e145 * _e164.y)) + (_e146 * _e164.z))) >= (_e182 * sqrt(_e162)));
                     } else {
-                        phi_440_ = false;
+                        phi_441_ = false;
                     }
-                    let _e186 = phi_440_;
-                    phi_441_ = _e186;
+                    let _e187 = phi_441_;
+                    phi_442_ = _e187;
                 }
-                let _e188 = phi_441_;
-                if _e188 {
-                    let _e190 = samples.member[_e72.shift].flags;
-                    let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e198.unnamed.visibility, false), _e198.unnamed_1);
-                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e204.unnamed, ((_e190 & 1u) == 0u));
-                    phi_453_ = false;
+                let _e189 = phi_442_;
+                if _e189 {
+                    let _e191 = samples.member[_e73.shift].flags;
+                    let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e205 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e199.unnamed.visibility, false), _e199.unnamed_1);
+                    phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e205.unnamed, ((_e191 & 1u) == 0u));
+                    phi_454_ = false;
                 } else {
-                    phi_452_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_453_ = true;
+                    phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_454_ = true;
                 }
-                let _e209 = phi_452_;
-                let _e211 = phi_453_;
-                phi_454_ = _e209;
-                phi_455_ = _e211;
+                let _e210 = phi_453_;
+                let _e212 = phi_454_;
+                phi_455_ = _e210;
+                phi_456_ = _e212;
             } else {
-                phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_455_ = true;
+                phi_455_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_456_ = true;
             }
-            let _e213 = phi_454_;
-            let _e215 = phi_455_;
-            if _e215 {
-                let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
-                phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
+            let _e214 = phi_455_;
+            let _e216 = phi_456_;
+            if _e216 {
+                let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
+                phi_463_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, true);
             } else {
-                phi_462_ = _e213;
+                phi_463_ = _e214;
             }
-            let _e232 = phi_462_;
-            phi_466_ = _e232;
+            let _e233 = phi_463_;
+            phi_467_ = _e233;
         } else {
-            let _e238 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e244 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e238.unnamed.visibility, false), _e238.unnamed_1);
-            phi_466_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e244.unnamed, true);
+            let _e239 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e245 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e239.unnamed.visibility, false), _e239.unnamed_1);
+            phi_467_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e245.unnamed, true);
         }
-        let _e249 = phi_466_;
-        if _e249.unnamed_1 {
-            phi_1336_ = mask_Masked(_e249.unnamed.visibility, 0u, false);
+        let _e250 = phi_467_;
+        if _e250.unnamed_1 {
+            phi_1385_ = mask_Masked(_e250.unnamed.visibility, 0u, false);
         } else {
-            let _e254 = (_e96 < 0.5f);
-            if (_e96 > 0f) {
-                phi_479_ = (_e96 < 1f);
+            let _e255 = (_e97 < 0.5f);
+            if (_e97 > 0f) {
+                phi_480_ = (_e97 < 1f);
             } else {
-                phi_479_ = false;
+                phi_480_ = false;
             }
-            let _e258 = phi_479_;
-            let _e260 = samples.member[_e72.shift].position;
-            let _e264 = p.member.previous.eye;
-            let _e266 = (_e91.x - _e264.x);
-            let _e268 = (_e91.y - _e264.y);
-            let _e270 = (_e91.z - _e264.z);
-            let _e272 = p.member.previous.forward;
-            let _e280 = (((_e266 * _e272.x) + (_e268 * _e272.y)) + (_e270 * _e272.z));
-            let _e282 = p.member.previous.right;
-            let _e292 = p.member.previous.right;
-            let _e307 = p.member.previous.up;
-            let _e317 = p.member.previous.up;
-            let _e332 = p.member.current.eye;
-            let _e335 = (_e260.x - _e332.x);
-            let _e338 = (_e260.y - _e332.y);
-            let _e341 = (_e260.z - _e332.z);
-            let _e343 = p.member.current.forward;
-            let _e351 = (((_e335 * _e343.x) + (_e338 * _e343.y)) + (_e341 * _e343.z));
-            let _e353 = p.member.current.right;
-            let _e363 = p.member.current.right;
-            let _e378 = p.member.current.up;
-            let _e388 = p.member.current.up;
-            let _e407 = p.member.current.size[0u];
-            let _e409 = (((((((_e266 * _e282.x) + (_e268 * _e282.y)) + (_e270 * _e282.z)) / ((((_e292.x * _e292.x) + (_e292.y * _e292.y)) + (_e292.z * _e292.z)) * _e280)) - ((((_e335 * _e353.x) + (_e338 * _e353.y)) + (_e341 * _e353.z)) / ((((_e363.x * _e363.x) + (_e363.y * _e363.y)) + (_e363.z * _e363.z)) * _e351))) * 0.5f) * f32(_e407));
-            let _e413 = p.member.current.size[1u];
-            let _e415 = (((((((_e266 * _e307.x) + (_e268 * _e307.y)) + (_e270 * _e307.z)) / ((((_e317.x * _e317.x) + (_e317.y * _e317.y)) + (_e317.z * _e317.z)) * _e280)) - ((((_e335 * _e378.x) + (_e338 * _e378.y)) + (_e341 * _e378.z)) / ((((_e388.x * _e388.x) + (_e388.y * _e388.y)) + (_e388.z * _e388.z)) * _e351))) * -0.5f) * f32(_e413));
-            let _e419 = p.member.current.grid[0u];
-            let _e421 = p.member.current.grid[1u];
-            let _e441 = p.member.current.size[0u];
-            let _e443 = p.member.current.size[1u];
-            let _e445 = ((f32(_e55.x) + ((f32((_e55.y & (_e421 - 1u))) + 0.5f) / f32(_e421))) + _e409);
-            if (_e445 > -8388608f) {
-                let _e457 = f32(select(0i, select(select(i32(_e445), i32(-2147483648), (_e445 < bitcast<f32>(3472883712u))), 2147483647i, (_e445 > bitcast<f32>(1325400063u))), (_e445 == _e445)));
-                if (_e457 > _e445) {
-                    phi_684_ = 1f;
-                } else {
-                    phi_684_ = 0f;
-                }
-                let _e460 = phi_684_;
-                if (_e445 < 8388608f) {
-                    phi_689_ = (_e457 - _e460);
-                    phi_690_ = false;
-                } else {
-                    phi_689_ = f32();
-                    phi_690_ = true;
-                }
-                let _e463 = phi_689_;
-                let _e465 = phi_690_;
-                phi_691_ = _e463;
-                phi_692_ = _e465;
+            let _e259 = phi_480_;
+            let _e266 = lt_mask_Reprojection(vec2<u32>(_e56.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e273 = lt_mask_Reprojection(vec2<u32>(_e266.pixel.x, _e56.y), _e266.is_valid, _e266.has_moved);
+            let _e277 = lt_mask_Reprojection(_e273.pixel, true, _e273.has_moved);
+            let _e283 = p.member.flags;
+            if ((_e283 & 16u) == 0u) {
+                phi_520_ = true;
             } else {
-                phi_691_ = f32();
-                phi_692_ = true;
-            }
-            let _e467 = phi_691_;
-            let _e469 = phi_692_;
-            if _e469 {
-                phi_696_ = _e445;
-            } else {
-                phi_696_ = _e467;
-            }
-            let _e471 = phi_696_;
-            let _e472 = ((f32(_e55.y) + ((f32((_e55.x & (_e419 - 1u))) + 0.5f) / f32(_e419))) + _e415);
-            if (_e472 > -8388608f) {
-                let _e484 = f32(select(0i, select(select(i32(_e472), i32(-2147483648), (_e472 < bitcast<f32>(3472883712u))), 2147483647i, (_e472 > bitcast<f32>(1325400063u))), (_e472 == _e472)));
-                if (_e484 > _e472) {
-                    phi_717_ = 1f;
-                } else {
-                    phi_717_ = 0f;
-                }
-                let _e487 = phi_717_;
-                if (_e472 < 8388608f) {
-                    phi_722_ = (_e484 - _e487);
-                    phi_723_ = false;
-                } else {
-                    phi_722_ = f32();
-                    phi_723_ = true;
-                }
-                let _e490 = phi_722_;
-                let _e492 = phi_723_;
-                phi_724_ = _e490;
-                phi_725_ = _e492;
-            } else {
-                phi_724_ = f32();
-                phi_725_ = true;
-            }
-            let _e494 = phi_724_;
-            let _e496 = phi_725_;
-            if _e496 {
-                phi_729_ = _e472;
-            } else {
-                phi_729_ = _e494;
-            }
-            let _e498 = phi_729_;
-            if (_e471 >= 0f) {
-                if (_e498 >= 0f) {
-                    if (_e471 < f32(_e441)) {
-                        let _e504 = (_e498 < f32(_e443));
-                        if (_e409 == 0f) {
-                            phi_750_ = (_e415 == 0f);
-                        } else {
-                            phi_750_ = false;
-                        }
-                        let _e508 = phi_750_;
-                        if _e504 {
-                            phi_769_ = vec2<u32>(select(select(u32(_e471), 0u, (_e471 < bitcast<f32>(0u))), 4294967295u, (_e471 > bitcast<f32>(1333788671u))), select(select(u32(_e498), 0u, (_e498 < bitcast<f32>(0u))), 4294967295u, (_e498 > bitcast<f32>(1333788671u))));
-                            phi_770_ = false;
-                        } else {
-                            phi_769_ = vec2<u32>();
-                            phi_770_ = true;
-                        }
-                        let _e525 = phi_769_;
-                        let _e527 = phi_770_;
-                        phi_771_ = _e508;
-                        phi_772_ = _e504;
-                        phi_773_ = _e525;
-                        phi_774_ = _e508;
-                        phi_775_ = _e504;
-                        phi_776_ = false;
-                        phi_777_ = _e527;
+                let _e288 = samples.member[_e73.shift].position[0u];
+                if (_e92.x == _e288) {
+                    let _e291 = samples.member[_e73.shift].position[1u];
+                    if (_e92.y == _e291) {
+                        let _e294 = samples.member[_e73.shift].position[2u];
+                        phi_508_ = (_e92.z == _e294);
+                        phi_509_ = false;
                     } else {
-                        phi_771_ = bool();
-                        phi_772_ = bool();
-                        phi_773_ = vec2<u32>();
-                        phi_774_ = bool();
-                        phi_775_ = bool();
-                        phi_776_ = true;
-                        phi_777_ = false;
+                        phi_508_ = bool();
+                        phi_509_ = true;
                     }
-                    let _e529 = phi_771_;
-                    let _e531 = phi_772_;
-                    let _e533 = phi_773_;
-                    let _e535 = phi_774_;
-                    let _e537 = phi_775_;
-                    let _e539 = phi_776_;
-                    let _e541 = phi_777_;
-                    phi_778_ = _e529;
-                    phi_779_ = _e531;
-                    phi_780_ = _e533;
-                    phi_781_ = _e535;
-                    phi_782_ = _e537;
-                    phi_783_ = _e539;
-                    phi_784_ = _e541;
+                    let _e297 = phi_508_;
+                    let _e299 = phi_509_;
+                    phi_510_ = _e297;
+                    phi_511_ = _e299;
                 } else {
-                    phi_778_ = bool();
-                    phi_779_ = bool();
-                    phi_780_ = vec2<u32>();
-                    phi_781_ = bool();
-                    phi_782_ = bool();
-                    phi_783_ = true;
-                    phi_784_ = false;
+                    phi_510_ = bool();
+                    phi_511_ = true;
                 }
-                let _e543 = phi_778_;
-                let _e545 = phi_779_;
-                let _e547 = phi_780_;
-                let _e549 = phi_781_;
-                let _e551 = phi_782_;
-                let _e553 = phi_783_;
-                let _e555 = phi_784_;
-                phi_785_ = _e543;
-                phi_786_ = _e545;
-                phi_787_ = _e547;
-                phi_788_ = _e549;
-                phi_789_ = _e551;
-                phi_790_ = _e553;
-                phi_791_ = _e555;
-            } else {
-                phi_785_ = bool();
-                phi_786_ = bool();
-                phi_787_ = vec2<u32>();
-                phi_788_ = bool();
-                phi_789_ = bool();
-                phi_790_ = true;
-                phi_791_ = false;
-            }
-            let _e557 = phi_785_;
-            let _e559 = phi_786_;
-            let _e561 = phi_787_;
-            let _e563 = phi_788_;
-            let _e565 = phi_789_;
-            let _e567 = phi_790_;
-            let _e569 = phi_791_;
-            if _e567 {
-                if (_e409 == 0f) {
-                    phi_800_ = (_e415 == 0f);
+                let _e301 = phi_510_;
+                let _e303 = phi_511_;
+                if _e303 {
+                    phi_515_ = false;
                 } else {
-                    phi_800_ = false;
+                    phi_515_ = _e301;
                 }
-                let _e573 = phi_800_;
-                phi_801_ = _e573;
-                phi_802_ = false;
-                phi_803_ = true;
-            } else {
-                phi_801_ = _e563;
-                phi_802_ = _e565;
-                phi_803_ = _e569;
-            }
-            let _e575 = phi_801_;
-            let _e577 = phi_802_;
-            let _e579 = phi_803_;
-            if _e579 {
-                phi_807_ = _e575;
-                phi_808_ = _e577;
-                phi_809_ = vec2<u32>(_e55.x, _e55.y);
-            } else {
-                phi_807_ = _e557;
-                phi_808_ = _e559;
-                phi_809_ = _e561;
-            }
-            let _e581 = phi_807_;
-            let _e583 = phi_808_;
-            let _e585 = phi_809_;
-            let _e595 = lt_mask_Reprojection(vec2<u32>(_e585.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e602 = lt_mask_Reprojection(vec2<u32>(_e595.pixel.x, _e585.y), _e595.is_valid, _e595.has_moved);
-            let _e606 = lt_mask_Reprojection(_e602.pixel, _e583, _e602.has_moved);
-            let _e610 = lt_mask_Reprojection(_e606.pixel, _e606.is_valid, !(_e581));
-            if _e583 {
-                let _e613 = p.member.previous.eye;
-                let _e621 = p.member.previous.forward;
-                let _e630 = (((((_e91.x - _e613.x) * _e621.x) + ((_e91.y - _e613.y) * _e621.y)) + ((_e91.z - _e613.z) * _e621.z)) > 0f);
-                let _e634 = lt_mask_Reprojection(_e610.pixel, _e630, _e610.has_moved);
-                if _e630 {
-                    let _e636 = p.member.flags;
-                    phi_848_ = ((_e636 & 1u) != 0u);
-                    phi_849_ = false;
+                let _e305 = phi_515_;
+                if _e305 {
+                    phi_519_ = false;
                 } else {
-                    phi_848_ = bool();
-                    phi_849_ = true;
+                    phi_519_ = true;
                 }
-                let _e640 = phi_848_;
-                let _e642 = phi_849_;
-                phi_851_ = _e640;
-                phi_852_ = _e634;
-                phi_853_ = _e634;
-                phi_854_ = _e642;
-            } else {
-                phi_851_ = bool();
-                phi_852_ = lt_mask_Reprojection();
-                phi_853_ = lt_mask_Reprojection(_e610.pixel, false, _e610.has_moved);
-                phi_854_ = true;
+                let _e307 = phi_519_;
+                phi_520_ = _e307;
             }
-            let _e648 = phi_851_;
-            let _e650 = phi_852_;
-            let _e652 = phi_853_;
-            let _e654 = phi_854_;
-            if _e654 {
-                phi_858_ = false;
-                phi_859_ = _e652;
-            } else {
-                phi_858_ = _e648;
-                phi_859_ = _e650;
-            }
-            let _e656 = phi_858_;
-            let _e658 = phi_859_;
-            let _e662 = lt_mask_Reprojection(_e658.pixel, _e656, _e658.has_moved);
-            let _e663 = lt_mask_Neighbourhood(false, true);
-            if _e258 {
-                phi_865_ = false;
-            } else {
-                phi_865_ = true;
-            }
-            let _e665 = phi_865_;
-            if _e665 {
-                if _e656 {
-                    if ((0u & 2u) != 0u) {
-                        phi_1158_ = _e663;
+            let _e309 = phi_520_;
+            if _e309 {
+                let _e311 = samples.member[_e73.shift].position;
+                let _e315 = p.member.previous.eye;
+                let _e317 = (_e92.x - _e315.x);
+                let _e319 = (_e92.y - _e315.y);
+                let _e321 = (_e92.z - _e315.z);
+                let _e323 = p.member.previous.forward;
+                let _e331 = (((_e317 * _e323.x) + (_e319 * _e323.y)) + (_e321 * _e323.z));
+                let _e333 = p.member.previous.right;
+                let _e343 = p.member.previous.right;
+                let _e358 = p.member.previous.up;
+                let _e368 = p.member.previous.up;
+                let _e383 = p.member.current.eye;
+                let _e386 = (_e311.x - _e383.x);
+                let _e389 = (_e311.y - _e383.y);
+                let _e392 = (_e311.z - _e383.z);
+                let _e394 = p.member.current.forward;
+                let _e402 = (((_e386 * _e394.x) + (_e389 * _e394.y)) + (_e392 * _e394.z));
+                let _e404 = p.member.current.right;
+                let _e414 = p.member.current.right;
+                let _e429 = p.member.current.up;
+                let _e439 = p.member.current.up;
+                let _e458 = p.member.current.size[0u];
+                let _e460 = (((((((_e317 * _e333.x) + (_e319 * _e333.y)) + (_e321 * _e333.z)) / ((((_e343.x * _e343.x) + (_e343.y * _e343.y)) + (_e343.z * _e343.z)) * _e331)) - ((((_e386 * _e404.x) + (_e389 * _e404.y)) + (_e392 * _e404.z)) / ((((_e414.x * _e414.x) + (_e414.y * _e414.y)) + (_e414.z * _e414.z)) * _e402))) * 0.5f) * f32(_e458));
+                let _e464 = p.member.current.size[1u];
+                let _e466 = (((((((_e317 * _e358.x) + (_e319 * _e358.y)) + (_e321 * _e358.z)) / ((((_e368.x * _e368.x) + (_e368.y * _e368.y)) + (_e368.z * _e368.z)) * _e331)) - ((((_e386 * _e429.x) + (_e389 * _e429.y)) + (_e392 * _e429.z)) / ((((_e439.x * _e439.x) + (_e439.y * _e439.y)) + (_e439.z * _e439.z)) * _e402))) * -0.5f) * f32(_e464));
+                let _e470 = p.member.current.grid[0u];
+                let _e472 = p.member.current.grid[1u];
+                let _e492 = p.member.current.size[0u];
+                let _e494 = p.member.current.size[1u];
+                let _e496 = ((f32(_e56.x) + ((f32((_e56.y & (_e472 - 1u))) + 0.5f) / f32(_e472))) + _e460);
+                if (_e496 > -8388608f) {
+                    let _e508 = f32(select(0i, select(select(i32(_e496), i32(-2147483648), (_e496 < bitcast<f32>(3472883712u))), 2147483647i, (_e496 > bitcast<f32>(1325400063u))), (_e496 == _e496)));
+                    if (_e508 > _e496) {
+                        phi_728_ = 1f;
                     } else {
-                        let _e669 = p.member.expansion;
-                        if _e662.has_moved {
-                            let _e672 = p.member.moving_pattern;
-                            phi_887_ = _e672;
-                        } else {
-                            let _e674 = p.member.still_pattern;
-                            phi_887_ = _e674;
-                        }
-                        let _e676 = phi_887_;
-                        phi_889_ = 0u;
-                        phi_892_ = _e663;
-                        loop {
-                            let _e678 = phi_889_;
-                            let _e680 = phi_892_;
-                            local_1 = _e680;
-                            if (1u <= _e676) {
-                                if (_e676 <= 4u) {
-                                    phi_904_ = false;
-                                } else {
-                                    phi_904_ = true;
-                                }
-                                let _e684 = phi_904_;
-                                phi_905_ = _e684;
+                        phi_728_ = 0f;
+                    }
+                    let _e511 = phi_728_;
+                    if (_e496 < 8388608f) {
+                        phi_733_ = (_e508 - _e511);
+                        phi_734_ = false;
+                    } else {
+                        phi_733_ = f32();
+                        phi_734_ = true;
+                    }
+                    let _e514 = phi_733_;
+                    let _e516 = phi_734_;
+                    phi_735_ = _e514;
+                    phi_736_ = _e516;
+                } else {
+                    phi_735_ = f32();
+                    phi_736_ = true;
+                }
+                let _e518 = phi_735_;
+                let _e520 = phi_736_;
+                if _e520 {
+                    phi_740_ = _e496;
+                } else {
+                    phi_740_ = _e518;
+                }
+                let _e522 = phi_740_;
+                let _e523 = ((f32(_e56.y) + ((f32((_e56.x & (_e470 - 1u))) + 0.5f) / f32(_e470))) + _e466);
+                if (_e523 > -8388608f) {
+                    let _e535 = f32(select(0i, select(select(i32(_e523), i32(-2147483648), (_e523 < bitcast<f32>(3472883712u))), 2147483647i, (_e523 > bitcast<f32>(1325400063u))), (_e523 == _e523)));
+                    if (_e535 > _e523) {
+                        phi_761_ = 1f;
+                    } else {
+                        phi_761_ = 0f;
+                    }
+                    let _e538 = phi_761_;
+                    if (_e523 < 8388608f) {
+                        phi_766_ = (_e535 - _e538);
+                        phi_767_ = false;
+                    } else {
+                        phi_766_ = f32();
+                        phi_767_ = true;
+                    }
+                    let _e541 = phi_766_;
+                    let _e543 = phi_767_;
+                    phi_768_ = _e541;
+                    phi_769_ = _e543;
+                } else {
+                    phi_768_ = f32();
+                    phi_769_ = true;
+                }
+                let _e545 = phi_768_;
+                let _e547 = phi_769_;
+                if _e547 {
+                    phi_773_ = _e523;
+                } else {
+                    phi_773_ = _e545;
+                }
+                let _e549 = phi_773_;
+                if (_e522 >= 0f) {
+                    if (_e549 >= 0f) {
+                        if (_e522 < f32(_e492)) {
+                            let _e555 = (_e549 < f32(_e494));
+                            if (_e460 == 0f) {
+                                phi_794_ = (_e466 == 0f);
                             } else {
-                                phi_905_ = true;
+                                phi_794_ = false;
                             }
-                            let _e686 = phi_905_;
-                            if _e686 {
-                                switch bitcast<i32>(_e676) {
+                            let _e559 = phi_794_;
+                            if _e555 {
+                                phi_813_ = vec2<u32>(select(select(u32(_e522), 0u, (_e522 < bitcast<f32>(0u))), 4294967295u, (_e522 > bitcast<f32>(1333788671u))), select(select(u32(_e549), 0u, (_e549 < bitcast<f32>(0u))), 4294967295u, (_e549 > bitcast<f32>(1333788671u))));
+                                phi_814_ = false;
+                            } else {
+                                phi_813_ = vec2<u32>();
+                                phi_814_ = true;
+                            }
+                            let _e576 = phi_813_;
+                            let _e578 = phi_814_;
+                            phi_815_ = _e559;
+                            phi_816_ = _e555;
+                            phi_817_ = _e576;
+                            phi_818_ = _e559;
+                            phi_819_ = _e555;
+                            phi_820_ = false;
+                            phi_821_ = _e578;
+                        } else {
+                            phi_815_ = bool();
+                            phi_816_ = bool();
+                            phi_817_ = vec2<u32>();
+                            phi_818_ = bool();
+                            phi_819_ = bool();
+                            phi_820_ = true;
+                            phi_821_ = false;
+                        }
+                        let _e580 = phi_815_;
+                        let _e582 = phi_816_;
+                        let _e584 = phi_817_;
+                        let _e586 = phi_818_;
+                        let _e588 = phi_819_;
+                        let _e590 = phi_820_;
+                        let _e592 = phi_821_;
+                        phi_822_ = _e580;
+                        phi_823_ = _e582;
+                        phi_824_ = _e584;
+                        phi_825_ = _e586;
+                        phi_826_ = _e588;
+                        phi_827_ = _e590;
+                        phi_828_ = _e592;
+                    } else {
+                        phi_822_ = bool();
+                        phi_823_ = bool();
+                        phi_824_ = vec2<u32>();
+                        phi_825_ = bool();
+                        phi_826_ = bool();
+                        phi_827_ = true;
+                        phi_828_ = false;
+                    }
+                    let _e594 = phi_822_;
+                    let _e596 = phi_823_;
+                    let _e598 = phi_824_;
+                    let _e600 = phi_825_;
+                    let _e602 = phi_826_;
+                    let _e604 = phi_827_;
+                    let _e606 = phi_828_;
+                    phi_829_ = _e594;
+                    phi_830_ = _e596;
+                    phi_831_ = _e598;
+                    phi_832_ = _e600;
+                    phi_833_ = _e602;
+                    phi_834_ = _e604;
+                    phi_835_ = _e606;
+                } else {
+                    phi_829_ = bool();
+                    phi_830_ = bool();
+                    phi_831_ = vec2<u32>();
+                    phi_832_ = bool();
+                    phi_833_ = bool();
+                    phi_834_ = true;
+                    phi_835_ = false;
+                }
+                let _e608 = phi_829_;
+                let _e610 = phi_830_;
+                let _e612 = phi_831_;
+                let _e614 = phi_832_;
+                let _e616 = phi_833_;
+                let _e618 = phi_834_;
+                let _e620 = phi_835_;
+                if _e618 {
+                    if (_e460 == 0f) {
+                        phi_844_ = (_e466 == 0f);
+                    } else {
+                        phi_844_ = false;
+                    }
+                    let _e624 = phi_844_;
+                    phi_845_ = _e624;
+                    phi_846_ = false;
+                    phi_847_ = true;
+                } else {
+                    phi_845_ = _e614;
+                    phi_846_ = _e616;
+                    phi_847_ = _e620;
+                }
+                let _e626 = phi_845_;
+                let _e628 = phi_846_;
+                let _e630 = phi_847_;
+                if _e630 {
+                    phi_851_ = _e626;
+                    phi_852_ = _e628;
+                    phi_853_ = vec2<u32>(_e56.x, _e56.y);
+                } else {
+                    phi_851_ = _e608;
+                    phi_852_ = _e610;
+                    phi_853_ = _e612;
+                }
+                let _e632 = phi_851_;
+                let _e634 = phi_852_;
+                let _e636 = phi_853_;
+                let _e646 = lt_mask_Reprojection(vec2<u32>(_e636.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e653 = lt_mask_Reprojection(vec2<u32>(_e646.pixel.x, _e636.y), _e646.is_valid, _e646.has_moved);
+                let _e657 = lt_mask_Reprojection(_e653.pixel, _e634, _e653.has_moved);
+                let _e661 = lt_mask_Reprojection(_e657.pixel, _e657.is_valid, !(_e632));
+                if _e634 {
+                    let _e664 = p.member.previous.eye;
+                    let _e672 = p.member.previous.forward;
+                    let _e681 = (((((_e92.x - _e664.x) * _e672.x) + ((_e92.y - _e664.y) * _e672.y)) + ((_e92.z - _e664.z) * _e672.z)) > 0f);
+                    let _e685 = lt_mask_Reprojection(_e661.pixel, _e681, _e661.has_moved);
+                    if _e681 {
+                        phi_888_ = false;
+                    } else {
+                        phi_888_ = true;
+                    }
+                    let _e687 = phi_888_;
+                    phi_890_ = _e685;
+                    phi_891_ = _e685;
+                    phi_892_ = _e687;
+                } else {
+                    phi_890_ = lt_mask_Reprojection();
+                    phi_891_ = lt_mask_Reprojection(_e661.pixel, false, _e661.has_moved);
+                    phi_892_ = true;
+                }
+                let _e693 = phi_890_;
+                let _e695 = phi_891_;
+                let _e697 = phi_892_;
+                if _e697 {
+                    phi_896_ = false;
+                } else {
+                    phi_896_ = true;
+                }
+                let _e699 = phi_896_;
+                phi_897_ = _e695;
+                phi_898_ = _e693;
+                phi_899_ = _e699;
+            } else {
+                phi_897_ = lt_mask_Reprojection();
+                phi_898_ = lt_mask_Reprojection(_e277.pixel, _e277.is_valid, false);
+                phi_899_ = true;
+            }
+            let _e701 = phi_897_;
+            let _e703 = phi_898_;
+            let _e705 = phi_899_;
+            if _e705 {
+                let _e707 = p.member.flags;
+                phi_907_ = ((_e707 & 1u) != 0u);
+                phi_908_ = _e703;
+            } else {
+                phi_907_ = false;
+                phi_908_ = _e701;
+            }
+            let _e711 = phi_907_;
+            let _e713 = phi_908_;
+            let _e717 = lt_mask_Reprojection(_e713.pixel, _e711, _e713.has_moved);
+            let _e718 = lt_mask_Neighbourhood(false, true);
+            if _e259 {
+                phi_914_ = false;
+            } else {
+                phi_914_ = true;
+            }
+            let _e720 = phi_914_;
+            if _e720 {
+                if _e711 {
+                    if ((0u & 2u) != 0u) {
+                        phi_1207_ = _e718;
+                    } else {
+                        let _e724 = p.member.expansion;
+                        if _e717.has_moved {
+                            let _e727 = p.member.moving_pattern;
+                            phi_936_ = _e727;
+                        } else {
+                            let _e729 = p.member.still_pattern;
+                            phi_936_ = _e729;
+                        }
+                        let _e731 = phi_936_;
+                        phi_938_ = 0u;
+                        phi_941_ = _e718;
+                        loop {
+                            let _e733 = phi_938_;
+                            let _e735 = phi_941_;
+                            local_1 = _e735;
+                            if (1u <= _e731) {
+                                if (_e731 <= 4u) {
+                                    phi_953_ = false;
+                                } else {
+                                    phi_953_ = true;
+                                }
+                                let _e739 = phi_953_;
+                                phi_954_ = _e739;
+                            } else {
+                                phi_954_ = true;
+                            }
+                            let _e741 = phi_954_;
+                            if _e741 {
+                                switch bitcast<i32>(_e731) {
                                     case 5: {
-                                        phi_914_ = 4u;
+                                        phi_963_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_914_ = 25u;
+                                        phi_963_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_914_ = 13u;
+                                        phi_963_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_914_ = 9u;
+                                        phi_963_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e689 = phi_914_;
-                                phi_915_ = _e689;
+                                let _e744 = phi_963_;
+                                phi_964_ = _e744;
                             } else {
-                                phi_915_ = 5u;
+                                phi_964_ = 5u;
                             }
-                            let _e691 = phi_915_;
-                            let _e692 = (_e678 < _e691);
-                            if _e692 {
-                                let _e698 = p.member.frame;
-                                let _e702 = p.member.current.size[0u];
-                                let _e704 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e676) {
+                            let _e746 = phi_964_;
+                            let _e747 = (_e733 < _e746);
+                            if _e747 {
+                                let _e753 = p.member.frame;
+                                let _e757 = p.member.current.size[0u];
+                                let _e759 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e731) {
                                     case 1: {
-                                        let _e714 = lt_mask_pattern_plus(_e678);
-                                        phi_995_ = vec2<i32>(_e714.x, _e714.y);
+                                        let _e769 = lt_mask_pattern_plus(_e733);
+                                        phi_1044_ = vec2<i32>(_e769.x, _e769.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e718 = lt_mask_pattern_cross(_e678);
-                                        phi_995_ = vec2<i32>(_e718.x, _e718.y);
+                                        let _e773 = lt_mask_pattern_cross(_e733);
+                                        phi_1044_ = vec2<i32>(_e773.x, _e773.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e724 = lt_mask_pattern_plus_or_cross(_e678, ((_e662.pixel.x + _e662.pixel.y) & 1u));
-                                        phi_995_ = vec2<i32>(_e724.x, _e724.y);
+                                        let _e779 = lt_mask_pattern_plus_or_cross(_e733, ((_e717.pixel.x + _e717.pixel.y) & 1u));
+                                        phi_1044_ = vec2<i32>(_e779.x, _e779.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e729 = lt_mask_pattern_plus_or_cross(_e678, (_e698 & 1u));
-                                        phi_995_ = vec2<i32>(_e729.x, _e729.y);
+                                        let _e784 = lt_mask_pattern_plus_or_cross(_e733, (_e753 & 1u));
+                                        phi_1044_ = vec2<i32>(_e784.x, _e784.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e698 & 3u)) {
+                                        switch bitcast<i32>((_e753 & 3u)) {
                                             case 0: {
-                                                phi_975_ = vec2(-1i);
+                                                phi_1024_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_975_ = vec2(0i);
+                                                phi_1024_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_975_ = vec2<i32>(0i, -1i);
+                                                phi_1024_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_975_ = vec2<i32>(-1i, 0i);
+                                                phi_1024_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e740 = phi_975_;
-                                        phi_995_ = (_e740 + vec2<i32>(bitcast<i32>((_e678 & 1u)), bitcast<i32>(((_e678 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e795 = phi_1024_;
+                                        phi_1044_ = (_e795 + vec2<i32>(bitcast<i32>((_e733 & 1u)), bitcast<i32>(((_e733 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_995_ = vec2<i32>((bitcast<i32>((_e678 % 5u)) - 2i), (bitcast<i32>(((_e678 / 5u) % 5u)) - 2i));
+                                        phi_1044_ = vec2<i32>((bitcast<i32>((_e733 % 5u)) - 2i), (bitcast<i32>(((_e733 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e757 = lt_mask_pattern_diamond(_e678);
-                                        phi_995_ = vec2<i32>(_e757.x, _e757.y);
+                                        let _e812 = lt_mask_pattern_diamond(_e733);
+                                        phi_1044_ = vec2<i32>(_e812.x, _e812.y);
                                         break;
                                     }
                                     default: {
-                                        phi_995_ = vec2<i32>((bitcast<i32>((_e678 % 3u)) - 1i), (bitcast<i32>(((_e678 / 3u) % 3u)) - 1i));
+                                        phi_1044_ = vec2<i32>((bitcast<i32>((_e733 % 3u)) - 1i), (bitcast<i32>(((_e733 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e762 = phi_995_;
-                                let _e765 = lt_mask_pattern_step_clamped(_e662.pixel.x, _e762.x, _e702);
-                                let _e766 = lt_mask_pattern_step_clamped(_e662.pixel.y, _e762.y, _e704);
-                                let _e770 = ((((_e766 * _e88) + _e765) * _e84) + (_e80 / 32u));
-                                if (_e82 > 29u) {
-                                    let _e772 = (_e770 + 1u);
-                                    if (_e772 < _e61) {
+                                let _e817 = phi_1044_;
+                                let _e820 = lt_mask_pattern_step_clamped(_e717.pixel.x, _e817.x, _e757);
+                                let _e821 = lt_mask_pattern_step_clamped(_e717.pixel.y, _e817.y, _e759);
+                                let _e825 = ((((_e821 * _e89) + _e820) * _e85) + (_e81 / 32u));
+                                if (_e83 > 29u) {
+                                    let _e827 = (_e825 + 1u);
+                                    if (_e827 < _e62) {
                                     } else {
                                         return;
                                     }
-                                    let _e776 = last_bits.member[(0u + _e772)];
-                                    phi_1020_ = _e776;
+                                    let _e831 = last_bits.member[(0u + _e827)];
+                                    phi_1069_ = _e831;
                                 } else {
-                                    phi_1020_ = 0u;
+                                    phi_1069_ = 0u;
                                 }
-                                let _e778 = phi_1020_;
-                                if (_e770 < _e61) {
+                                let _e833 = phi_1069_;
+                                if (_e825 < _e62) {
                                 } else {
                                     return;
                                 }
-                                let _e782 = last_bits.member[(0u + _e770)];
-                                let _e785 = (_e782 >> bitcast<u32>((_e82 & 31u)));
-                                if (_e82 > 29u) {
-                                    phi_1039_ = (_e785 | (_e778 << bitcast<u32>(((32u - _e82) & 31u))));
+                                let _e837 = last_bits.member[(0u + _e825)];
+                                let _e840 = (_e837 >> bitcast<u32>((_e83 & 31u)));
+                                if (_e83 > 29u) {
+                                    phi_1088_ = (_e840 | (_e833 << bitcast<u32>(((32u - _e83) & 31u))));
                                 } else {
-                                    phi_1039_ = _e785;
+                                    phi_1088_ = _e840;
                                 }
-                                let _e793 = phi_1039_;
-                                if ((_e793 & 2u) == 0u) {
-                                    phi_1047_ = (_e793 & 1u);
+                                let _e848 = phi_1088_;
+                                if ((_e848 & 2u) == 0u) {
+                                    phi_1096_ = (_e848 & 1u);
                                 } else {
-                                    phi_1047_ = (_e793 & 7u);
+                                    phi_1096_ = (_e848 & 7u);
                                 }
-                                let _e799 = phi_1047_;
-                                if _e680.any_expands {
-                                    phi_1135_ = true;
+                                let _e854 = phi_1096_;
+                                if _e735.any_expands {
+                                    phi_1184_ = true;
                                 } else {
-                                    if ((_e799 & 2u) != 0u) {
-                                        let _e806 = (((_e799 & 4u) != 0u) != _e254);
-                                        switch bitcast<i32>(_e669) {
+                                    if ((_e854 & 2u) != 0u) {
+                                        let _e861 = (((_e854 & 4u) != 0u) != _e255);
+                                        switch bitcast<i32>(_e724) {
                                             case 1: {
-                                                phi_1075_ = bool();
-                                                phi_1076_ = false;
-                                                phi_1077_ = true;
-                                                phi_1078_ = false;
-                                                phi_1079_ = false;
+                                                phi_1124_ = bool();
+                                                phi_1125_ = false;
+                                                phi_1126_ = true;
+                                                phi_1127_ = false;
+                                                phi_1128_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e806 {
-                                                    phi_1073_ = (((_e799 & 4u) != 0u) != ((_e799 & 1u) != 0u));
-                                                    phi_1074_ = false;
+                                                if _e861 {
+                                                    phi_1122_ = (((_e854 & 4u) != 0u) != ((_e854 & 1u) != 0u));
+                                                    phi_1123_ = false;
                                                 } else {
-                                                    phi_1073_ = bool();
-                                                    phi_1074_ = true;
+                                                    phi_1122_ = bool();
+                                                    phi_1123_ = true;
                                                 }
-                                                let _e814 = phi_1073_;
-                                                let _e816 = phi_1074_;
-                                                phi_1075_ = _e814;
-                                                phi_1076_ = false;
-                                                phi_1077_ = false;
-                                                phi_1078_ = _e816;
-                                                phi_1079_ = _e806;
+                                                let _e869 = phi_1122_;
+                                                let _e871 = phi_1123_;
+                                                phi_1124_ = _e869;
+                                                phi_1125_ = false;
+                                                phi_1126_ = false;
+                                                phi_1127_ = _e871;
+                                                phi_1128_ = _e861;
                                                 break;
                                             }
                                             default: {
-                                                phi_1075_ = bool();
-                                                phi_1076_ = true;
-                                                phi_1077_ = false;
-                                                phi_1078_ = false;
-                                                phi_1079_ = false;
+                                                phi_1124_ = bool();
+                                                phi_1125_ = true;
+                                                phi_1126_ = false;
+                                                phi_1127_ = false;
+                                                phi_1128_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e818 = phi_1075_;
-                                        let _e820 = phi_1076_;
-                                        let _e822 = phi_1077_;
-                                        let _e824 = phi_1078_;
-                                        let _e826 = phi_1079_;
-                                        phi_1087_ = _e806;
-                                        phi_1088_ = _e818;
-                                        phi_1089_ = _e820;
-                                        phi_1090_ = _e822;
-                                        phi_1091_ = _e824;
-                                        phi_1092_ = _e826;
+                                        let _e873 = phi_1124_;
+                                        let _e875 = phi_1125_;
+                                        let _e877 = phi_1126_;
+                                        let _e879 = phi_1127_;
+                                        let _e881 = phi_1128_;
+                                        phi_1136_ = _e861;
+                                        phi_1137_ = _e873;
+                                        phi_1138_ = _e875;
+                                        phi_1139_ = _e877;
+                                        phi_1140_ = _e879;
+                                        phi_1141_ = _e881;
                                     } else {
-                                        switch bitcast<i32>(_e669) {
+                                        switch bitcast<i32>(_e724) {
                                             case 1: {
-                                                phi_1084_ = false;
-                                                phi_1085_ = true;
-                                                phi_1086_ = false;
+                                                phi_1133_ = false;
+                                                phi_1134_ = true;
+                                                phi_1135_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1084_ = false;
-                                                phi_1085_ = false;
-                                                phi_1086_ = true;
+                                                phi_1133_ = false;
+                                                phi_1134_ = false;
+                                                phi_1135_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_1084_ = true;
-                                                phi_1085_ = false;
-                                                phi_1086_ = false;
+                                                phi_1133_ = true;
+                                                phi_1134_ = false;
+                                                phi_1135_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e829 = phi_1084_;
-                                        let _e831 = phi_1085_;
-                                        let _e833 = phi_1086_;
-                                        phi_1087_ = false;
-                                        phi_1088_ = bool();
-                                        phi_1089_ = _e829;
-                                        phi_1090_ = _e831;
-                                        phi_1091_ = _e833;
-                                        phi_1092_ = false;
+                                        let _e884 = phi_1133_;
+                                        let _e886 = phi_1134_;
+                                        let _e888 = phi_1135_;
+                                        phi_1136_ = false;
+                                        phi_1137_ = bool();
+                                        phi_1138_ = _e884;
+                                        phi_1139_ = _e886;
+                                        phi_1140_ = _e888;
+                                        phi_1141_ = false;
                                     }
-                                    let _e835 = phi_1087_;
-                                    let _e837 = phi_1088_;
-                                    let _e839 = phi_1089_;
-                                    let _e841 = phi_1090_;
-                                    let _e843 = phi_1091_;
-                                    let _e845 = phi_1092_;
-                                    if _e839 {
-                                        if ((_e799 & 2u) != 0u) {
-                                            if (((_e799 & 4u) != 0u) != _e254) {
-                                                phi_1107_ = false;
+                                    let _e890 = phi_1136_;
+                                    let _e892 = phi_1137_;
+                                    let _e894 = phi_1138_;
+                                    let _e896 = phi_1139_;
+                                    let _e898 = phi_1140_;
+                                    let _e900 = phi_1141_;
+                                    if _e894 {
+                                        if ((_e854 & 2u) != 0u) {
+                                            if (((_e854 & 4u) != 0u) != _e255) {
+                                                phi_1156_ = false;
                                             } else {
-                                                phi_1107_ = true;
+                                                phi_1156_ = true;
                                             }
-                                            let _e852 = phi_1107_;
-                                            phi_1108_ = _e852;
+                                            let _e907 = phi_1156_;
+                                            phi_1157_ = _e907;
                                         } else {
-                                            phi_1108_ = true;
+                                            phi_1157_ = true;
                                         }
-                                        let _e854 = phi_1108_;
-                                        if _e854 {
-                                            phi_1115_ = (((_e799 & 1u) != 0u) != _e254);
+                                        let _e909 = phi_1157_;
+                                        if _e909 {
+                                            phi_1164_ = (((_e854 & 1u) != 0u) != _e255);
                                         } else {
-                                            phi_1115_ = true;
+                                            phi_1164_ = true;
                                         }
-                                        let _e859 = phi_1115_;
-                                        phi_1116_ = _e859;
-                                        phi_1117_ = false;
-                                        phi_1118_ = false;
-                                        phi_1119_ = false;
+                                        let _e914 = phi_1164_;
+                                        phi_1165_ = _e914;
+                                        phi_1166_ = false;
+                                        phi_1167_ = false;
+                                        phi_1168_ = false;
                                     } else {
-                                        phi_1116_ = bool();
-                                        phi_1117_ = _e841;
-                                        phi_1118_ = _e843;
-                                        phi_1119_ = _e845;
+                                        phi_1165_ = bool();
+                                        phi_1166_ = _e896;
+                                        phi_1167_ = _e898;
+                                        phi_1168_ = _e900;
                                     }
-                                    let _e861 = phi_1116_;
-                                    let _e863 = phi_1117_;
-                                    let _e865 = phi_1118_;
-                                    let _e867 = phi_1119_;
-                                    if _e863 {
-                                        phi_1123_ = _e835;
-                                        phi_1124_ = false;
-                                        phi_1125_ = false;
+                                    let _e916 = phi_1165_;
+                                    let _e918 = phi_1166_;
+                                    let _e920 = phi_1167_;
+                                    let _e922 = phi_1168_;
+                                    if _e918 {
+                                        phi_1172_ = _e890;
+                                        phi_1173_ = false;
+                                        phi_1174_ = false;
                                     } else {
-                                        phi_1123_ = _e861;
-                                        phi_1124_ = _e865;
-                                        phi_1125_ = _e867;
+                                        phi_1172_ = _e916;
+                                        phi_1173_ = _e920;
+                                        phi_1174_ = _e922;
                                     }
-                                    let _e869 = phi_1123_;
-                                    let _e871 = phi_1124_;
-                                    let _e873 = phi_1125_;
-                                    if _e871 {
-                                        phi_1129_ = false;
-                                        phi_1130_ = true;
+                                    let _e924 = phi_1172_;
+                                    let _e926 = phi_1173_;
+                                    let _e928 = phi_1174_;
+                                    if _e926 {
+                                        phi_1178_ = false;
+                                        phi_1179_ = true;
                                     } else {
-                                        phi_1129_ = _e837;
-                                        phi_1130_ = _e873;
+                                        phi_1178_ = _e892;
+                                        phi_1179_ = _e928;
                                     }
-                                    let _e875 = phi_1129_;
-                                    let _e877 = phi_1130_;
-                                    if _e877 {
-                                        phi_1134_ = _e875;
+                                    let _e930 = phi_1178_;
+                                    let _e932 = phi_1179_;
+                                    if _e932 {
+                                        phi_1183_ = _e930;
                                     } else {
-                                        phi_1134_ = _e869;
+                                        phi_1183_ = _e924;
                                     }
-                                    let _e879 = phi_1134_;
-                                    phi_1135_ = _e879;
+                                    let _e934 = phi_1183_;
+                                    phi_1184_ = _e934;
                                 }
-                                let _e881 = phi_1135_;
-                                if _e680.all_remove {
-                                    if (((_e799 & 1u) != 0u) == _e254) {
-                                        if ((_e799 & 2u) != 0u) {
-                                            phi_1153_ = (((_e799 & 4u) != 0u) == _e254);
+                                let _e936 = phi_1184_;
+                                if _e735.all_remove {
+                                    if (((_e854 & 1u) != 0u) == _e255) {
+                                        if ((_e854 & 2u) != 0u) {
+                                            phi_1202_ = (((_e854 & 4u) != 0u) == _e255);
                                         } else {
-                                            phi_1153_ = true;
+                                            phi_1202_ = true;
                                         }
-                                        let _e891 = phi_1153_;
-                                        phi_1154_ = _e891;
+                                        let _e946 = phi_1202_;
+                                        phi_1203_ = _e946;
                                     } else {
-                                        phi_1154_ = false;
+                                        phi_1203_ = false;
                                     }
-                                    let _e893 = phi_1154_;
-                                    phi_1155_ = _e893;
+                                    let _e948 = phi_1203_;
+                                    phi_1204_ = _e948;
                                 } else {
-                                    phi_1155_ = false;
+                                    phi_1204_ = false;
                                 }
-                                let _e895 = phi_1155_;
-                                phi_890_ = (_e678 + 1u);
-                                phi_893_ = lt_mask_Neighbourhood(_e881, _e895);
+                                let _e950 = phi_1204_;
+                                phi_939_ = (_e733 + 1u);
+                                phi_942_ = lt_mask_Neighbourhood(_e936, _e950);
                             } else {
-                                phi_890_ = u32();
-                                phi_893_ = lt_mask_Neighbourhood();
+                                phi_939_ = u32();
+                                phi_942_ = lt_mask_Neighbourhood();
                             }
-                            let _e899 = phi_890_;
-                            let _e901 = phi_893_;
+                            let _e954 = phi_939_;
+                            let _e956 = phi_942_;
                             continue;
                             continuing {
-                                phi_889_ = _e899;
-                                phi_892_ = _e901;
-                                break if !(_e692);
+                                phi_938_ = _e954;
+                                phi_941_ = _e956;
+                                break if !(_e747);
                             }
                         }
-                        let _e1190 = local_1;
-                        phi_1158_ = _e1190;
+                        let _e1254 = local_1;
+                        phi_1207_ = _e1254;
                     }
-                    let _e904 = phi_1158_;
-                    phi_1159_ = _e904;
+                    let _e959 = phi_1207_;
+                    phi_1208_ = _e959;
                 } else {
-                    phi_1159_ = _e663;
+                    phi_1208_ = _e718;
                 }
-                let _e906 = phi_1159_;
-                phi_1160_ = _e906;
+                let _e961 = phi_1208_;
+                phi_1209_ = _e961;
             } else {
-                phi_1160_ = _e663;
+                phi_1209_ = _e718;
             }
-            let _e908 = phi_1160_;
-            let _e911 = p.member.frame;
-            let _e913 = p.member.refresh;
-            if (_e913 == 0u) {
-                phi_1193_ = false;
+            let _e963 = phi_1209_;
+            let _e966 = p.member.frame;
+            let _e968 = p.member.refresh;
+            if (_e968 == 0u) {
+                phi_1242_ = false;
             } else {
-                if (_e913 == 0u) {
+                if (_e968 == 0u) {
                     return;
                 }
-                let _e922 = ((_e55.x + (_e55.y * (((_e913 * 5u) / 8u) | 1u))) + (_e911 % _e913));
-                if (_e913 == 0u) {
-                    phi_1192_ = (_e922 == 0u);
+                let _e977 = ((_e56.x + (_e56.y * (((_e968 * 5u) / 8u) | 1u))) + (_e966 % _e968));
+                if (_e968 == 0u) {
+                    phi_1241_ = (_e977 == 0u);
                 } else {
-                    if (_e913 == 0u) {
+                    if (_e968 == 0u) {
                         return;
                     }
-                    phi_1192_ = ((_e922 % _e913) == 0u);
+                    phi_1241_ = ((_e977 % _e968) == 0u);
                 }
-                let _e929 = phi_1192_;
-                phi_1193_ = _e929;
+                let _e984 = phi_1241_;
+                phi_1242_ = _e984;
             }
-            let _e931 = phi_1193_;
-            if _e656 {
-                if _e931 {
-                    phi_1215_ = bool();
+            let _e986 = phi_1242_;
+            if _e711 {
+                if _e986 {
+                    phi_1264_ = bool();
                 } else {
-                    phi_1215_ = ((0u & 2u) != 0u);
+                    phi_1264_ = ((0u & 2u) != 0u);
                 }
-                let _e937 = phi_1215_;
-                phi_1216_ = _e937;
-                phi_1217_ = _e931;
+                let _e992 = phi_1264_;
+                phi_1265_ = _e992;
+                phi_1266_ = _e986;
             } else {
-                phi_1216_ = bool();
-                phi_1217_ = true;
+                phi_1265_ = bool();
+                phi_1266_ = true;
             }
-            let _e939 = phi_1216_;
-            let _e941 = phi_1217_;
-            if _e941 {
-                phi_1221_ = false;
+            let _e994 = phi_1265_;
+            let _e996 = phi_1266_;
+            if _e996 {
+                phi_1270_ = false;
             } else {
-                phi_1221_ = _e939;
+                phi_1270_ = _e994;
             }
-            let _e943 = phi_1221_;
-            if _e943 {
-                phi_1272_ = 7u;
+            let _e998 = phi_1270_;
+            if _e998 {
+                phi_1321_ = 7u;
             } else {
-                if (_e96 != 0.5f) {
-                    if _e656 {
-                        if _e931 {
-                            phi_1269_ = 6u;
+                if (_e97 != 0.5f) {
+                    if _e711 {
+                        if _e986 {
+                            phi_1318_ = 6u;
                         } else {
-                            if _e258 {
-                                phi_1244_ = true;
+                            if _e259 {
+                                phi_1293_ = true;
                             } else {
-                                if _e908.any_expands {
-                                    phi_1243_ = false;
+                                if _e963.any_expands {
+                                    phi_1292_ = false;
                                 } else {
-                                    phi_1243_ = true;
+                                    phi_1292_ = true;
                                 }
-                                let _e945 = phi_1243_;
-                                phi_1244_ = _e945;
+                                let _e1000 = phi_1292_;
+                                phi_1293_ = _e1000;
                             }
-                            let _e947 = phi_1244_;
-                            if _e947 {
-                                if _e258 {
+                            let _e1002 = phi_1293_;
+                            if _e1002 {
+                                if _e259 {
                                     if false {
-                                        if _e908.all_remove {
-                                            phi_1257_ = false;
+                                        if _e963.all_remove {
+                                            phi_1306_ = false;
                                         } else {
-                                            phi_1257_ = true;
+                                            phi_1306_ = true;
                                         }
-                                        let _e949 = phi_1257_;
-                                        phi_1258_ = _e949;
+                                        let _e1004 = phi_1306_;
+                                        phi_1307_ = _e1004;
                                     } else {
-                                        phi_1258_ = true;
+                                        phi_1307_ = true;
                                     }
-                                    let _e951 = phi_1258_;
-                                    phi_1259_ = _e951;
+                                    let _e1006 = phi_1307_;
+                                    phi_1308_ = _e1006;
                                 } else {
-                                    phi_1259_ = true;
+                                    phi_1308_ = true;
                                 }
-                                let _e953 = phi_1259_;
-                                if _e953 {
-                                    if _e258 {
-                                        phi_1266_ = 1u;
+                                let _e1008 = phi_1308_;
+                                if _e1008 {
+                                    if _e259 {
+                                        phi_1315_ = 1u;
                                     } else {
-                                        phi_1266_ = 0u;
+                                        phi_1315_ = 0u;
                                     }
-                                    let _e955 = phi_1266_;
-                                    phi_1267_ = _e955;
+                                    let _e1010 = phi_1315_;
+                                    phi_1316_ = _e1010;
                                 } else {
-                                    phi_1267_ = 5u;
+                                    phi_1316_ = 5u;
                                 }
-                                let _e957 = phi_1267_;
-                                phi_1268_ = _e957;
+                                let _e1012 = phi_1316_;
+                                phi_1317_ = _e1012;
                             } else {
-                                phi_1268_ = 4u;
+                                phi_1317_ = 4u;
                             }
-                            let _e959 = phi_1268_;
-                            phi_1269_ = _e959;
+                            let _e1014 = phi_1317_;
+                            phi_1318_ = _e1014;
                         }
-                        let _e961 = phi_1269_;
-                        phi_1270_ = _e961;
+                        let _e1016 = phi_1318_;
+                        phi_1319_ = _e1016;
                     } else {
-                        phi_1270_ = 3u;
+                        phi_1319_ = 3u;
                     }
-                    let _e963 = phi_1270_;
-                    phi_1271_ = _e963;
+                    let _e1018 = phi_1319_;
+                    phi_1320_ = _e1018;
                 } else {
-                    phi_1271_ = 2u;
+                    phi_1320_ = 2u;
                 }
-                let _e965 = phi_1271_;
-                phi_1272_ = _e965;
+                let _e1020 = phi_1320_;
+                phi_1321_ = _e1020;
             }
-            let _e967 = phi_1272_;
-            if !((_e967 == 0u)) {
-                if !((_e967 == 5u)) {
-                    phi_1284_ = !(_e943);
-                    phi_1285_ = false;
+            let _e1022 = phi_1321_;
+            if !((_e1022 == 0u)) {
+                if !((_e1022 == 5u)) {
+                    phi_1333_ = !(_e998);
+                    phi_1334_ = false;
                 } else {
-                    phi_1284_ = bool();
-                    phi_1285_ = true;
+                    phi_1333_ = bool();
+                    phi_1334_ = true;
                 }
-                let _e974 = phi_1284_;
-                let _e976 = phi_1285_;
-                phi_1286_ = _e974;
-                phi_1287_ = _e976;
+                let _e1029 = phi_1333_;
+                let _e1031 = phi_1334_;
+                phi_1335_ = _e1029;
+                phi_1336_ = _e1031;
             } else {
-                phi_1286_ = bool();
-                phi_1287_ = true;
+                phi_1335_ = bool();
+                phi_1336_ = true;
             }
-            let _e978 = phi_1286_;
-            let _e980 = phi_1287_;
-            if _e980 {
-                phi_1291_ = false;
+            let _e1033 = phi_1335_;
+            let _e1035 = phi_1336_;
+            if _e1035 {
+                phi_1340_ = false;
             } else {
-                phi_1291_ = _e978;
+                phi_1340_ = _e1033;
             }
-            let _e982 = phi_1291_;
-            if _e943 {
-                phi_1297_ = ((0u & 4u) != 0u);
+            let _e1037 = phi_1340_;
+            if _e998 {
+                phi_1346_ = ((0u & 4u) != 0u);
             } else {
-                phi_1297_ = _e254;
+                phi_1346_ = _e255;
             }
-            let _e986 = phi_1297_;
-            if _e982 {
-                if _e254 {
-                    phi_1305_ = (2u | 1u);
+            let _e1041 = phi_1346_;
+            if _e1037 {
+                if _e255 {
+                    phi_1354_ = (2u | 1u);
                 } else {
-                    phi_1305_ = 2u;
+                    phi_1354_ = 2u;
                 }
-                let _e989 = phi_1305_;
+                let _e1044 = phi_1354_;
                 if false {
-                    phi_1310_ = (_e989 | 4u);
+                    phi_1359_ = (_e1044 | 4u);
                 } else {
-                    phi_1310_ = _e989;
+                    phi_1359_ = _e1044;
                 }
-                let _e992 = phi_1310_;
-                phi_1330_ = _e992;
+                let _e1047 = phi_1359_;
+                phi_1379_ = _e1047;
             } else {
-                if (_e967 == 7u) {
-                    if _e254 {
-                        phi_1319_ = (2u | 1u);
+                if (_e1022 == 7u) {
+                    if _e255 {
+                        phi_1368_ = (2u | 1u);
                     } else {
-                        phi_1319_ = 2u;
+                        phi_1368_ = 2u;
                     }
-                    let _e996 = phi_1319_;
-                    if _e986 {
-                        phi_1324_ = (_e996 | 4u);
+                    let _e1051 = phi_1368_;
+                    if _e1041 {
+                        phi_1373_ = (_e1051 | 4u);
                     } else {
-                        phi_1324_ = _e996;
+                        phi_1373_ = _e1051;
                     }
-                    let _e999 = phi_1324_;
-                    phi_1329_ = _e999;
+                    let _e1054 = phi_1373_;
+                    phi_1378_ = _e1054;
                 } else {
-                    if _e254 {
-                        phi_1328_ = 1u;
+                    if _e255 {
+                        phi_1377_ = 1u;
                     } else {
-                        phi_1328_ = 0u;
+                        phi_1377_ = 0u;
                     }
-                    let _e1001 = phi_1328_;
-                    phi_1329_ = _e1001;
+                    let _e1056 = phi_1377_;
+                    phi_1378_ = _e1056;
                 }
-                let _e1003 = phi_1329_;
-                phi_1330_ = _e1003;
+                let _e1058 = phi_1378_;
+                phi_1379_ = _e1058;
             }
-            let _e1005 = phi_1330_;
-            if _e986 {
-                phi_1334_ = 0f;
+            let _e1060 = phi_1379_;
+            if _e1041 {
+                phi_1383_ = 0f;
             } else {
-                phi_1334_ = 1f;
+                phi_1383_ = 1f;
             }
-            let _e1007 = phi_1334_;
-            phi_1336_ = mask_Masked(_e1007, _e1005, _e982);
+            let _e1062 = phi_1383_;
+            phi_1385_ = mask_Masked(_e1062, _e1060, _e1037);
         }
-        let _e1010 = phi_1336_;
-        visibility.member[_e72.shift] = _e1010.visibility;
-        let _e1015 = p.member.light.number;
-        let _e1016 = (_e1015 * 3u);
-        let _e1018 = (_e1016 % 32u);
-        let _e1020 = p.member.light.mask_words;
-        let _e1022 = ((_e72.shift * _e1020) + (_e1016 / 32u));
-        let _e1024 = bits.member[_e1022];
-        bits.member[_e1022] = ((_e1024 & ~((7u << bitcast<u32>((_e1018 & 31u))))) | (_e1010.bits << bitcast<u32>((_e1018 & 31u))));
-        if (_e1018 > 29u) {
-            let _e1039 = bits.member[(_e1022 + 1u)];
-            let _e1041 = (32u - _e1018);
-            bits.member[(_e1022 + 1u)] = ((_e1039 & ~((7u >> bitcast<u32>((_e1041 & 31u))))) | (_e1010.bits >> bitcast<u32>((_e1041 & 31u))));
+        let _e1065 = phi_1385_;
+        visibility.member[_e73.shift] = _e1065.visibility;
+        let _e1070 = p.member.light.number;
+        let _e1071 = (_e1070 * 3u);
+        let _e1073 = (_e1071 % 32u);
+        let _e1075 = p.member.light.mask_words;
+        let _e1077 = ((_e73.shift * _e1075) + (_e1071 / 32u));
+        let _e1079 = bits.member[_e1077];
+        bits.member[_e1077] = ((_e1079 & ~((7u << bitcast<u32>((_e1073 & 31u))))) | (_e1065.bits << bitcast<u32>((_e1073 & 31u))));
+        if (_e1073 > 29u) {
+            let _e1094 = bits.member[(_e1077 + 1u)];
+            let _e1096 = (32u - _e1073);
+            bits.member[(_e1077 + 1u)] = ((_e1094 & ~((7u >> bitcast<u32>((_e1096 & 31u))))) | (_e1065.bits >> bitcast<u32>((_e1096 & 31u))));
         }
-        phi_1386_ = _e1010.needs_ray;
-        phi_1387_ = _e72.shift;
+        phi_1435_ = _e1065.needs_ray;
+        phi_1436_ = _e73.shift;
     } else {
-        phi_1386_ = false;
-        phi_1387_ = 0u;
+        phi_1435_ = false;
+        phi_1436_ = 0u;
     }
-    let _e1055 = phi_1386_;
-    let _e1057 = phi_1387_;
-    if (_e56 == 0u) {
+    let _e1110 = phi_1435_;
+    let _e1112 = phi_1436_;
+    if (_e57 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1055 {
-        let _e1061 = atomicAdd((&shared_[0u]), 1u);
-        phi_1398_ = _e1061;
+    if _e1110 {
+        let _e1116 = atomicAdd((&shared_[0u]), 1u);
+        phi_1447_ = _e1116;
     } else {
-        phi_1398_ = 0u;
+        phi_1447_ = 0u;
     }
-    let _e1063 = phi_1398_;
+    let _e1118 = phi_1447_;
     workgroupBarrier();
-    if (_e56 == 0u) {
-        let _e1067 = atomicLoad((&shared_[0u]));
-        let _e1068 = atomicAdd((&list.member[3u]), _e1067);
-        atomicStore((&shared_[1u]), _e1068);
+    if (_e57 == 0u) {
+        let _e1122 = atomicLoad((&shared_[0u]));
+        let _e1123 = atomicAdd((&list.member[3u]), _e1122);
+        atomicStore((&shared_[1u]), _e1123);
     }
     workgroupBarrier();
-    if _e1055 {
-        let _e1071 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1071) + _e1063)]), _e1057);
+    if _e1110 {
+        let _e1126 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1126) + _e1118)]), _e1112);
     }
     return;
 }

@@ -1,7 +1,7 @@
 //! From a cleared history: what is never found again, what a rolling refresh finds in time, and CPU like GPU.
 
 use lt_render::{BackendKind, Frame, Sequence, Session, Setup, Technique};
-use lt_tests::{TWIN_PPM, builtin, gpu_session, ppm};
+use lt_tests::{builtin, gpu_session, ppm, twin_ppm};
 
 const COLD: Sequence = Sequence {
     is_played: true,
@@ -65,8 +65,8 @@ fn cold_starts_and_refreshes_are_the_same_on_cpu_and_gpu() {
                     let masks = a.mask.iter().zip(&b.mask).filter(|(a, b)| a != b).count();
                     let pixels = a.mask.len();
                     // ER hands a difference on to its neighbours: a few times the bound of one frame.
-                    assert!(ppm(masks, pixels) <= 4.0 * TWIN_PPM, "{place} {id} frame {i}: {masks}");
-                    assert!(ppm(other_side(&a, &b), pixels) <= TWIN_PPM, "{place} {id} frame {i}");
+                    assert!(ppm(masks, pixels) <= 4.0 * twin_ppm(), "{place} {id} frame {i}: {masks}");
+                    assert!(ppm(other_side(&a, &b), pixels) <= twin_ppm(), "{place} {id} frame {i}");
                 }
             }
         }

@@ -3,7 +3,7 @@
 use lt_math::glam::{Affine3A, Vec3, Vec4};
 use lt_render::{BackendKind, Frame, Packing, SampleGrid, Sequence, Session, Setup, Technique};
 use lt_scene::{AlphaMode, Camera, Instance, Light, Material, Mesh, Scene};
-use lt_tests::{TWIN_PPM, builtin, count_different, gpu_session, ppm};
+use lt_tests::{builtin, count_different, gpu_session, ppm, twin_ppm};
 
 /// Dark enough that its picture is not clipped.
 const FLOOR: Vec3 = Vec3::new(0.55, 0.5, 0.45);
@@ -228,20 +228,20 @@ fn cpu_and_gpu_see_the_same_layers() {
         let (a, b) = (places(&cpu), places(&gpu));
         let extent = a.iter().fold(0f32, |m, x| m.max(x.abs()));
         let wrong = count_different(&a, &b, extent * 1e-5);
-        assert!(ppm(wrong, a.len()) <= TWIN_PPM, "{}: {wrong} of {} numbers differ", scene.name, a.len());
+        assert!(ppm(wrong, a.len()) <= twin_ppm(), "{}: {wrong} of {} numbers differ", scene.name, a.len());
         for id in ["ray", "sm", "ltt-evsm", "lt-evsm"] {
             let (a, b) = (frame(&mut cpu, id), frame(&mut gpu, id));
             for (layer, (a, b)) in a.layers.iter().zip(&b.layers).enumerate() {
                 let wrong = count_different(&a.visibility, &b.visibility, 0.0);
                 assert!(
-                    ppm(wrong, a.visibility.len()) <= TWIN_PPM,
+                    ppm(wrong, a.visibility.len()) <= twin_ppm(),
                     "{} {id}, layer {layer}: {wrong}",
                     scene.name
                 );
                 let off = |(a, b): (&Vec3, &Vec3)| (*a - *b).abs().max_element() > 1e-5;
                 let wrong = a.tint.iter().zip(&b.tint).filter(|t| off(*t)).count();
                 assert!(
-                    ppm(wrong, a.tint.len()) <= TWIN_PPM,
+                    ppm(wrong, a.tint.len()) <= twin_ppm(),
                     "{} {id}, layer {layer}: {wrong} tints",
                     scene.name
                 );
@@ -252,7 +252,7 @@ fn cpu_and_gpu_see_the_same_layers() {
         let bytes = |p: &[[u8; 4]]| p.iter().flatten().map(|v| f32::from(*v)).collect::<Vec<_>>();
         let wrong = count_different(&bytes(&a), &bytes(&b), 1.0);
         assert!(
-            ppm(wrong, a.len() * 4) <= TWIN_PPM * 5.0,
+            ppm(wrong, a.len() * 4) <= twin_ppm() * 5.0,
             "{}: {wrong} bytes differ by more than a step",
             scene.name
         );
@@ -299,7 +299,7 @@ fn layers_are_followed_as_things_move() {
             let wrong = count_different(&a.visibility, &b.visibility, 0.0);
             let masks = a.mask.iter().zip(&b.mask).filter(|(a, b)| a != b).count();
             let wrong = ppm(wrong.max(masks), a.visibility.len());
-            assert!(wrong <= 10.0 * TWIN_PPM, "frame {step}, layer {layer}: {wrong} ppm differ");
+            assert!(wrong <= 10.0 * twin_ppm(), "frame {step}, layer {layer}: {wrong} ppm differ");
         }
     }
     assert!(rays[3] < 0.5, "{rays:?}");

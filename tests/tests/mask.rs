@@ -6,7 +6,7 @@ use lt_render::{
     way_per_frame,
 };
 use lt_scene::{CameraPath, Scene, Source};
-use lt_tests::{TWIN_PPM, cpu_session, gpu_session, ppm};
+use lt_tests::{cpu_session, gpu_session, ppm, twin_ppm};
 
 /// Every built-in place, small enough for a test.
 const PLACES: [&str; 8] =
@@ -328,7 +328,7 @@ fn things_that_move_in_an_alpha_tested_scene_are_followed() {
     let (cpu, gpu) = drawn.split_at(4);
     for (a, b) in cpu.iter().zip(gpu) {
         let sides = a.iter().zip(b).filter(|(x, y)| (**x >= 0.5) != (**y >= 0.5)).count();
-        assert!(ppm(sides, a.len()) <= TWIN_PPM, "{sides} pixels on the other side");
+        assert!(ppm(sides, a.len()) <= twin_ppm(), "{sides} pixels on the other side");
     }
 }
 
@@ -368,7 +368,7 @@ fn cpu_and_gpu_remember_the_same() {
                 let is_new = |k: &&usize| before.iter().all(|&j| distance(**k, j, 640) > REACH_PX);
                 let new = differ.iter().filter(is_new).count();
                 assert!(
-                    ppm(new, a.mask.len()) <= TWIN_PPM,
+                    ppm(new, a.mask.len()) <= twin_ppm(),
                     "{name} {id} frame {i}: {new} masks newly differ"
                 );
                 assert!(
@@ -377,7 +377,7 @@ fn cpu_and_gpu_remember_the_same() {
                 );
                 let sides =
                     a.visibility.iter().zip(&b.visibility).filter(|(x, y)| (**x >= 0.5) != (**y >= 0.5));
-                assert!(ppm(sides.count(), a.mask.len()) <= TWIN_PPM, "{name} {id} frame {i}");
+                assert!(ppm(sides.count(), a.mask.len()) <= twin_ppm(), "{name} {id} frame {i}");
                 assert_eq!(
                     a.passes.iter().map(|p| p.kind).collect::<Vec<_>>(),
                     b.passes.iter().map(|p| p.kind).collect::<Vec<_>>()

@@ -6,7 +6,7 @@ use lt_render::{
     BackendKind, Frame, Sequence, Session, Setup, Technique, metrics::Verdict, metrics::verdict,
 };
 use lt_scene::{Light, LightKind, Source};
-use lt_tests::{TWIN_PPM, builtin, gpu_session, ppm};
+use lt_tests::{builtin, gpu_session, ppm, twin_ppm};
 
 fn technique(id: &str) -> Technique {
     id.parse().expect("a known id")
@@ -133,7 +133,7 @@ fn cpu_and_gpu_agree_under_a_moving_sun() {
         });
         let sides =
             a.visibility.iter().zip(&b.visibility).filter(|(x, y)| (**x >= 0.5) != (**y >= 0.5)).count();
-        assert!(ppm(sides, a.visibility.len()) <= TWIN_PPM, "frame {i}: {sides} pixels");
+        assert!(ppm(sides, a.visibility.len()) <= twin_ppm(), "frame {i}: {sides} pixels");
         assert!(a.rays.abs_diff(b.rays) < 50, "frame {i}: {} and {} rays", a.rays, b.rays);
     }
 }

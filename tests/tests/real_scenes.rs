@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use lt_math::glam::Vec3;
 use lt_render::{BackendKind, Session, Setup, Technique, metrics};
 use lt_scene::{Camera, Light, Source};
-use lt_tests::{TWIN_PPM, gpu_session};
+use lt_tests::{gpu_session, twin_ppm};
 
 fn folder() -> Option<PathBuf> {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../shared/scenes");
@@ -71,7 +71,7 @@ fn agree(name: &str, scene: &lt_scene::Scene, setup: Setup) {
             metrics::errors([480, 270], &valid, truth, &frame.visibility)
         };
         let (a, b) = (count(&mut cpu, &truth.visibility), count(&mut gpu, &gpu_truth.visibility));
-        let allowed = (480.0 * 270.0 * TWIN_PPM * 1e-6) as u64;
+        let allowed = (480.0 * 270.0 * twin_ppm() * 1e-6) as u64;
         assert!(a.false_lit.abs_diff(b.false_lit) <= allowed, "{name} {id}: {a:?} {b:?}");
         assert!(a.false_shadowed.abs_diff(b.false_shadowed) <= allowed, "{name} {id}: {a:?} {b:?}");
     }

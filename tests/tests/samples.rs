@@ -2,7 +2,7 @@
 
 use lt_render::{BackendKind, SampleGrid, Sequence, Session, Setup, Technique, metrics};
 use lt_scene::Scene;
-use lt_tests::{TWIN_PPM, builtin, count_different, gpu_session, ppm};
+use lt_tests::{builtin, count_different, gpu_session, ppm, twin_ppm};
 
 fn setup(scene: &Scene, size: [u32; 2], samples: u32) -> Setup {
     let samples = SampleGrid::of(samples).expect("a grid");
@@ -96,7 +96,10 @@ fn cpu_and_gpu_agree_at_four_samples() {
                 let lit = |v: &[f32]| v.iter().map(|v| f32::from(u8::from(*v >= 0.5))).collect::<Vec<_>>();
                 let wrong = count_different(&lit(&a.visibility), &lit(&b.visibility), 0.0);
                 let doubts = a.doubt.iter().zip(&b.doubt).filter(|(a, b)| a != b).count();
-                assert!(ppm(wrong.max(doubts), samples) <= TWIN_PPM, "{name} {id}: {wrong}, {doubts} doubts");
+                assert!(
+                    ppm(wrong.max(doubts), samples) <= twin_ppm(),
+                    "{name} {id}: {wrong}, {doubts} doubts"
+                );
             }
         }
         let frame = cpu.render(&Technique::RAY).expect("frame");
@@ -105,7 +108,7 @@ fn cpu_and_gpu_agree_at_four_samples() {
         let bytes = |p: &[[u8; 4]]| p.iter().flatten().map(|v| f32::from(*v)).collect::<Vec<_>>();
         let wrong = count_different(&bytes(&a), &bytes(&b), 1.0);
         assert!(
-            ppm(wrong, a.len() * 4) <= TWIN_PPM * 5.0,
+            ppm(wrong, a.len() * 4) <= twin_ppm() * 5.0,
             "{name}: {wrong} bytes differ by more than a step"
         );
     }

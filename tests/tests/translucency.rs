@@ -3,7 +3,7 @@
 use lt_math::glam::{Affine3A, Vec3, Vec4};
 use lt_render::{BackendKind, Frame, Packing, Session, Setup, Technique};
 use lt_scene::{AlphaMode, Camera, Instance, Light, LightKind, Material, Mesh, Scene};
-use lt_tests::{TWIN_PPM, builtin, gpu_session, ppm};
+use lt_tests::{builtin, gpu_session, ppm, twin_ppm};
 
 /// Largest difference between two ways to multiply the same factors.
 const ORDER_TOLERANCE: f32 = 1e-5;
@@ -189,7 +189,7 @@ fn cpu_and_gpu_tint_alike() {
             let (a, b) = (frame(&scene, id), gpu.render(&id.parse().expect("id")).expect("frame"));
             let differ = |(a, b): (&Vec3, &Vec3)| (*a - *b).abs().max_element() > ORDER_TOLERANCE;
             let wrong = a.tint.iter().zip(&b.tint).filter(|t| differ(*t)).count();
-            assert!(ppm(wrong, a.tint.len()) <= TWIN_PPM, "{} {id}: {wrong} pixels differ", scene.name);
+            assert!(ppm(wrong, a.tint.len()) <= twin_ppm(), "{} {id}: {wrong} pixels differ", scene.name);
             assert!(a.rays.abs_diff(b.rays) <= 1, "{} {id}: rays {} and {}", scene.name, a.rays, b.rays);
         }
         let frame = gpu.render(&Technique::RAY).expect("frame");
@@ -197,6 +197,6 @@ fn cpu_and_gpu_tint_alike() {
         let (a, b) = (cpu.shade(&frame).expect("picture"), gpu.shade(&frame).expect("picture"));
         let far = |(a, b): (&[u8; 4], &[u8; 4])| (0..4).any(|c| a[c].abs_diff(b[c]) > 1);
         let wrong = a.iter().zip(&b).filter(|p| far(*p)).count();
-        assert!(ppm(wrong, a.len()) <= TWIN_PPM * 5.0, "{}: {wrong} pixels differ in shade", scene.name);
+        assert!(ppm(wrong, a.len()) <= twin_ppm() * 5.0, "{}: {wrong} pixels differ in shade", scene.name);
     }
 }

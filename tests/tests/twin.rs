@@ -2,7 +2,7 @@
 
 use lt_render::{Session, Setup, Technique};
 use lt_tests::textures::{download, upload, visibility_texture};
-use lt_tests::{TWIN_PPM, builtin, count_different, cpu_session, gpu_session, ppm};
+use lt_tests::{builtin, count_different, cpu_session, gpu_session, ppm, twin_ppm};
 
 /// Scenes that between them have: one flat tree; textures; alpha test; instances; instances with alpha test.
 const SCENES: [&str; 4] = ["cornell", "street:4", "square:6", "forest:12"];
@@ -19,7 +19,7 @@ fn bound_ppm(technique: &Technique) -> f64 {
     match (id.contains("prefiltered"), id.contains("msm"), id.contains("vsm")) {
         (true, true, _) => RAW_HANKEL_PPM,
         (true, _, true) => RAW_VARIANCE_PPM,
-        _ => TWIN_PPM,
+        _ => twin_ppm(),
     }
 }
 
@@ -44,7 +44,7 @@ fn visible_samples_agree() {
         let (a, b) = (flat(&cpu), flat(&gpu));
         let extent = a.iter().fold(0f32, |m, x| m.max(x.abs()));
         let wrong = count_different(&a, &b, extent * 1e-5);
-        assert!(ppm(wrong, a.len()) <= TWIN_PPM, "{name}: {wrong} of {} numbers differ", a.len());
+        assert!(ppm(wrong, a.len()) <= twin_ppm(), "{name}: {wrong} of {} numbers differ", a.len());
     }
 }
 
@@ -104,7 +104,7 @@ fn shaded_pictures_agree_to_the_byte_nearly_everywhere() {
     let (a, b) = (cpu.shade(&frame).expect("picture"), gpu.shade(&frame).expect("picture"));
     let flat = |p: &[[u8; 4]]| p.iter().flatten().map(|v| f32::from(*v)).collect::<Vec<_>>();
     let wrong = count_different(&flat(&a), &flat(&b), 1.0);
-    assert!(ppm(wrong, a.len() * 4) <= TWIN_PPM * 5.0, "{wrong} bytes differ by more than one step");
+    assert!(ppm(wrong, a.len() * 4) <= twin_ppm() * 5.0, "{wrong} bytes differ by more than one step");
 }
 
 #[test]

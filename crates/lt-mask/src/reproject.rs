@@ -11,7 +11,8 @@ pub struct Reprojection {
     /// Whether the pixel was on the screen; false for a NaN motion too. If false, a ray is forced.
     pub is_valid: bool,
     /// Whether it moved at all: RR is then unsafe. A motion below any threshold adds up over frames, so there is none;
-    /// motion vectors taken as the difference of two projections by the same arithmetic are exactly 0 where nothing moved.
+    /// what has not moved must come with a motion of exactly 0, which is to be made sure of by comparing what was projected: compilers
+    /// for GPUs may round two projections by the same arithmetic differently.
     pub has_moved: bool,
 }
 

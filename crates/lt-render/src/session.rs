@@ -427,6 +427,7 @@ impl Session {
             levels: levels.fits.iter().map(depth_params).collect(),
             draws: levels.draws,
             refreshes,
+            keeps_still: plan.reuse && self.sequence.objects_move,
             filter: FilterParams { test, map_size, sigma: FILTER_SIGMA, pad: UVec2::ZERO },
         });
         let change = slot.last.as_ref().map(|l| LightChange {
@@ -511,14 +512,15 @@ impl Session {
         let is_cold = self.sequence.starts_cold && slot.frame == 0;
         let casters_rest = !has_light_moved && last.is_some_and(|l| l.pose == self.pose);
         let bytes = bytemuck::bytes_of::<CameraParams>;
-        let all_rests = casters_rest && last.is_some_and(|l| bytes(&l.camera) == bytes(&self.camera));
+        let camera_rests = last.is_some_and(|l| bytes(&l.camera) == bytes(&self.camera));
         let is_published = mask.removal == Removal::Published;
         let mut flags = 0;
         for (flag, is_set) in [
             (MaskParams::HAS_HISTORY, last.is_some() || is_cold),
             (MaskParams::CLEARED, is_cold),
             (MaskParams::REMOVES_AS_PUBLISHED, is_published),
-            (MaskParams::KEEPS_ANSWERS, mask.removal == Removal::Known && all_rests),
+            (MaskParams::KEEPS_ANSWERS, mask.removal == Removal::Known && casters_rest && camera_rests),
+            (MaskParams::CAMERA_RESTS, camera_rests),
         ] {
             flags |= if is_set { flag } else { 0 };
         }

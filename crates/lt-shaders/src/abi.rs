@@ -269,6 +269,9 @@ impl MaskParams {
     pub const KEEPS_ANSWERS: u32 = 4;
     /// Flag: the history is a cleared one, for the host to clear: nothing was traced, everything lit.
     pub const CLEARED: u32 = 8;
+    /// Flag: both cameras are the same to the bit, so that a surface whose place is the same has not moved on the screen. Arithmetic alone does
+    /// not tell: a compiler may round the two projections differently (seen on hardware).
+    pub const CAMERA_RESTS: u32 = 16;
 }
 
 /// Sun, sky and tone for the shading pass.

@@ -1,14 +1,13 @@
-//! The binary tree that everything else is collapsed from: PLOC with reinsertion (Meister & Bittner 2018, by
-//! obvhs), or halves along a Morton curve where that grows too deep.
+//! The binary tree that everything else is collapsed from: cut from the top down ([`super::cut`]) into groups that PLOC with
+//! reinsertion (Meister & Bittner 2018, by obvhs) makes into trees; or halves along a Morton curve where that grows too deep.
 //!
 //! Nodes lie in depth-first order, pairs side by side: what hangs below a pair's left half comes before what hangs below
 //! its right half, so that every subtree is one range of indices and threads may own ranges ([`Parts`]).
 
 use super::bounds::Bounds;
+use super::cut::{self, Group, Item};
 use super::quality::BuildQuality;
 use crate::simd::memory;
-use obvhs::Boundable;
-use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
 use obvhs::ploc::PlocBuilder;
@@ -41,19 +40,22 @@ impl BinaryTree {
             return BinaryTree { nodes: vec![LEAF] };
         }
         let extent = scene_of(boxes).extent();
-        let tree = if EXTENTS_AS_THEY_ARE.contains(&extent) {
-            ploc(boxes, quality)
+        let mut items = if EXTENTS_AS_THEY_ARE.contains(&extent) {
+            cut::items(boxes)
         } else {
-            ploc(&to_unit_cube(boxes), quality)
+            cut::items(&to_unit_cube(boxes))
         };
-        Self::from_obvhs(&tree)
+        let mut nodes: Vec<u32> = memory::zeroed(2 * boxes.len() - 1);
+        let (root, below) = nodes.split_at_mut(1);
+        plant(Group::new(&mut items), quality, &mut root[0], below, 1);
+        BinaryTree { nodes }
     }
 
     /// Halves the primitives along a Morton curve of their centres: never deeper than log₂ n + 1.
     pub fn balanced(boxes: &[Bounds]) -> Self {
         let unit = to_unit_cube(boxes);
         let mut order: Vec<(u64, u32)> =
-            unit.iter().enumerate().map(|(i, b)| (morton(b.center().to_array()), i as u32)).collect();
+            unit.iter().enumerate().map(|(i, b)| (morton(b.centre().to_array()), i as u32)).collect();
         order.sort_unstable();
         let mut nodes = vec![0];
         let mut pending = vec![(0, 0, order.len())];
@@ -231,6 +233,9 @@ pub(crate) const PART: usize = 1 << 14;
 /// Levels of obvhs's tree below which subtrees are converted in parallel.
 const CUT_DEPTH: usize = 8;
 
+/// Groups of more items are made into trees by more than one thread.
+const LEAST_SHARED: usize = 1 << 12;
+
 /// A tree cut into subtrees.
 pub(crate) struct Parts {
     /// Disjoint, rising ranges of nodes; the children of each node lie in its own range.
@@ -288,19 +293,51 @@ fn links_below(tree: &Bvh2, pair: u32) -> Vec<u32> {
 /// Scene sizes of which areas, and those of boxes 2⁻²⁰ as large, neither overflow nor vanish in f32.
 const EXTENTS_AS_THEY_ARE: Range<f64> = 1e-9..1e12;
 
-/// obvhs reads boxes where they lie.
-impl Boundable for Bounds {
-    fn aabb(&self) -> Aabb {
-        Aabb::new(self.low.into(), self.high.into())
+/// Makes the tree of a group: its root's link, and the links of all nodes below it, of which the first has the index `first`.
+fn plant(group: Group, quality: BuildQuality, link: &mut u32, below: &mut [u32], first: u32) {
+    if group.items.len() <= quality.most_joined() {
+        return join(group.items, quality, link, below, first);
+    }
+    *link = first;
+    let is_large = group.items.len() > LEAST_SHARED;
+    let (left, right) = group.cut();
+    let (pair, rest) = below.split_at_mut(2);
+    let (left_link, right_link) = pair.split_at_mut(1);
+    let (below_left, below_right) = rest.split_at_mut(2 * left.items.len() - 2);
+    let first_right = first + 2 + below_left.len() as u32;
+    let plant_left = || plant(left, quality, &mut left_link[0], below_left, first + 2);
+    let plant_right = || plant(right, quality, &mut right_link[0], below_right, first_right);
+    if is_large {
+        rayon::join(plant_left, plant_right);
+    } else {
+        plant_left();
+        plant_right();
     }
 }
 
-fn ploc<T: Boundable>(boxes: &[T], quality: BuildQuality) -> Bvh2 {
+/// [`plant`] by joining neighbours.
+fn join(items: &[Item], quality: BuildQuality, link: &mut u32, below: &mut [u32], first: u32) {
+    if let [item] = items {
+        *link = LEAF | item.primitive();
+        return;
+    }
+    let tree = BinaryTree::from_obvhs(&ploc(items, quality));
+    let moved = |link: u32| match link & LEAF {
+        0 => link - 1 + first,
+        _ => LEAF | items[(link & !LEAF) as usize].primitive(),
+    };
+    *link = moved(tree.nodes[0]);
+    for (to, from) in below.iter_mut().zip(&tree.nodes[1..]) {
+        *to = moved(*from);
+    }
+}
+
+fn ploc(items: &[Item], quality: BuildQuality) -> Bvh2 {
     let parameters = quality.parameters();
-    let indices = (0..boxes.len() as u32).collect();
-    let mut tree = PlocBuilder::with_capacity(boxes.len()).build(
+    let indices = (0..items.len() as u32).collect();
+    let mut tree = PlocBuilder::with_capacity(items.len()).build(
         parameters.ploc_search_distance,
-        boxes,
+        items,
         indices,
         parameters.sort_precision,
         parameters.search_depth_threshold,
@@ -314,13 +351,13 @@ fn scene_of(boxes: &[Bounds]) -> Bounds {
 }
 
 /// Boxes moved and scaled into the unit cube, so that areas neither overflow nor vanish at any scene scale.
-fn to_unit_cube(boxes: &[Bounds]) -> Vec<Aabb> {
+fn to_unit_cube(boxes: &[Bounds]) -> Vec<Bounds> {
     let scene = scene_of(boxes);
     let (low, extent) = (scene.low.as_dvec3(), scene.extent());
     let scale = if extent > 0.0 { 1.0 / extent } else { 1.0 };
     let unit = |b: &Bounds| {
         let (l, h) = ((b.low.as_dvec3() - low) * scale, (b.high.as_dvec3() - low) * scale);
-        Aabb::new(l.as_vec3a(), h.as_vec3a())
+        Bounds { low: l.as_vec3(), high: h.as_vec3() }
     };
     boxes.par_iter().map(unit).collect()
 }

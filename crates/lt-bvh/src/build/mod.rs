@@ -4,6 +4,7 @@ mod binary;
 mod blas;
 mod bounds;
 mod collapse;
+mod cut;
 mod emit;
 mod error;
 mod quality;

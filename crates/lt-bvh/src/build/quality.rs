@@ -18,13 +18,22 @@ impl BuildQuality {
     /// Every preset, fastest build first.
     pub const ALL: [BuildQuality; 3] = [BuildQuality::Fast, BuildQuality::Medium, BuildQuality::Slow];
 
+    /// How obvhs joins neighbours.
     pub(crate) fn parameters(self) -> BvhBuildParams {
         match self {
             BuildQuality::Fast => BvhBuildParams::very_fast_build(),
             BuildQuality::Medium => {
-                BvhBuildParams { reinsertion_batch_ratio: 0.05, ..BvhBuildParams::medium_build() }
+                BvhBuildParams { reinsertion_batch_ratio: 0.0, ..BvhBuildParams::medium_build() }
             }
             BuildQuality::Slow => BvhBuildParams::very_slow_build(),
+        }
+    }
+
+    /// Most primitives that are joined to a tree; more are cut first.
+    pub(crate) fn most_joined(self) -> usize {
+        match self {
+            BuildQuality::Fast => usize::MAX,
+            BuildQuality::Medium | BuildQuality::Slow => 64,
         }
     }
 }

@@ -79,46 +79,53 @@ impl<L: NodeLanes> BoxRay<L> {
     }
 }
 
-/// A ray as the triangle test of eight lanes needs it.
+/// A ray spread over lanes for the triangle test.
 #[derive(Clone, Copy)]
-struct TriangleRay {
+struct TriangleRay<L: NodeLanes> {
     /// The axes that become x, y and z, and the origin along them.
     axes: [usize; 3],
-    origin: [f32; 3],
-    x: f32,
-    y: f32,
-    z: f32,
-    tmin: f32,
-    tmax: f32,
+    origin: [L::F; 3],
+    x: L::F,
+    y: L::F,
+    z: L::F,
+    tmin: L::F,
+    tmax: L::F,
 }
 
 /// One vertex of eight triangles, in the axes of a ray.
 type Vertex<F> = [F; 3];
 
-impl TriangleRay {
+impl<L: NodeLanes> TriangleRay<L> {
     #[inline(always)]
-    fn new(shear: &Shear, ray: &Ray) -> Self {
+    fn new(lanes: L, shear: &Shear, ray: &Ray) -> Self {
         let o = shear.origin;
         let (axes, origin) = if shear.axis == 0 {
-            ([1, 2, 0], [o.y, o.z, o.x])
+            ([1, 2, 0], Vec3::new(o.y, o.z, o.x))
         } else if shear.axis == 1 {
-            ([2, 0, 1], [o.z, o.x, o.y])
+            ([2, 0, 1], Vec3::new(o.z, o.x, o.y))
         } else {
-            ([0, 1, 2], [o.x, o.y, o.z])
+            ([0, 1, 2], o)
         };
-        TriangleRay { axes, origin, x: shear.x, y: shear.y, z: shear.z, tmin: ray.tmin, tmax: ray.tmax }
+        TriangleRay {
+            axes,
+            origin: spread(lanes, origin),
+            x: lanes.splat(shear.x),
+            y: lanes.splat(shear.y),
+            z: lanes.splat(shear.z),
+            tmin: lanes.splat(ray.tmin),
+            tmax: lanes.splat(ray.tmax),
+        }
     }
 
     /// The triangles of a block that pass the kernel's arithmetic but for its test of their own boxes: at least all
     /// that the ray hits.
     #[inline(always)]
-    fn test<L: NodeLanes>(&self, lanes: L, block: Block) -> u32 {
+    fn test(&self, lanes: L, block: Block) -> u32 {
         let rows = [block.rows(self.axes[0]), block.rows(self.axes[1]), block.rows(self.axes[2])];
         let vertex = [vertex(lanes, rows, 0), vertex(lanes, rows, 1), vertex(lanes, rows, 2)];
-        let origin = [lanes.splat(self.origin[0]), lanes.splat(self.origin[1]), lanes.splat(self.origin[2])];
-        let a = self.project(lanes, vertex[0], origin);
-        let b = self.project(lanes, vertex[1], origin);
-        let c = self.project(lanes, vertex[2], origin);
+        let a = self.project(lanes, vertex[0]);
+        let b = self.project(lanes, vertex[1]);
+        let c = self.project(lanes, vertex[2]);
         let (u, v, w) = (cross(lanes, c, b), cross(lanes, a, c), cross(lanes, b, a));
         let zero = lanes.splat(0.0);
         let least = lanes.min(lanes.min(u, v), w);
@@ -127,31 +134,29 @@ impl TriangleRay {
         if inside == 0 {
             return 0;
         }
-        let t = self.plane_t(lanes, vertex, origin);
-        inside & lanes.le(lanes.splat(self.tmin), t) & lanes.le(t, lanes.splat(self.tmax))
+        let t = self.plane_t(lanes, vertex);
+        inside & lanes.le(self.tmin, t) & lanes.le(t, self.tmax)
     }
 
     /// t of the planes of eight triangles, by the kernel's arithmetic.
     #[inline(always)]
-    fn plane_t<L: NodeLanes>(&self, lanes: L, [v0, v1, v2]: [Vertex<L::F>; 3], origin: Vertex<L::F>) -> L::F {
+    fn plane_t(&self, lanes: L, [v0, v1, v2]: [Vertex<L::F>; 3]) -> L::F {
         let [ex, ey, ez] = difference(lanes, v1, v0);
         let [fx, fy, fz] = difference(lanes, v2, v0);
         let nx = lanes.sub(lanes.mul(ey, fz), lanes.mul(ez, fy));
         let ny = lanes.sub(lanes.mul(ez, fx), lanes.mul(ex, fz));
         let nz = lanes.sub(lanes.mul(ex, fy), lanes.mul(ey, fx));
-        let [x, y, z] = difference(lanes, v0, origin);
+        let [x, y, z] = difference(lanes, v0, self.origin);
         let distance = lanes.add(lanes.add(lanes.mul(nx, x), lanes.mul(ny, y)), lanes.mul(nz, z));
-        let (sx, sy) = (lanes.splat(self.x), lanes.splat(self.y));
-        let slope = lanes.add(lanes.add(lanes.mul(nx, sx), lanes.mul(ny, sy)), nz);
-        lanes.div(lanes.mul(lanes.splat(self.z), distance), slope)
+        let slope = lanes.add(lanes.add(lanes.mul(nx, self.x), lanes.mul(ny, self.y)), nz);
+        lanes.div(lanes.mul(self.z, distance), slope)
     }
 
     /// x and y of eight vertices in the ray's frame, by the kernel's arithmetic.
     #[inline(always)]
-    fn project<L: NodeLanes>(&self, lanes: L, vertex: Vertex<L::F>, origin: Vertex<L::F>) -> (L::F, L::F) {
-        let [x, y, depth] = difference(lanes, vertex, origin);
-        let (sx, sy) = (lanes.splat(self.x), lanes.splat(self.y));
-        (lanes.sub(x, lanes.mul(sx, depth)), lanes.sub(y, lanes.mul(sy, depth)))
+    fn project(&self, lanes: L, vertex: Vertex<L::F>) -> (L::F, L::F) {
+        let [x, y, depth] = difference(lanes, vertex, self.origin);
+        (lanes.sub(x, lanes.mul(self.x, depth)), lanes.sub(y, lanes.mul(self.y, depth)))
     }
 }
 
@@ -199,7 +204,7 @@ pub(crate) struct Prepared<L: NodeLanes> {
     pub ray: Ray,
     slab: Slab,
     shear: Shear,
-    triangles: TriangleRay,
+    triangles: TriangleRay<L>,
     pub boxes: BoxRay<L>,
     window: Span,
 }
@@ -216,13 +221,13 @@ impl<L: NodeLanes> Prepared<L> {
         let slab = Slab::from_inverse(ray.origin, aim.inverse, tree.low, tree.high);
         let shear = Shear { origin: ray.origin, ..aim.shear };
         let boxes = BoxRay::new(lanes, &slab, tree.base, ray.tmin);
-        Self::from_parts(ray, slab, shear, boxes, window)
+        Self::from_parts(lanes, ray, slab, shear, boxes, window)
     }
 
     /// From what is prepared already.
     #[inline(always)]
-    pub fn from_parts(ray: Ray, slab: Slab, shear: Shear, boxes: BoxRay<L>, window: Span) -> Self {
-        Prepared { ray, slab, shear, triangles: TriangleRay::new(&shear, &ray), boxes, window }
+    pub fn from_parts(lanes: L, ray: Ray, slab: Slab, shear: Shear, boxes: BoxRay<L>, window: Span) -> Self {
+        Prepared { ray, slab, shear, triangles: TriangleRay::new(lanes, &shear, &ray), boxes, window }
     }
 
     /// Whether a block of triangles blocks the ray.

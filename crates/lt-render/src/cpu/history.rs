@@ -48,8 +48,12 @@ impl Memory<'_> {
     /// After the block's rays: remembers what they found, and what was known without them.
     pub fn learn(&mut self, visibility: &[f32]) {
         for (piece, visibility) in visibility.as_chunks::<PIECE>().0.iter().enumerate() {
-            let is_shadowed = std::array::from_fn(|i| u8::from(lt_mask::is_test_shadowed(visibility[i])));
             let traced = load_piece(&self.bits.traced, piece);
+            if traced == 0 {
+                // Nothing was hit, as the mask has noted.
+                continue;
+            }
+            let is_shadowed = std::array::from_fn(|i| u8::from(lt_mask::is_test_shadowed(visibility[i])));
             store_piece(&mut self.bits.hit, piece, traced & pack(&is_shadowed));
         }
     }

@@ -50,8 +50,9 @@ pub struct BlockPixels<'a> {
     pub depths: &'a mut [f32],
 }
 
-/// Runs the mask over block `block`, by the best instructions that the processor has.
-pub fn mask_block(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) {
+/// Runs the mask over block `block`, by the best instructions that the processor has. Returns a bit for each piece in which any
+/// pixel needs a ray.
+pub fn mask_block(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) -> u16 {
     #[cfg(target_arch = "x86_64")]
     if super::batch::x86::has_avx512() {
         // SAFETY: the processor has what the function was compiled for.
@@ -60,7 +61,7 @@ pub fn mask_block(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) {
         // SAFETY: as above.
         return unsafe { x86::mask_avx2(frames, block, pixels) };
     }
-    mask_any(frames, block, pixels);
+    mask_any(frames, block, pixels)
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -69,18 +70,18 @@ mod x86 {
     use super::{BlockPixels, Frames, mask_any};
 
     #[target_feature(enable = "avx2")]
-    pub fn mask_avx2(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) {
-        mask_any(frames, block, pixels);
+    pub fn mask_avx2(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) -> u16 {
+        mask_any(frames, block, pixels)
     }
 
     #[target_feature(enable = "avx2,avx512f,avx512vl,avx512dq")]
-    pub fn mask_avx512(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) {
-        mask_any(frames, block, pixels);
+    pub fn mask_avx512(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) -> u16 {
+        mask_any(frames, block, pixels)
     }
 }
 
 #[inline(always)]
-fn mask_any(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) {
+fn mask_any(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) -> u16 {
     let effects = frames.effects;
     match (effects.motion, effects.depth_test) {
         (false, false) => mask_all::<false, false>(frames, block, pixels),
@@ -104,10 +105,11 @@ fn mask_all<const MOTION: bool, const DEPTH: bool>(
     frames: Frames<'_>,
     block: usize,
     pixels: BlockPixels<'_>,
-) {
+) -> u16 {
     let Frames { tiles, params: p, effects, .. } = frames;
     let BlockPixels { samples, previous, visibility, is_doubted, bits, depths } = pixels;
     let origin = tiles.origin(block);
+    let mut asking = 0;
     let turns = (p.refresh != 0).then(|| Turns::of(p.refresh, p.frame));
     let batches = samples.as_chunks::<BATCH>().0.iter().zip(visibility.as_chunks_mut::<BATCH>().0);
     for (piece, ((samples, estimates), is_doubted)) in
@@ -182,10 +184,12 @@ fn mask_all<const MOTION: bool, const DEPTH: bool>(
             is_doubted[i] = traced[i] != 0;
         }
         store_piece(&mut bits.shadowed, piece, pack(&shadowed));
-        let kept = pack(&kept);
-        store_piece(&mut bits.traced, piece, pack(&traced) | kept);
+        let (traced, kept) = (pack(&traced), pack(&kept));
+        store_piece(&mut bits.traced, piece, traced | kept);
         store_piece(&mut bits.hit, piece, kept & known_hits);
+        asking |= u16::from(traced != 0) << piece;
     }
+    asking
 }
 
 /// The pixels themselves: where they were if nothing moved.
@@ -252,7 +256,10 @@ impl Places {
         let (now_x, now_y, _) = place_ndc(position, &p.current);
         let (then_x, then_y, depth) = place_ndc(before, &p.previous);
         let (width, height) = (p.current.size.x as f32, p.current.size.y as f32);
+        let camera_rests = p.flags & MaskParams::CAMERA_RESTS != 0;
         for i in 0..BATCH {
+            let is_same = |axis: usize| position[axis][i] == before[axis][i];
+            let rests = camera_rests & is_same(0) & is_same(1) & is_same(2);
             let x = (then_x[i] - now_x[i]) * 0.5 * width;
             let y = (then_y[i] - now_y[i]) * -0.5 * height;
             let place = sample_place(UVec2::new(self.x[i], self.y[i]), p.current.grid);
@@ -260,10 +267,11 @@ impl Places {
             // The floor of these is on the screen exactly where they are.
             let is_on_screen = (to_x >= 0.0) & (to_y >= 0.0) & (to_x < width) & (to_y < height);
             let whole = |at: f32| float::whole_lane(float::floor_lane(at)) as u32;
-            self.x[i] = if is_on_screen { whole(to_x) } else { self.x[i] };
-            self.y[i] = if is_on_screen { whole(to_y) } else { self.y[i] };
-            self.is_valid[i] = u32::from(is_on_screen) & u32::from(depth[i] > 0.0);
-            self.has_moved[i] = 1 ^ (u32::from(x == 0.0) & u32::from(y == 0.0));
+            let is_led = is_on_screen & !rests;
+            self.x[i] = if is_led { whole(to_x) } else { self.x[i] };
+            self.y[i] = if is_led { whole(to_y) } else { self.y[i] };
+            self.is_valid[i] = u32::from(rests | (is_on_screen & (depth[i] > 0.0)));
+            self.has_moved[i] = u32::from(!rests & ((x != 0.0) | (y != 0.0)));
         }
     }
 
@@ -469,7 +477,14 @@ mod tests {
                     bits: memory.bits,
                     depths: memory.depths,
                 };
-                mask_block(open.frames, block, pixels);
+                let asking = mask_block(open.frames, block, pixels);
+                for (piece, doubted) in doubted[range.clone()].chunks(PIECE).enumerate() {
+                    assert_eq!(
+                        asking >> piece & 1 != 0,
+                        doubted.contains(&true),
+                        "block {block} piece {piece}"
+                    );
+                }
                 memory.learn(&seen_rays[range]);
             }
             let (lit, doubted) = (tiles.to_rows(&lit), tiles.to_rows(&doubted));
@@ -509,7 +524,9 @@ mod tests {
                         light: LightParams::directional(Vec3::new(0.1, 0.2, 1.0)),
                         still_pattern: pattern.to_index(),
                         moving_pattern: Pattern::ALL[(bits % 8) as usize].to_index(),
-                        flags: MaskParams::HAS_HISTORY | removal[bits as usize % 4],
+                        flags: MaskParams::HAS_HISTORY
+                            | removal[bits as usize % 4]
+                            | if flag(4) { MaskParams::CAMERA_RESTS } else { 0 },
                         expansion,
                         depth_tolerance: 0.3,
                         refresh: if pattern == Pattern::PLUS { bits % 7 } else { 0 },
@@ -551,7 +568,7 @@ mod tests {
         let effects = MaskEffects { motion: true, depth_test: true, expands: true, removes: true };
         let frames =
             Frames { tiles, params: &p, effects, asks: &asks, last: &last, last_depths: &last_depths };
-        let by = |run: &dyn Fn(usize, BlockPixels<'_>)| {
+        let by = |run: &dyn Fn(usize, BlockPixels<'_>) -> u16| {
             let mut all = Vec::new();
             for block in 0..tiles.len() / BLOCK {
                 let range = block * BLOCK..(block + 1) * BLOCK;
@@ -566,8 +583,9 @@ mod tests {
                     bits: &mut bits,
                     depths: &mut depths,
                 };
-                run(block, pixels);
+                let asking = run(block, pixels);
                 all.push((
+                    asking,
                     visibility,
                     is_doubted,
                     bits,

@@ -216,7 +216,7 @@ impl Backend for CpuBackend {
             }
             (PassKind::DepthMap, Some(map), _) => {
                 slot.still.resize_with(map.levels.len(), StillMap::default);
-                let whole = if job.plan.reuse { Draw::Whole } else { Draw::Once };
+                let whole = if map.keeps_still { Draw::Whole } else { Draw::Once };
                 let draws = map.draws.iter().map(|level| (level, whole));
                 for (&level, draw) in draws.chain(map.refreshes.iter().map(|level| (level, Draw::Moving))) {
                     let (params, depths) = (&map.levels[level as usize], &mut slot.depths[map.texels(level)]);

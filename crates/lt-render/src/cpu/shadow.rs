@@ -22,6 +22,7 @@ use rayon::prelude::*;
 use super::batch::{BatchTest, evaluate_batch, evaluate_batch_levels};
 use super::history::Memory;
 use super::mask_batch::{BlockPixels, Frames, mask_block};
+use super::planes::PIECE;
 use super::tiles::BLOCK;
 use super::{CpuBackend, milliseconds, tracer};
 use crate::light_space::{casters, occluded};
@@ -227,13 +228,14 @@ impl Passes<'_> {
             None => is_doubted.fill(false),
         }
         let estimated = Instant::now();
-        if let (Some(frames), Some(Memory { bits, depths })) = (self.frames, &mut memory) {
-            mask_block(
+        let asking = match (self.frames, &mut memory) {
+            (Some(frames), Some(Memory { bits, depths })) => mask_block(
                 frames,
                 index,
                 BlockPixels { samples, previous, visibility, is_doubted, bits, depths },
-            );
-        }
+            ),
+            _ => asking_pieces(is_doubted),
+        };
         let corrected = Instant::now();
         rays.clear();
         if self.traces_all {
@@ -245,9 +247,11 @@ impl Passes<'_> {
                 }
             }
         } else if self.traces_doubted {
-            for (i, sample) in samples.iter().enumerate() {
-                if is_doubted[i] {
-                    rays.push(i, shadow_ray(sample, &self.light));
+            for piece in (0..BLOCK / PIECE).filter(|piece| asking >> piece & 1 != 0) {
+                for i in piece * PIECE..(piece + 1) * PIECE {
+                    if is_doubted[i] {
+                        rays.push(i, shadow_ray(&samples[i], &self.light));
+                    }
                 }
             }
         }
@@ -261,6 +265,13 @@ impl Passes<'_> {
             [estimated - start, corrected - estimated, resolved - corrected].map(|d| d.as_secs_f64());
         totals
     }
+}
+
+/// A bit for each piece of a block in which any pixel is doubted.
+fn asking_pieces(is_doubted: &[bool]) -> u16 {
+    let any = |piece: &[bool; PIECE]| piece.iter().fold(false, |any, doubted| any | doubted);
+    let pieces = is_doubted.as_chunks::<PIECE>().0.iter().enumerate();
+    pieces.fold(0, |asking, (piece, doubted)| asking | u16::from(any(doubted)) << piece)
 }
 
 /// The rays of one block and the pixels they belong to.

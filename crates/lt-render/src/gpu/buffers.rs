@@ -22,6 +22,9 @@ pub struct GpuScene {
     pub(super) color_texels: Option<wgpu::Buffer>,
     pub(super) previous_positions: Option<wgpu::Buffer>,
     pub(super) draws: Vec<DrawRange>,
+    /// The parts of `draws` that stand still in every pose, and that move.
+    pub(super) still_draws: Vec<DrawRange>,
+    pub(super) moving_draws: Vec<DrawRange>,
     /// Nodes and triangles of translucent casters.
     pub(super) translucent: Option<[wgpu::Buffer; 2]>,
     /// Trees in the spaces of lights, by the light's number.
@@ -101,10 +104,20 @@ pub(super) struct MapBuffers {
     pub levels: u32,
     /// Target of one level after another.
     pub texture: wgpu::TextureView,
+    /// What stands still, where maps are kept under casters that move.
+    pub still: Option<StillMaps>,
     /// Level after level.
     pub depths: wgpu::Buffer,
     /// Blurred rows and blurred vectors, of a pre-filtered map.
     pub filtered: Option<[wgpu::Buffer; 2]>,
+}
+
+/// The depths of what stands still, over which what moves is drawn anew in every frame.
+pub(super) struct StillMaps {
+    /// A layer a level.
+    pub texture: wgpu::Texture,
+    /// Which layers hold what the level's present projection sees.
+    pub is_drawn: Vec<bool>,
 }
 
 /// The list of doubted pixels and the dispatch made from it.
@@ -124,9 +137,11 @@ impl MapBuffers {
         })
     }
 
-    /// Bytes the technique needs for its maps: depths (the raster target is a copy of one of them) and vectors.
+    /// Bytes the technique needs for its maps: depths (the raster target is a copy of one of them), those of what stands still, and
+    /// vectors.
     pub fn bytes(&self) -> u64 {
-        self.depths.size() + self.filtered.iter().flatten().map(wgpu::Buffer::size).sum::<u64>()
+        self.depths.size() * if self.still.is_some() { 2 } else { 1 }
+            + self.filtered.iter().flatten().map(wgpu::Buffer::size).sum::<u64>()
     }
 }
 
@@ -210,6 +225,8 @@ impl Allocator {
                 all => Some(self.filled("last positions", all, Usage::STORAGE)?),
             },
             draws: scene.draws().to_vec(),
+            still_draws: scene.still_draws().to_vec(),
+            moving_draws: scene.moving_draws().to_vec(),
             translucent: match scene.translucent() {
                 None => None,
                 Some(bvh) => Some([
@@ -258,26 +275,42 @@ impl Allocator {
             )));
         }
         let texels = u64::from(size) * u64::from(size) * u64::from(levels);
-        let texture = self.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("depth map"),
-            size: wgpu::Extent3d { width: size, height: size, depth_or_array_layers: 1 },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: wgpu::TextureFormat::Depth32Float,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
-            view_formats: &[],
-        });
+        let uses = wgpu::TextureUsages::COPY_SRC | wgpu::TextureUsages::COPY_DST;
+        let texture = self.depths("depth map", (size, 1), uses | wgpu::TextureUsages::RENDER_ATTACHMENT);
         let vectors = |what| self.empty(what, texels * 16, Usage::STORAGE);
         Ok(MapBuffers {
             size,
             levels,
             texture: texture.create_view(&wgpu::TextureViewDescriptor::default()),
+            still: None,
             depths: self.empty("depths", texels * 4, Usage::STORAGE | Usage::COPY_DST)?,
             filtered: match is_prefiltered {
                 true => Some([vectors("blurred rows")?, vectors("blurred vectors")?]),
                 false => None,
             },
+        })
+    }
+
+    /// Room for what stands still in maps of `size`² texels.
+    pub fn still_maps(&self, size: u32, levels: u32) -> StillMaps {
+        let uses = wgpu::TextureUsages::COPY_SRC | wgpu::TextureUsages::COPY_DST;
+        StillMaps {
+            texture: self.depths("what stands still", (size, levels), uses),
+            is_drawn: vec![false; levels as usize],
+        }
+    }
+
+    /// A texture of depths with so many texels along its side, and layers.
+    fn depths(&self, label: &str, (side, layers): (u32, u32), usage: wgpu::TextureUsages) -> wgpu::Texture {
+        self.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some(label),
+            size: wgpu::Extent3d { width: side, height: side, depth_or_array_layers: layers },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: wgpu::TextureFormat::Depth32Float,
+            usage,
+            view_formats: &[],
         })
     }
 

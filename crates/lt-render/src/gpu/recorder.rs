@@ -11,7 +11,9 @@ use super::buffers::{
 };
 use super::modules::ShaderModule;
 use crate::light_space;
-use crate::{EffectPlan, FrameJob, MapSource, PackedScene, PassKind, RenderError, Resolve};
+use crate::{
+    DepthMapJob, DrawRange, EffectPlan, FrameJob, MapSource, PackedScene, PassKind, RenderError, Resolve,
+};
 
 /// Records shadow passes on a device that the caller owns.
 ///
@@ -243,6 +245,10 @@ impl Recorder {
                 if !slot.map.as_ref().is_some_and(fits) {
                     slot.map = Some(self.allocator.map(map_size, levels, is_prefiltered)?);
                 }
+                if let Some(maps) = slot.map.as_mut().filter(|_| map.keeps_still) {
+                    let still = maps.still.get_or_insert_with(|| self.allocator.still_maps(map_size, levels));
+                    map.draws.iter().for_each(|level| still.is_drawn[*level as usize] = true);
+                }
             }
         }
         // The slot of the first light was prepared before this one's.
@@ -326,13 +332,11 @@ impl Recorder {
         let slot = self.slot(frame, job)?;
         let (Some(map), Some(map_job)) = (&slot.map, &job.map) else { return Err(self.unprepared()) };
         for level in map_job.drawn() {
-            self.draw_level(encoder, scene, map, &map_job.levels[level as usize])?;
+            self.draw_depths(encoder, scene, map, map_job, level)?;
             encoder.copy_texture_to_buffer(
                 wgpu::TexelCopyTextureInfo {
-                    texture: map.texture.texture(),
-                    mip_level: 0,
-                    origin: wgpu::Origin3d::ZERO,
                     aspect: wgpu::TextureAspect::DepthOnly,
+                    ..map.texture.texture().as_image_copy()
                 },
                 wgpu::TexelCopyBufferInfo {
                     buffer: &map.depths,
@@ -348,17 +352,46 @@ impl Recorder {
         Ok(())
     }
 
-    /// Draws one level into the maps' texture.
-    fn draw_level(
+    /// Draws a level into the maps' texture, whole or what moves over what stands still: the lesser depth of both, as if drawn whole.
+    fn draw_depths(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        scene: &GpuScene,
+        map: &MapBuffers,
+        job: &DepthMapJob,
+        level: u32,
+    ) -> Result<(), RenderError> {
+        let p = &job.levels[level as usize];
+        let empty = wgpu::LoadOp::Clear(1.0);
+        let still =
+            map.still.as_ref().filter(|s| s.is_drawn[level as usize] && !scene.moving_draws.is_empty());
+        let Some(still) = still else {
+            return self.draw_casters(encoder, scene, map, p, (&scene.draws, empty));
+        };
+        let target = map.texture.texture().as_image_copy();
+        let layer = wgpu::Origin3d { x: 0, y: 0, z: level };
+        let kept = wgpu::TexelCopyTextureInfo { origin: layer, ..still.texture.as_image_copy() };
+        if job.draws.contains(&level) {
+            self.draw_casters(encoder, scene, map, p, (&scene.still_draws, empty))?;
+            encoder.copy_texture_to_texture(target, kept, map.texture.texture().size());
+        } else {
+            encoder.copy_texture_to_texture(kept, target, map.texture.texture().size());
+        }
+        self.draw_casters(encoder, scene, map, p, (&scene.moving_draws, wgpu::LoadOp::Load))
+    }
+
+    /// Draws some casters into the maps' texture.
+    fn draw_casters(
         &mut self,
         encoder: &mut wgpu::CommandEncoder,
         scene: &GpuScene,
         map: &MapBuffers,
         p: &DepthParams,
+        (draws, load): (&[DrawRange], wgpu::LoadOp<f32>),
     ) -> Result<(), RenderError> {
         let uniform = self.allocator.filled("depth map", &[*p], Usage::UNIFORM)?;
         let mut variants: HashMap<&str, (wgpu::RenderPipeline, wgpu::BindGroup)> = HashMap::new();
-        for draw in &scene.draws {
+        for draw in draws {
             let name = depth_variant(p.near > 0.0, scene.instances.is_some(), draw.has_holes);
             if !variants.contains_key(name) {
                 let pipeline = self.depth_pipeline(name)?;
@@ -377,15 +410,12 @@ impl Recorder {
             label: Some("depth map"),
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                 view: &map.texture,
-                depth_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(1.0),
-                    store: wgpu::StoreOp::Store,
-                }),
+                depth_ops: Some(wgpu::Operations { load, store: wgpu::StoreOp::Store }),
                 stencil_ops: None,
             }),
             ..wgpu::RenderPassDescriptor::default()
         });
-        for draw in &scene.draws {
+        for draw in draws {
             let (pipeline, group) =
                 &variants[depth_variant(p.near > 0.0, scene.instances.is_some(), draw.has_holes)];
             pass.set_pipeline(pipeline);

@@ -236,7 +236,7 @@ impl Packet {
         let (start, margin) = (at(&self.start), at(&self.triangle_margin) * NODE_PER_TRIANGLE);
         let boxes =
             BoxRay::from_parts(lanes, at(&self.inverse), start - margin, start + margin, self.tmin[i]);
-        Prepared::from_parts(self.rays[i], self.slab(i), shear, boxes, window)
+        Prepared::from_parts(lanes, self.rays[i], self.slab(i), shear, boxes, window)
     }
 
     /// One ray, ready for single boxes of the tree.
