@@ -106,7 +106,13 @@ fn turning_on_the_spot_draws_little_and_stays_right() {
     let source = Source::open("street:6", 1).expect("a place");
     let scene = source.pose(0.0).expect("a pose");
     let mut session = cpu_session(&scene, 240, 136);
-    session.play(Sequence { is_played: true, camera_moves: true, objects_move: false, starts_cold: false });
+    session.play(Sequence {
+        is_played: true,
+        camera_moves: true,
+        objects_move: false,
+        lights_move: false,
+        starts_cold: false,
+    });
     let camera = session.setup().camera.clone();
     let way = camera.target - camera.eye;
     let (mut kept, mut drawn) = (0, 0);

@@ -3,8 +3,13 @@
 use lt_render::{BackendKind, Frame, Sequence, Session, Setup, Technique};
 use lt_tests::{builtin, gpu_session, ppm, twin_ppm};
 
-const COLD: Sequence =
-    Sequence { is_played: true, camera_moves: false, objects_move: false, starts_cold: true };
+const COLD: Sequence = Sequence {
+    is_played: true,
+    camera_moves: false,
+    objects_move: false,
+    lights_move: false,
+    starts_cold: true,
+};
 
 fn technique(id: &str) -> Technique {
     id.parse().expect("a known id")

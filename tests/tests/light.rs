@@ -3,7 +3,8 @@
 use lt_math::glam::{UVec2, Vec3};
 use lt_render::gpu::GpuScene;
 use lt_render::{
-    BackendKind, Frame, FrameJob, PackedScene, PassKind, RenderError, Session, Setup, Technique, Upkeep,
+    BackendKind, Frame, FrameJob, PackedScene, PassKind, RenderError, Resolve, Sequence, Session, Setup,
+    Technique, Upkeep,
 };
 use lt_scene::{Light, LightKind};
 use lt_tests::textures::{download, upload, visibility_texture};
@@ -79,6 +80,49 @@ fn rebuilding_counts_what_a_technique_traces_with_and_changes_no_bit() {
             let time = |kind| frame.passes.iter().find(|p| p.kind == kind).and_then(|p| p.ms);
             assert!(!builds || time(PassKind::Build).expect("is timed") > 0.0, "{id}");
         }
+    }
+}
+
+/// `space` plants a tree where it stands for more than a frame, and keeps nothing elsewhere; on the GPU there is the tree alone.
+#[test]
+fn the_structure_in_light_space_is_chosen_by_what_stands() {
+    let scene = builtin("square:6");
+    let mut setup = Setup::for_scene(&scene, 160, 90);
+    setup.packing.bakes_copies = true;
+    let space = technique("ray:space");
+    let mut session = Session::new(&scene, setup.clone(), BackendKind::Cpu).expect("session");
+    let truth = session.render(&Technique::RAY).expect("frame");
+    let chosen = |session: &mut Session| {
+        let frame = session.render(&space).expect("frame");
+        assert_eq!(frame.visibility, truth.visibility);
+        session.plan(&space).resolve
+    };
+    let playing = Sequence { is_played: true, ..Sequence::default() };
+    assert_eq!(chosen(&mut session), Resolve::DivideAndConquer, "one frame");
+    session.play(playing);
+    assert_eq!(chosen(&mut session), Resolve::Light, "several");
+    session.look(&setup.camera).expect("a view");
+    session.relight(std::slice::from_ref(&setup.light)).expect("the same light");
+    assert_eq!(chosen(&mut session), Resolve::Light, "a camera that moves");
+    session.play(Sequence { objects_move: true, ..playing });
+    assert_eq!(chosen(&mut session), Resolve::DivideAndConquer, "casters that move");
+    session.play(Sequence { lights_move: true, ..playing });
+    assert_eq!(chosen(&mut session), Resolve::DivideAndConquer, "a light that moves");
+    session.play(playing);
+    let moved = LightKind::Directional { direction: Vec3::new(0.1, -1.0, 0.2) };
+    session.relight(&[Light { kind: moved, ..setup.light.clone() }]).expect("a light");
+    assert_eq!(session.plan(&space).resolve, Resolve::DivideAndConquer, "a light that has moved");
+    let upkeep = Upkeep::Refit;
+    let mut session =
+        Session::new(&scene, Setup { upkeep, ..setup.clone() }, BackendKind::Cpu).expect("session");
+    session.play(playing);
+    assert_eq!(chosen(&mut session), Resolve::DivideAndConquer, "what is made anew in every frame");
+    for id in ["ray:light", "ray:dac", "alias-free"] {
+        assert_eq!(session.plan(&technique(id)).resolve, technique(id).resolve, "asked for");
+    }
+    if let Some(mut gpu) = gpu_session(&scene, setup) {
+        assert_eq!(gpu.plan(&space).resolve, Resolve::Light);
+        gpu.render(&space).expect("frame");
     }
 }
 

@@ -24,10 +24,20 @@ fn wrong(session: &Session, truth: &Frame, frame: &Frame) -> [usize; 2] {
     [Verdict::FalseLit, Verdict::FalseShadowed].map(|side| verdicts.iter().filter(|v| **v == side).count())
 }
 
-const STILL: Sequence =
-    Sequence { is_played: true, camera_moves: false, objects_move: false, starts_cold: false };
-const MOVING: Sequence =
-    Sequence { is_played: true, camera_moves: true, objects_move: false, starts_cold: false };
+const STILL: Sequence = Sequence {
+    is_played: true,
+    camera_moves: false,
+    objects_move: false,
+    lights_move: false,
+    starts_cold: false,
+};
+const MOVING: Sequence = Sequence {
+    is_played: true,
+    camera_moves: true,
+    objects_move: false,
+    lights_move: false,
+    starts_cold: false,
+};
 
 fn open(name: &str, width: u32, height: u32, map_size: u32) -> (Source, Scene, Setup) {
     let source = Source::open(name, 1).expect("a place");
@@ -196,7 +206,13 @@ fn what_moves_with_the_camera_keeps_its_history() {
         target: setup.camera.target + shift * times,
         ..setup.camera.clone()
     };
-    let sequence = Sequence { is_played: true, camera_moves: true, objects_move: true, starts_cold: false };
+    let sequence = Sequence {
+        is_played: true,
+        camera_moves: true,
+        objects_move: true,
+        lights_move: false,
+        starts_cold: false,
+    };
     for kind in [BackendKind::Cpu, BackendKind::Gpu] {
         let mut session = match kind {
             BackendKind::Cpu => cpu_session(&moved(0.0), 160, 100),
@@ -243,7 +259,13 @@ fn maps_are_kept_once_they_have_seen_how_far_casters_swing() {
     let (low, high) = (pose(0).bounds().max.y, pose(1).bounds().max.y);
     assert!(high > low, "it leaves the box: {high} over {low}");
     let mut session = cpu_session(&pose(0), 160, 100);
-    session.play(Sequence { is_played: true, camera_moves: false, objects_move: true, starts_cold: false });
+    session.play(Sequence {
+        is_played: true,
+        camera_moves: false,
+        objects_move: true,
+        lights_move: false,
+        starts_cold: false,
+    });
     let camera = session.setup().camera.clone();
     let mut draws = [0; 2];
     for i in 0..12 {
@@ -282,6 +304,7 @@ fn things_that_move_in_an_alpha_tested_scene_are_followed() {
             is_played: true,
             camera_moves: true,
             objects_move: true,
+            lights_move: false,
             starts_cold: false,
         });
         let mut before = scene.clone();

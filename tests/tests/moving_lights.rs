@@ -12,8 +12,13 @@ fn technique(id: &str) -> Technique {
     id.parse().expect("a known id")
 }
 
-const MOVING: Sequence =
-    Sequence { is_played: true, camera_moves: true, objects_move: false, starts_cold: false };
+const MOVING: Sequence = Sequence {
+    is_played: true,
+    camera_moves: true,
+    objects_move: false,
+    lights_move: true,
+    starts_cold: false,
+};
 
 /// Frames of `ray`, `ltt-evsm` and `lt-evsm` under a light that turns by so many degrees a frame, with or without the camera.
 fn play(

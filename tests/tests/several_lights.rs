@@ -40,8 +40,13 @@ fn setup(scene: &lt_scene::Scene, lights: &[Light]) -> Setup {
     }
 }
 
-const STILL: Sequence =
-    Sequence { is_played: true, camera_moves: false, objects_move: false, starts_cold: false };
+const STILL: Sequence = Sequence {
+    is_played: true,
+    camera_moves: false,
+    objects_move: false,
+    lights_move: false,
+    starts_cold: false,
+};
 
 #[test]
 fn every_light_is_as_it_would_be_alone() {

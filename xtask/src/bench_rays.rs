@@ -16,8 +16,8 @@ use crate::{documents, workspace};
 /// Options of the command; those that it does not know itself go to the measuring program.
 #[derive(clap::Args)]
 pub struct Args {
-    /// Folder for rays.csv, rays.md and rays.svg
-    #[arg(long, value_name = "FOLDER", default_value = "lt-out/rays")]
+    /// Folder for rays.csv, rays.md, rays.svg and crossover.svg
+    #[arg(long, value_name = "FOLDER", default_value = FOLDER)]
     out: PathBuf,
     /// Also put table and plot into docs/results, which should hold a full run on a quiet machine
     #[arg(long)]
@@ -26,6 +26,20 @@ pub struct Args {
     #[arg(trailing_var_arg = true, allow_hyphen_values = true, value_name = "OPTIONS")]
     rest: Vec<OsString>,
 }
+
+impl Args {
+    /// The whole measurement, or a look in seconds.
+    pub fn for_papers(quick: bool, docs: bool) -> Self {
+        let rest = match quick {
+            true => &["--quick", "--no-build", "--scenes", "random:1000,random:10000"][..],
+            false => &[],
+        };
+        Args { out: FOLDER.into(), docs, rest: rest.iter().map(OsString::from).collect() }
+    }
+}
+
+/// Where results go.
+const FOLDER: &str = "lt-out/rays";
 
 /// The measuring program takes the library's path from here.
 const LIBRARY_VARIABLE: &str = "LT_EMBREE_LIBRARY";
@@ -112,8 +126,9 @@ fn compile() -> Result<Option<PathBuf>> {
 /// Puts table and plot into docs/results.
 fn publish(out: &Path, results: &Path) -> Result<()> {
     documents::renew(&results.join("rays.md"), &out.join("rays.md"), MARKS)?;
-    documents::copy(&out.join("rays.svg"), &results.join("rays.svg"))?;
-    documents::copy(&out.join("rays.csv"), &results.join("rays.csv"))?;
-    println!("renewed: {}, rays.svg, rays.csv", results.join("rays.md").display());
+    for name in ["rays.svg", "crossover.svg", "rays.csv"] {
+        documents::copy(&out.join(name), &results.join(name))?;
+    }
+    println!("renewed: {}, rays.svg, crossover.svg, rays.csv", results.join("rays.md").display());
     Ok(())
 }

@@ -4,12 +4,13 @@ use std::ffi::OsString;
 
 use anyhow::{Result, ensure};
 
-use crate::{documents, leak_tracing, workspace};
+use crate::{bench_rays, documents, leak_tracing, workspace};
 
 /// Whose tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum Paper {
-    /// Aila and Laine 2004: Table 1, close-ups, the hair ball, samples per pixel, Figures 3 and 4
+    /// Aila and Laine 2004: Table 1, close-ups, the hair ball, samples per pixel, Figures 3 and 4; then light BVH and divide and
+    /// conquer beside Embree (`cargo xtask bench-rays`)
     AliasFree,
     /// Kern, Brüll and Grosch 2024: Tables 2 and 3, Figures 8 and 10, the scale test
     LeakTracing,
@@ -44,6 +45,9 @@ pub struct Args {
     /// Also put tables and plot into docs/results, which should hold a full run on a quiet machine
     #[arg(long)]
     docs: bool,
+    /// alias-free: leave out the tables beside Embree's, which take minutes
+    #[arg(long)]
+    no_peers: bool,
     /// Options of the measuring program (alias-free: see `-- --help`)
     #[arg(trailing_var_arg = true, allow_hyphen_values = true, value_name = "OPTIONS")]
     rest: Vec<OsString>,
@@ -85,6 +89,9 @@ pub fn run(args: &Args) -> Result<()> {
                 ]);
             }
             workspace::run(command.args(&args.rest))?;
+            if !args.no_peers {
+                bench_rays::run(&bench_rays::Args::for_papers(args.quick, args.docs))?;
+            }
         }
         Paper::LeakTracing => {
             ensure!(args.rest.is_empty(), "papers leak-tracing has no options of its own: {:?}", args.rest);

@@ -107,6 +107,7 @@ pub fn run(args: &CompareArgs, opened: &mut Opened, frames: usize) -> anyhow::Re
         is_played: true,
         camera_moves: !args.still,
         objects_move: playback.objects_move,
+        lights_move: playback.lights_move,
         starts_cold: args.cold,
     });
     let options = PlayOptions {

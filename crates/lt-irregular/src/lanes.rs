@@ -2,6 +2,8 @@
 //!
 //! Unlike the lanes of lt-bvh, nothing here need round as the scalar operation does: what these compute has margins.
 
+use lt_math::glam::Vec3;
+
 /// Lanes and how to compute with them.
 pub(crate) trait Lanes: Copy {
     /// [`Lanes::WIDTH`] f32.
@@ -14,6 +16,15 @@ pub(crate) trait Lanes: Copy {
     /// Writes to the start of `to`, which must be long enough.
     fn store(self, from: Self::F, to: &mut [f32]);
     fn splat(self, x: f32) -> Self::F;
+    /// The x, y and z of the first lanes' worth of `from`, which must be that long.
+    #[inline(always)]
+    fn load_vectors(self, from: &[Vec3]) -> [Self::F; 3] {
+        let mut rows = [[0.0; 16]; 3];
+        for (i, v) in from[..Self::WIDTH].iter().enumerate() {
+            (rows[0][i], rows[1][i], rows[2][i]) = (v.x, v.y, v.z);
+        }
+        rows.map(|row| self.load(&row))
+    }
     /// `a` where the lane's bit is set, `b` elsewhere.
     fn pick(self, mask: u32, a: Self::F, b: Self::F) -> Self::F;
     fn add(self, a: Self::F, b: Self::F) -> Self::F;
@@ -27,6 +38,10 @@ pub(crate) trait Lanes: Copy {
     fn min(self, a: Self::F, b: Self::F) -> Self::F;
     fn max(self, a: Self::F, b: Self::F) -> Self::F;
     fn abs(self, a: Self::F) -> Self::F;
+    /// The least lane; none may be NaN.
+    fn least(self, a: Self::F) -> f32;
+    /// The largest lane; none may be NaN.
+    fn most(self, a: Self::F) -> f32;
     /// A bit per lane where a ≤ b; clear where either is NaN.
     fn le(self, a: Self::F, b: Self::F) -> u32;
     /// A bit per lane where a < b; clear where either is NaN.
@@ -138,6 +153,14 @@ impl Lanes for Portable {
         a.map(f32::abs)
     }
     #[inline(always)]
+    fn least(self, a: [f32; 8]) -> f32 {
+        a.into_iter().fold(f32::INFINITY, |a, b| if b < a { b } else { a })
+    }
+    #[inline(always)]
+    fn most(self, a: [f32; 8]) -> f32 {
+        a.into_iter().fold(f32::NEG_INFINITY, |a, b| if b > a { b } else { a })
+    }
+    #[inline(always)]
     fn le(self, a: [f32; 8], b: [f32; 8]) -> u32 {
         bits(a, b, |a, b| a <= b)
     }
@@ -173,6 +196,7 @@ pub(crate) mod x86 {
     //! The same on x86-64 extensions.
     use super::{Lanes, Level};
     use core::arch::x86_64::*;
+    use lt_math::glam::Vec3;
 
     /// Proof that the processor has AVX2, FMA, BMI1, BMI2 and POPCNT.
     #[derive(Clone, Copy)]
@@ -220,6 +244,21 @@ pub(crate) mod x86 {
                 bit += 1;
             }
             mask += 1;
+        }
+        table
+    }
+
+    /// Where every third of 48 numbers lies, for each of the three: in the first two registers, then in what came of them and the third.
+    static THIRDS: [[[u32; 16]; 2]; 3] = thirds();
+
+    const fn thirds() -> [[[u32; 16]; 2]; 3] {
+        let mut table = [[[0; 16]; 2]; 3];
+        let mut i = 0;
+        while i < 48 {
+            let (axis, lane, at) = (i % 3, i / 3, i as u32);
+            table[axis][0][lane] = at % 32;
+            table[axis][1][lane] = if at < 32 { lane as u32 } else { at - 16 };
+            i += 1;
         }
         table
     }
@@ -274,6 +313,24 @@ pub(crate) mod x86 {
                 _mm256_mul_ps, _mm256_div_ps, _mm256_fmadd_ps, _mm256_fnmadd_ps, _mm256_min_ps, _mm256_max_ps
             );
             instruction!(abs(a: __m256) -> __m256, _mm256_andnot_ps(_mm256_set1_ps(-0.0), a));
+            #[inline(always)]
+            fn least(self, a: __m256) -> f32 {
+                // SAFETY: `self` proves the instructions, which touch no memory.
+                unsafe {
+                    let four = _mm_min_ps(_mm256_castps256_ps128(a), _mm256_extractf128_ps::<1>(a));
+                    let two = _mm_min_ps(four, _mm_movehl_ps(four, four));
+                    _mm_cvtss_f32(_mm_min_ss(two, _mm_movehdup_ps(two)))
+                }
+            }
+            #[inline(always)]
+            fn most(self, a: __m256) -> f32 {
+                // SAFETY: `self` proves the instructions, which touch no memory.
+                unsafe {
+                    let four = _mm_max_ps(_mm256_castps256_ps128(a), _mm256_extractf128_ps::<1>(a));
+                    let two = _mm_max_ps(four, _mm_movehl_ps(four, four));
+                    _mm_cvtss_f32(_mm_max_ss(two, _mm_movehdup_ps(two)))
+                }
+            }
         };
     }
 
@@ -350,7 +407,25 @@ pub(crate) mod x86 {
             _mm512_min_ps,
             _mm512_max_ps
         );
+        #[inline(always)]
+        fn load_vectors(self, from: &[Vec3]) -> [__m512; 3] {
+            let from = from[..16].as_ptr().cast::<f32>();
+            let mut rows = [self.splat(0.0); 3];
+            // SAFETY: `self` proves the instructions; 16 vectors are 48 f32, as `Vec3` is three of them in C's layout.
+            unsafe {
+                let registers =
+                    [_mm512_loadu_ps(from), _mm512_loadu_ps(from.add(16)), _mm512_loadu_ps(from.add(32))];
+                for (row, order) in rows.iter_mut().zip(&THIRDS) {
+                    let [first, last] = order.each_ref().map(|o| _mm512_loadu_si512(o.as_ptr().cast()));
+                    let begun = _mm512_permutex2var_ps(registers[0], first, registers[1]);
+                    *row = _mm512_permutex2var_ps(begun, last, registers[2]);
+                }
+            }
+            rows
+        }
         instruction!(abs(a: __m512) -> __m512, _mm512_abs_ps(a));
+        instruction!(least(a: __m512) -> f32, _mm512_reduce_min_ps(a));
+        instruction!(most(a: __m512) -> f32, _mm512_reduce_max_ps(a));
         instruction!(pick(mask: u32, a: __m512, b: __m512) -> __m512, _mm512_mask_blend_ps(mask as u16, b, a));
         instruction!(le(a: __m512, b: __m512) -> u32, u32::from(_mm512_cmp_ps_mask::<_CMP_LE_OQ>(a, b)));
         instruction!(lt(a: __m512, b: __m512) -> u32, u32::from(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(a, b)));

@@ -15,8 +15,12 @@ use lt_math::glam::Vec3;
 pub(crate) const TILE: usize = 64;
 /// Links that a walk may have waiting: seven at each level.
 const STACK: usize = 256;
-/// Up to this many points go down one by one.
+/// Up to this many points are looked at one by one.
 const FEW: u32 = 3;
+/// Links that wait for their data before few points are held against them.
+const RING: usize = 8;
+/// Triangles that wait for theirs before single points are put to the ray tracer's test.
+const ASKED: usize = 16;
 
 /// A link that waits for its points, and the rectangle that they lie in, with their least nearness.
 #[derive(Clone, Copy)]
@@ -24,6 +28,37 @@ struct Waiting {
     link: u32,
     points: u64,
     rect: Rect,
+}
+
+/// What few points meet, taken up in the order in which it was asked for: memory has time to bring it.
+#[derive(Default)]
+struct Ahead {
+    links: [(u32, u64); RING],
+    /// Links taken so far, and links put in.
+    taken: usize,
+    put: usize,
+    /// Triangles that planes could not decide on, and a point each.
+    asked: [(u32, u32); ASKED],
+    asks: usize,
+}
+
+impl Ahead {
+    fn is_full(&self) -> bool {
+        self.put - self.taken == RING
+    }
+
+    fn put(&mut self, link: u32, points: u64) {
+        self.links[self.put % RING] = (link, points);
+        self.put += 1;
+    }
+
+    /// The link that waits longest, and its points.
+    fn take(&mut self) -> Option<(u32, u64)> {
+        (self.taken < self.put).then(|| {
+            self.taken += 1;
+            self.links[(self.taken - 1) % RING]
+        })
+    }
 }
 
 /// Where the points of a tile come from, for those that were placed without their origins.
@@ -168,16 +203,24 @@ impl Tile {
         }
         self.stack[0] = Waiting { link: 0, points: self.alive, rect: self.rect };
         let mut top = 1;
-        while top > 0 {
+        let mut ahead = Ahead::default();
+        loop {
+            if top == 0 || ahead.is_full() {
+                let Some((link, points)) = ahead.take() else { break };
+                self.few(level, tree, query, (link, points & self.alive), &mut ahead, &mut top);
+                continue;
+            }
             top -= 1;
             let Waiting { link, points, rect } = self.stack[top & (STACK - 1)];
             let points = points & self.alive;
             if points == 0 {
                 continue;
             }
-            if link & LEAF != 0 {
+            if points.count_ones() <= FEW {
+                ahead.put(link, points);
+            } else if link & LEAF != 0 {
                 self.leaf(level, &tree.view, query, tree.block(link), points, &rect, Late::default());
-            } else if points.count_ones() <= FEW || top + 8 > STACK {
+            } else if top + 8 > STACK {
                 self.singly(level, tree, query, link, points);
             } else {
                 let node = &tree.nodes[link as usize];
@@ -202,6 +245,98 @@ impl Tile {
                 return;
             }
         }
+        self.settle(level, &tree.view, query, &mut ahead);
+    }
+
+    /// Holds few points against a node's children, which are put on the stack, or against a block, each by itself.
+    #[inline(always)]
+    fn few<L: Level, A: AnyHit>(
+        &mut self,
+        level: L,
+        tree: &Tree,
+        query: &Query<'_, A>,
+        (link, points): (u32, u64),
+        ahead: &mut Ahead,
+        top: &mut usize,
+    ) {
+        let lanes = level.eight();
+        let mut rest = points;
+        if link & LEAF != 0 {
+            let block = tree.block(link);
+            let (constant, factor) = tree.view.depth_tolerance();
+            while rest != 0 {
+                let i = rest.trailing_zeros() as usize & (TILE - 1);
+                rest &= rest - 1;
+                let point = [self.x[i], self.y[i], self.z[i]];
+                let answer = block.test_one(lanes, point, constant + factor * point[2]);
+                let mut possible = answer.possible;
+                while possible != 0 {
+                    let slot = possible.trailing_zeros() as usize & 7;
+                    possible &= possible - 1;
+                    let id = block.ids[slot];
+                    if answer.sure >> slot & 1 == 1 && (A::IS_OPAQUE || id & ASKS == 0) {
+                        self.alive &= !(1 << i);
+                        break;
+                    }
+                    if ahead.asks == ASKED {
+                        self.settle(level, &tree.view, query, ahead);
+                    }
+                    query.casters.prefetch(level, id);
+                    ahead.asked[ahead.asks] = (id & !ASKS, i as u32);
+                    ahead.asks += 1;
+                }
+            }
+        } else if *top + 8 > STACK {
+            self.singly(level, tree, query, link, points);
+        } else {
+            let node = &tree.nodes[link as usize];
+            let mut each = [0u64; 8];
+            let mut met = 0;
+            while rest != 0 {
+                let i = rest.trailing_zeros() as usize & (TILE - 1);
+                rest &= rest - 1;
+                let around =
+                    Rect { x0: self.x[i], x1: self.x[i], y0: self.y[i], y1: self.y[i], z: self.z[i] };
+                let mut hits = node.hits(lanes, &around);
+                met |= hits;
+                while hits != 0 {
+                    each[hits.trailing_zeros() as usize & 7] |= 1 << i;
+                    hits &= hits - 1;
+                }
+            }
+            while met != 0 {
+                let slot = 31 - met.leading_zeros();
+                met &= !(1 << slot);
+                let slot = slot as usize & 7;
+                let link = node.links[slot];
+                tree.prefetch(level, link);
+                self.stack[*top & (STACK - 1)] = Waiting { link, points: each[slot], rect: Rect::EMPTY };
+                *top += 1;
+            }
+        }
+    }
+
+    /// Puts all points that wait for it to the ray tracer's test.
+    #[inline(always)]
+    fn settle<L: Level, A: AnyHit>(
+        &mut self,
+        level: L,
+        view: &View,
+        query: &Query<'_, A>,
+        ahead: &mut Ahead,
+    ) {
+        let lanes = level.eight();
+        for &(triangle, point) in &ahead.asked[..ahead.asks] {
+            let i = point as usize & (TILE - 1);
+            if self.alive >> i & 1 == 1 {
+                let exact = Exact::new(view, &query.casters.triangles[triangle as usize]);
+                let origin = [0, 1, 2].map(|axis| lanes.splat(self.origins[axis][i]));
+                if query.blocked(lanes, view, triangle, &exact, origin, 1) != 0 {
+                    self.alive &= !(1 << i);
+                }
+            }
+        }
+        ahead.asks = 0;
     }
 
     /// Those of the points that lie within a child's rectangle.
@@ -221,7 +356,7 @@ impl Tile {
         found & points
     }
 
-    /// A few points, one after the other.
+    /// Points one after the other, where the stack is full.
     #[inline(always)]
     fn singly<L: Level, A: AnyHit>(
         &mut self,
@@ -314,6 +449,9 @@ impl Tile {
         let mut unsure = 0u64;
         let points = points & self.alive;
         for at in (0..TILE).step_by(P::WIDTH) {
+            if (points >> at) as u32 & P::ALL == 0 {
+                continue;
+            }
             let (x, y, z) = (lanes.load(&self.x[at..]), lanes.load(&self.y[at..]), lanes.load(&self.z[at..]));
             let answer = planes.test(lanes, x, y, z, lanes.mul_add(factor, z, constant));
             blocked |= u64::from(answer.sure) << at;
@@ -368,27 +506,11 @@ impl Tile {
 #[inline(always)]
 pub(crate) fn around<P: Lanes>(lanes: P, low: [P::F; 3], high: [P::F; 3]) -> (Rect, f32) {
     let rect = Rect {
-        x0: least(lanes, low[0]),
-        x1: most(lanes, high[0]),
-        y0: least(lanes, low[1]),
-        y1: most(lanes, high[1]),
-        z: least(lanes, low[2]),
+        x0: lanes.least(low[0]),
+        x1: lanes.most(high[0]),
+        y0: lanes.least(low[1]),
+        y1: lanes.most(high[1]),
+        z: lanes.least(low[2]),
     };
-    (rect, most(lanes, high[2]))
-}
-
-/// The least lane.
-#[inline(always)]
-pub(crate) fn least<P: Lanes>(lanes: P, from: P::F) -> f32 {
-    let mut all = [f32::INFINITY; 16];
-    lanes.store(from, &mut all);
-    all.into_iter().fold(f32::INFINITY, |a, b| if b < a { b } else { a })
-}
-
-/// The largest lane.
-#[inline(always)]
-pub(crate) fn most<P: Lanes>(lanes: P, from: P::F) -> f32 {
-    let mut all = [f32::NEG_INFINITY; 16];
-    lanes.store(from, &mut all);
-    all.into_iter().fold(f32::NEG_INFINITY, |a, b| if b > a { b } else { a })
+    (rect, lanes.most(high[2]))
 }

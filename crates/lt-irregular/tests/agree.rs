@@ -88,6 +88,12 @@ fn compare<A: AnyHit + Sync>(label: &str, soup: &Soup, light: Vec4, origins: &[V
         both.expect("available").occluded(casters, origins, any_hit, &mut found, &mut workspace);
         judge(&format!("divide and conquer, {instructions:?}"), &found);
     }
+    for leaf in [1, 1000] {
+        let mut found = vec![false; rays.len()];
+        let both = DivideAndConquer::new(light, soup.bounds()).with_leaf(leaf);
+        both.occluded(casters, origins, any_hit, &mut found, &mut workspace);
+        judge(&format!("divide and conquer, leaves of {leaf}"), &found);
+    }
     expected.iter().filter(|b| **b).count()
 }
 

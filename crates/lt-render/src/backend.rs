@@ -135,6 +135,9 @@ pub trait Backend {
     /// The processor or adapter, for reports.
     fn device(&self) -> String;
 
+    /// Whether it has every [`crate::Resolve`]; else rays and the light BVH alone.
+    fn has_all_resolvers(&self) -> bool;
+
     /// Takes another pose of the scene in place of the last one; maps and histories stay.
     ///
     /// # Errors

@@ -27,6 +27,8 @@ pub struct Sequence {
     pub camera_moves: bool,
     /// Things in the scene move.
     pub objects_move: bool,
+    /// Lights move.
+    pub lights_move: bool,
     /// Techniques with a temporal mask begin with a cleared one, instead of tracing every pixel of their first frame: a
     /// diagnostic that shows how a history grows from nothing.
     pub starts_cold: bool,
@@ -68,7 +70,7 @@ pub struct EffectPlan {
     pub doubt_list: bool,
     /// Every light-facing pixel is traced, without a list.
     pub trace_all: bool,
-    /// What answers the doubt.
+    /// What answers the doubt; never [`Resolve::LightSpace`], which has settled for one of two.
     pub resolve: Resolve,
     /// What the frame does to the structures that it traces with.
     pub upkeep: Upkeep,
@@ -96,6 +98,7 @@ impl EffectPlan {
         sequence: Sequence,
     ) -> Self {
         let map = technique.map_test();
+        let resolve = technique.resolve.in_frames(sequence);
         let doubt_list = technique.doubt == Doubt::Ltt && technique.resolve.is_exact();
         let trace_all = technique.doubt == Doubt::Always;
         let size = technique.map_size.unwrap_or(map_size);
@@ -115,7 +118,7 @@ impl EffectPlan {
             level_search: lamp.is_some() || has_cascades,
             doubt_list,
             trace_all,
-            resolve: technique.resolve,
+            resolve,
             upkeep: Upkeep::Kept,
             mask: technique.mask.map(|m| MaskEffects {
                 motion: sequence.camera_moves || sequence.objects_move,
@@ -201,7 +204,7 @@ impl EffectPlan {
         );
         list(
             "rays",
-            technique.resolve == Resolve::Ray,
+            resolve == Resolve::Ray,
             match technique.doubt {
                 Doubt::Never => "the estimate stands as it is",
                 Doubt::Always => "every light-facing pixel is doubted",
@@ -212,15 +215,18 @@ impl EffectPlan {
         );
         list(
             "light tree",
-            technique.resolve == Resolve::Light,
-            match technique.resolve {
+            resolve == Resolve::Light,
+            match resolve {
                 Resolve::None => "the estimate stands as it is",
                 Resolve::Ray => "rays walk the BVH",
                 Resolve::Light => "rays are points in the light's own space",
-                Resolve::DivideAndConquer | Resolve::AliasFree => "the resolver keeps nothing",
+                _ if technique.resolve == Resolve::LightSpace => {
+                    "it would serve one frame: divide and conquer"
+                }
+                _ => "the resolver keeps nothing",
             }
             .to_owned(),
-            "a pass of the CPU when light or casters have moved, 75 bytes a triangle".to_owned(),
+            "a pass of the host when light or casters have moved, 75 bytes a triangle".to_owned(),
         );
         list(
             "translucent casters",

@@ -198,6 +198,7 @@ impl Session {
         };
         let setup = Setup { light: first.clone(), more_lights: more.to_vec(), ..self.setup.clone() };
         setup.check()?;
+        self.sequence.lights_move |= setup.lights().map(|l| l.kind).ne(self.setup.lights().map(|l| l.kind));
         self.setup = setup;
         Ok(())
     }
@@ -245,10 +246,20 @@ impl Session {
 
     fn plan_under(&self, technique: &Technique, (number, light): (u32, &Light), layer: u32) -> EffectPlan {
         let map_size = self.setup.map_size;
+        let technique = &Technique { resolve: self.resolver(technique.resolve), ..*technique };
         let plan = EffectPlan::for_scene(&self.scene.stats, &light.kind, technique, map_size, self.sequence);
         // Rays to all lights walk one tree, and all layers' whatever there is.
         let is_done = layer > 0 || (number > 0 && technique.resolve == Resolve::Ray);
         EffectPlan { upkeep: if is_done { Upkeep::Kept } else { self.setup.upkeep }, ..plan }
+    }
+
+    /// The structure in light space, where it is left to us, that this backend has and that what is kept from frame to frame calls for.
+    fn resolver(&self, resolve: Resolve) -> Resolve {
+        match (resolve, self.setup.upkeep) {
+            (Resolve::LightSpace, _) if !self.backend.has_all_resolvers() => Resolve::Light,
+            (Resolve::LightSpace, upkeep) if upkeep != Upkeep::Kept => Resolve::DivideAndConquer,
+            _ => resolve,
+        }
     }
 
     /// Where the first light's one map of this many texels a side looks, if it is a directional one.

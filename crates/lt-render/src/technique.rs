@@ -3,7 +3,7 @@
 use lt_mask::{Expansion, Pattern};
 use lt_math::LTT_EPSILON;
 
-use crate::Cascades;
+use crate::{Cascades, Sequence};
 
 /// How a map answers the shadow test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -90,10 +90,12 @@ pub enum Resolve {
     /// A ray through the world-space BVH, alpha-tested.
     Ray,
     /// The same answer from a tree over the triangles in the light's own space (`lt_irregular::LightBvh`), kept while light and
-    /// casters stand still; CPU only.
+    /// casters stand still.
     Light,
     /// The same answer from dividing points and triangles together (`lt_irregular::DivideAndConquer`); CPU only.
     DivideAndConquer,
+    /// The same answer by the light BVH or by divide and conquer, whichever fits the frame ([`Resolve::in_frames`]).
+    LightSpace,
     /// The same answer from triangles drawn at the points themselves: the alias-free shadow map of Aila and Laine 2004
     /// (`lt_irregular::SampleMap`); CPU only.
     AliasFree,
@@ -107,7 +109,21 @@ impl Resolve {
 
     /// Whether it works in the light's own space: on scenes packed with [`Packing::bakes_copies`](crate::Packing) alone.
     pub fn is_in_light_space(self) -> bool {
-        matches!(self, Resolve::Light | Resolve::DivideAndConquer | Resolve::AliasFree)
+        matches!(self, Resolve::Light | Resolve::DivideAndConquer | Resolve::LightSpace | Resolve::AliasFree)
+    }
+
+    /// What works in the frames of a sequence: [`Resolve::LightSpace`] settles for one of two, all others stay what they are.
+    ///
+    /// That is the light BVH where it serves more than one frame, and divide and conquer where it would have to be planted for one alone: planting it
+    /// takes longer than dividing all points of a picture, and walking it less, in every scene measured (docs/results/alias-free.md, "Which
+    /// structure").
+    pub fn in_frames(self, sequence: Sequence) -> Self {
+        let stands = sequence.is_played && !sequence.objects_move && !sequence.lights_move;
+        match self {
+            Resolve::LightSpace if stands => Resolve::Light,
+            Resolve::LightSpace => Resolve::DivideAndConquer,
+            other => other,
+        }
     }
 
     /// The modifier that asks for it; none for rays, which need no asking for.
@@ -116,6 +132,7 @@ impl Resolve {
             Resolve::None | Resolve::Ray => None,
             Resolve::Light => Some("light"),
             Resolve::DivideAndConquer => Some("dac"),
+            Resolve::LightSpace => Some("space"),
             Resolve::AliasFree => Some("alias-free"),
         }
     }

@@ -20,7 +20,7 @@ pub struct TechniqueError {
 
 impl Technique {
     /// The modifiers an id may carry, with a line each.
-    pub fn modifiers() -> [(&'static str, &'static str); 20] {
+    pub fn modifiers() -> [(&'static str, &'static str); 21] {
         [
             ("prefiltered", "blur a map of depth vectors instead of gathering plain depths"),
             ("eps=X", "LTT's ε, 0 < X < 0.5 (default 0.01)"),
@@ -30,6 +30,11 @@ impl Technique {
                  casters stand still",
             ),
             ("dac", "ray, ltt-, lt-: the same by dividing points and triangles together, nothing kept (CPU)"),
+            (
+                "space",
+                "ray, ltt-, lt-: `light` where light and casters stand still over several frames, else `dac`; on \
+                 the GPU `light`",
+            ),
             (
                 "alias-free",
                 "ltt-, lt-, and a technique by itself: the same by drawing triangles at the points, nothing kept (CPU)",
@@ -237,14 +242,15 @@ fn apply_modifier(technique: &mut Technique, modifier: &str) -> Result<(), Strin
                 return Err("`prefiltered` needs a filterable map: vsm, esm, evsm, msm, msm-hausdorff".into());
             }
         },
-        "light" | "dac" | "alias-free" if technique.resolve.is_exact() => {
+        "light" | "dac" | "space" | "alias-free" if technique.resolve.is_exact() => {
             technique.resolve = match key {
                 "light" => Resolve::Light,
                 "dac" => Resolve::DivideAndConquer,
+                "space" => Resolve::LightSpace,
                 _ => Resolve::AliasFree,
             };
         }
-        "light" | "dac" | "alias-free" => {
+        "light" | "dac" | "space" | "alias-free" => {
             return Err(format!("`{key}` needs a technique that traces rays: ray, or ltt-evsm"));
         }
         "eps" if technique.doubt == Doubt::Ltt => {
@@ -340,6 +346,7 @@ mod tests {
             "lt-evsm:no-rr:refresh=16",
             "ray:light",
             "ray:dac",
+            "ray:space",
             "alias-free",
             "ltt-vsm:alias-free",
             "lt-evsm:no-reuse:light:eps=0.02",

@@ -7,7 +7,7 @@
 use super::lists::Lists;
 use super::points::Points;
 use crate::lanes::{Lanes, Level};
-use crate::level::Work;
+use crate::level::{Chosen, Work};
 use crate::rect::Rect;
 use crate::split::Item;
 use crate::view::View;
@@ -20,10 +20,12 @@ const SIDE: usize = 32;
 pub(super) const CELLS: usize = SIDE * SIDE;
 /// Rays, or triangles, that one thread sorts together.
 pub(super) const CHUNK: usize = 1 << 15;
-/// Points that cells are made by, for each of them.
+/// Rays that cells are made by, for each of them.
 const SAMPLES: usize = 16;
 /// Points that are worth a cell.
 const WORTH: usize = 512;
+/// Points that are looked ahead for where they will be written.
+const AHEAD: usize = 24;
 /// A triangle that meets more cells than this is not filed in each: all look at it.
 const MOST: usize = 64;
 
@@ -53,16 +55,15 @@ fn quantiles(sorted: &[f32], parts: usize) -> [f32; SIDE] {
 }
 
 impl Grid {
-    /// For points in some lists.
-    pub fn of(chunks: &[Chunk]) -> Self {
-        let count: usize = chunks.iter().map(|c| c.len).sum();
-        let side = (1..SIDE).find(|side| side * side * WORTH >= count).unwrap_or(SIDE);
-        let step = (count / (CELLS * SAMPLES)).max(1);
-        let mut sample: Vec<[f32; 2]> = Vec::with_capacity(count / step + chunks.len());
-        for chunk in chunks {
-            let places = chunk.points.x[..chunk.len].iter().zip(&chunk.points.y);
-            sample.extend(places.step_by(step).map(|(x, y)| [*x, *y]));
-        }
+    /// For the points of these rays.
+    pub fn of(chosen: Chosen, view: &View, origins: &[Vec3]) -> Self {
+        let step = (origins.len() / (CELLS * SAMPLES)).max(1);
+        let some: Vec<Vec3> = origins.iter().step_by(step).copied().collect();
+        let mut points = Points::default();
+        let count = chosen.run(Fill { view, origins: &some, first: 0, points: &mut points });
+        let side = (1..SIDE).find(|side| side * side * WORTH >= count * step).unwrap_or(SIDE);
+        let places = points.x[..count].iter().zip(&points.y);
+        let mut sample: Vec<[f32; 2]> = places.map(|(x, y)| [*x, *y]).collect();
         sample.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]));
         let xs: Vec<f32> = sample.iter().map(|s| s[0]).collect();
         let columns = quantiles(&xs, side);
@@ -99,13 +100,24 @@ impl Grid {
     }
 }
 
+/// A point on its way to its cell, written in one go: four rows of a cell each would be four places to write to.
+#[repr(C, align(16))]
+#[derive(Clone, Copy, Default)]
+struct Place {
+    x: f32,
+    y: f32,
+    z: f32,
+    /// Place in the caller's list.
+    id: u32,
+}
+
 /// The rays of a part of the caller's list, as points: as they come, then by cell.
 #[derive(Default)]
 pub(super) struct Chunk {
     points: Points,
     len: usize,
     cells: Vec<u16>,
-    sorted: Points,
+    sorted: Vec<Place>,
     /// Where each cell's points begin, and where the last one's end.
     starts: Vec<u32>,
 }
@@ -122,46 +134,49 @@ impl Chunk {
     }
 
     /// Appends a cell's points to a list that holds `at` of them.
+    #[inline(always)]
     pub fn append(&self, cell: usize, to: &mut Points, at: usize) {
         let from = self.starts[cell] as usize..self.starts[cell + 1] as usize;
-        let to_rows = at..at + from.len();
-        to.x[to_rows.clone()].copy_from_slice(&self.sorted.x[from.clone()]);
-        to.y[to_rows.clone()].copy_from_slice(&self.sorted.y[from.clone()]);
-        to.z[to_rows.clone()].copy_from_slice(&self.sorted.z[from.clone()]);
-        to.ids[to_rows].copy_from_slice(&self.sorted.ids[from]);
+        let rows = to.x[at..].iter_mut().zip(&mut to.y[at..]).zip(&mut to.z[at..]).zip(&mut to.ids[at..]);
+        for ((((x, y), z), id), place) in rows.zip(&self.sorted[from]) {
+            (*x, *y, *z, *id) = (place.x, place.y, place.z, place.id);
+        }
     }
 }
 
-/// Makes points of a chunk's rays; the rectangle that holds them, with their least nearness, and the largest.
-pub(super) struct Fill<'a> {
+/// Makes points of rays; how many the view takes.
+struct Fill<'a> {
+    view: &'a View,
+    origins: &'a [Vec3],
+    /// Place of the first in the caller's list.
+    first: usize,
+    points: &'a mut Points,
+}
+
+impl Work for Fill<'_> {
+    type Output = usize;
+    #[inline(always)]
+    fn run<L: Level>(self, level: L) -> usize {
+        self.points.fill(level.points(), self.view, self.origins, self.first as u32)
+    }
+}
+
+/// Makes points of a chunk's rays and sorts them by cell; the rectangle that holds them, with their least nearness, and the largest.
+pub(super) struct Sort<'a> {
     pub view: &'a View,
     pub origins: &'a [Vec3],
     /// Place of the first in the caller's list.
     pub first: usize,
-    pub chunk: &'a mut Chunk,
-}
-
-impl Work for Fill<'_> {
-    type Output = (Rect, f32);
-    #[inline(always)]
-    fn run<L: Level>(self, level: L) -> (Rect, f32) {
-        let Chunk { points, len, .. } = self.chunk;
-        *len = points.fill(level.points(), self.view, self.origins, self.first as u32);
-        points.bounds(level.points(), 0, *len)
-    }
-}
-
-/// Sorts a chunk's points by cell.
-pub(super) struct Sort<'a> {
     pub grid: &'a Grid,
     pub chunk: &'a mut Chunk,
 }
 
 impl Work for Sort<'_> {
-    type Output = ();
+    type Output = (Rect, f32);
     #[inline(always)]
-    fn run<L: Level>(self, level: L) {
+    fn run<L: Level>(self, level: L) -> (Rect, f32) {
         let Chunk { points, len, cells, sorted, starts } = self.chunk;
+        *len = points.fill(level.points(), self.view, self.origins, self.first as u32);
         let len = *len;
         cells.clear();
         starts.clear();
@@ -174,16 +189,21 @@ impl Work for Sort<'_> {
         for cell in 0..CELLS {
             starts[cell + 1] += starts[cell];
         }
-        sorted.reserve(len);
+        if sorted.len() < len {
+            sorted.resize(len, Place::default());
+        }
         let mut next = [0; CELLS];
         next.copy_from_slice(&starts[..CELLS]);
         for (i, cell) in cells.iter().enumerate() {
+            if let Some(ahead) = cells.get(i + AHEAD) {
+                level.prefetch(&sorted[next[*ahead as usize % CELLS] as usize]);
+            }
             let next = &mut next[*cell as usize % CELLS];
             let to = *next as usize;
             *next += 1;
-            (sorted.x[to], sorted.y[to]) = (points.x[i], points.y[i]);
-            (sorted.z[to], sorted.ids[to]) = (points.z[i], points.ids[i]);
+            sorted[to] = Place { x: points.x[i], y: points.y[i], z: points.z[i], id: points.ids[i] };
         }
+        points.bounds(level.points(), 0, len)
     }
 }
 
@@ -202,6 +222,7 @@ pub(super) struct Filed {
 
 impl Filed {
     /// Appends a cell's triangles to a list that holds `at`; how many.
+    #[inline(always)]
     pub fn append(&self, cell: usize, items: &[Item], to: &mut Lists, at: usize) -> usize {
         let members = &self.members[self.starts[cell] as usize..self.starts[cell + 1] as usize];
         to.append(members.iter().map(|i| &items[*i as usize]), members.len(), at)

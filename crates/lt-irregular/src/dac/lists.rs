@@ -19,6 +19,7 @@ pub(super) struct Lists {
 
 impl Lists {
     /// Writes `len` triangles behind the first `at`; how many.
+    #[inline(always)]
     pub fn append<'a>(&mut self, items: impl Iterator<Item = &'a Item>, len: usize, at: usize) -> usize {
         self.reserve(at + len);
         let rows = self.x0[at..].iter_mut().zip(&mut self.x1[at..]).zip(&mut self.y0[at..]);

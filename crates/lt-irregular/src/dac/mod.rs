@@ -26,7 +26,8 @@ use crate::tree::fill_items;
 use crate::view::{Bounds, View};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
-use cells::{CELLS, CHUNK, Chunk, File, Filed, Fill, Grid, Sort};
+use cells::{CELLS, CHUNK, Chunk, File, Filed, Grid, Sort};
+use core::sync::atomic::{AtomicUsize, Ordering};
 use lists::Lists;
 use lt_bvh::{AnyHit, Ray};
 use lt_math::glam::{Vec3, Vec4};
@@ -35,7 +36,7 @@ use points::{Part, Points};
 use rayon::prelude::*;
 use rows::SLACK;
 
-/// Up to this many points are not divided further.
+/// Up to this many points are not divided further: of 64 to 256 the best for each of street, forest and random triangles is at most 11 % faster.
 const LEAF: usize = 128;
 /// Levels of division; what is left then is a leaf, however large.
 const DEPTH: usize = 40;
@@ -51,6 +52,7 @@ pub struct DivideAndConquer {
     light: Vec4,
     domain: Bounds,
     instructions: Instructions,
+    leaf: usize,
 }
 
 /// What is kept from call to call: memory alone, because fresh pages cost more than what is done with them.
@@ -61,6 +63,7 @@ pub struct Workspace {
     /// Triangles that all cells look at.
     large: Lists,
     filed: Vec<Filed>,
+    threads: Vec<Scratch>,
 }
 
 /// Memory of a thread.
@@ -71,6 +74,8 @@ struct Scratch {
     tile: Box<Tile>,
     blocks: Vec<Block>,
     path: Vec<Step>,
+    /// The places of all points that this thread found blocked.
+    blocked: Vec<u32>,
 }
 
 /// Points that are being halved, and their triangles.
@@ -117,13 +122,19 @@ impl DivideAndConquer {
     /// For a homogeneous light (w = 0: a sun, `xyz` towards it; w = 1: a position). `domain` must hold all triangles, and should hold all
     /// origins: a ray from elsewhere is put to every triangle.
     pub fn new(light: Vec4, domain: Bounds) -> Self {
-        DivideAndConquer { light, domain, instructions: Instructions::best() }
+        DivideAndConquer { light, domain, instructions: Instructions::best(), leaf: LEAF }
     }
 
     /// The same on other instructions; `None` where the processor lacks them.
     pub fn with_instructions(self, instructions: Instructions) -> Option<Self> {
         Chosen::new(instructions)?;
         Some(DivideAndConquer { instructions, ..self })
+    }
+
+    /// The same with another size of blocks: up to `points` of them, at least one, are not divided further. Into how many cells all points are sorted
+    /// before depends on how many there are.
+    pub fn with_leaf(self, points: usize) -> Self {
+        DivideAndConquer { leaf: points.max(1), ..self }
     }
 
     /// Whether the ray from each origin to the light is blocked: the ray tracer's own answers, by all threads there are. Stops at the
@@ -143,7 +154,7 @@ impl DivideAndConquer {
         let query = Query { casters, light: self.light, any_hit };
         let mut taken = 0;
         for view in View::of_light(self.light, self.domain, casters.root) {
-            let scene = Scene { chosen, view: &view, query: &query, origins };
+            let scene = Scene { chosen, view: &view, query: &query, origins, leaf: self.leaf };
             taken += scene.solve(workspace, out);
         }
         if taken < len {
@@ -164,6 +175,7 @@ struct Scene<'a, A> {
     view: &'a View,
     query: &'a Query<'a, A>,
     origins: &'a [Vec3],
+    leaf: usize,
 }
 
 /// Both halves of a rectangle with its nearness, the least and the largest, together.
@@ -189,19 +201,18 @@ fn each_chunk<T: Sync, M: Send, R: Send>(
 impl<A: AnyHit + Sync> Scene<'_, A> {
     /// Marks what is blocked; how many rays the view takes.
     fn solve(&self, workspace: &mut Workspace, out: &mut [bool]) -> usize {
-        let Workspace { chunks, items, large, filed } = workspace;
+        let Workspace { chunks, items, large, filed, threads } = workspace;
         chunks.resize_with(self.origins.len().div_ceil(CHUNK), Chunk::default);
         let (chosen, view) = (self.chosen, self.view);
+        let grid = Grid::of(chosen, view, self.origins);
         let bounds = each_chunk(self.origins, chunks, |first, origins, chunk| {
-            chosen.run(Fill { view, origins, first, chunk })
+            chosen.run(Sort { view, origins, first, grid: &grid, chunk })
         });
         let taken = chunks.iter().map(Chunk::len).sum();
         let Some((rect, _)) = bounds.into_iter().reduce(union) else { return 0 };
         if taken == 0 {
             return 0;
         }
-        let grid = Grid::of(chunks);
-        each_chunk(self.origins, chunks, |_, _, chunk| chosen.run(Sort { grid: &grid, chunk }));
         let counts: Vec<usize> = (0..CELLS).map(|cell| chunks.iter().map(|c| c.count(cell)).sum()).collect();
         let is_used: Vec<bool> = counts.iter().map(|count| *count > 0).collect();
         fill_items(view, self.query.casters, items);
@@ -211,23 +222,33 @@ impl<A: AnyHit + Sync> Scene<'_, A> {
         });
         let count = filed.iter().fold(0, |count, filed| count + filed.append_large(items, large, count));
         let large = (&*large, count);
-        let cells = |scratch: &mut Scratch, cell: usize| -> Vec<u32> {
-            let members = counts[cell];
-            if members == 0 {
-                return Vec::new();
+        let (chunks, filed, items) = (&**chunks, &**filed, &**items);
+        // Threads take cell after cell, each with memory of its own.
+        let next = AtomicUsize::new(0);
+        let work = |scratch: &mut Scratch| {
+            scratch.blocked.clear();
+            loop {
+                let cell = next.fetch_add(1, Ordering::Relaxed);
+                let Some(&members) = counts.get(cell) else { return };
+                if members > 0 {
+                    let triangles =
+                        chosen.run(Gather { cell, count: members, chunks, filed, items, scratch });
+                    chosen.run(Task { scene: self, members, triangles, large, scratch });
+                }
             }
-            let triangles = scratch.gather(cell, members, chunks, filed, items);
-            chosen.run(Task { scene: self, members, triangles, large, scratch, blocked: Vec::new() })
         };
         #[cfg(feature = "std")]
-        let blocked: Vec<Vec<u32>> = (0..CELLS).into_par_iter().map_init(Scratch::default, cells).collect();
+        {
+            threads.resize_with(rayon::current_num_threads(), Scratch::default);
+            threads.par_iter_mut().for_each(work);
+        }
         #[cfg(not(feature = "std"))]
-        let blocked: Vec<Vec<u32>> = {
-            let mut scratch = Scratch::default();
-            (0..CELLS).map(|cell| cells(&mut scratch, cell)).collect()
-        };
-        for id in blocked.into_iter().flatten() {
-            out[id as usize] = true;
+        {
+            threads.resize_with(1, Scratch::default);
+            threads.iter_mut().for_each(work);
+        }
+        for id in threads.iter().flat_map(|scratch| &scratch.blocked) {
+            out[*id as usize] = true;
         }
         taken
     }
@@ -245,25 +266,32 @@ impl<A: AnyHit + Sync> Scene<'_, A> {
     }
 }
 
-impl Scratch {
-    /// Copies a cell's points, and the triangles filed with it, to the start of the lists; how many triangles.
-    fn gather(
-        &mut self,
-        cell: usize,
-        count: usize,
-        chunks: &[Chunk],
-        filed: &[Filed],
-        items: &[Item],
-    ) -> usize {
-        self.points.reserve(count);
+/// Copies a cell's points, and the triangles filed with it, to the start of a thread's lists; how many triangles.
+struct Gather<'a> {
+    cell: usize,
+    /// Its points.
+    count: usize,
+    chunks: &'a [Chunk],
+    filed: &'a [Filed],
+    items: &'a [Item],
+    scratch: &'a mut Scratch,
+}
+
+impl Work for Gather<'_> {
+    type Output = usize;
+
+    #[inline(always)]
+    fn run<L: Level>(self, _: L) -> usize {
+        let Scratch { points, lists, .. } = self.scratch;
+        points.reserve(self.count);
         let mut at = 0;
-        for chunk in chunks {
-            chunk.append(cell, &mut self.points, at);
-            at += chunk.count(cell);
+        for chunk in self.chunks {
+            chunk.append(self.cell, points, at);
+            at += chunk.count(self.cell);
         }
         let mut triangles = 0;
-        for filed in filed {
-            triangles += filed.append(cell, items, &mut self.lists, triangles);
+        for filed in self.filed {
+            triangles += filed.append(self.cell, self.items, lists, triangles);
         }
         triangles
     }
@@ -277,15 +305,13 @@ struct Task<'a, A> {
     /// Those that are filed with no cell, and how many.
     large: (&'a Lists, usize),
     scratch: &'a mut Scratch,
-    blocked: Vec<u32>,
 }
 
 impl<A: AnyHit + Sync> Work for Task<'_, A> {
-    /// The places of all blocked points.
-    type Output = Vec<u32>;
+    type Output = ();
 
     #[inline(always)]
-    fn run<L: Level>(mut self, level: L) -> Vec<u32> {
+    fn run<L: Level>(mut self, level: L) {
         let lanes = level.points();
         let mut path = core::mem::take(&mut self.scratch.path);
         let bounds = self.scratch.points.bounds(lanes, 0, self.members);
@@ -310,7 +336,6 @@ impl<A: AnyHit + Sync> Work for Task<'_, A> {
             }
         }
         self.scratch.path = path;
-        self.blocked
     }
 }
 
@@ -326,14 +351,18 @@ impl<A: AnyHit + Sync> Task<'_, A> {
         free: usize,
     ) {
         let behind = first + count;
-        let Scratch { lists, points, .. } = &mut *self.scratch;
+        let Scratch { lists, points, blocked, .. } = &mut *self.scratch;
         let (triangles, cover) = lists.take(level.points(), None, (first, count), &part.bounds, behind);
         if triangles == 0 {
             return;
         }
         if cover.is_some_and(|i| self.scene.is_covered(level, &part.bounds, lists.ids[i])) {
-            self.blocked.extend_from_slice(&points.ids[part.start..part.start + part.len]);
-        } else if part.len <= LEAF || triangles <= FEW || path.len() == DEPTH || part.bounds.0.area() == 0.0 {
+            blocked.extend_from_slice(&points.ids[part.start..part.start + part.len]);
+        } else if part.len <= self.scene.leaf
+            || triangles <= FEW
+            || path.len() == DEPTH
+            || part.bounds.0.area() == 0.0
+        {
             self.leaf(level, (part.start, part.len), (behind, triangles));
         } else {
             path.push(Step::new(part, (behind, triangles), free));
@@ -346,7 +375,7 @@ impl<A: AnyHit> Task<'_, A> {
     #[inline(always)]
     fn leaf<L: Level>(&mut self, level: L, points: (usize, usize), triangles: (usize, usize)) {
         let scene = self.scene;
-        let Scratch { lists, points: all, tile, blocks, .. } = &mut *self.scratch;
+        let Scratch { lists, points: all, tile, blocks, blocked: found, .. } = &mut *self.scratch;
         let ids = &lists.ids[triangles.0..triangles.0 + triangles.1];
         let mut ahead = ids.iter();
         ahead.by_ref().take(AHEAD).for_each(|id| scene.query.casters.prefetch(level, *id));
@@ -355,9 +384,14 @@ impl<A: AnyHit> Task<'_, A> {
             ahead.by_ref().take(BLOCK).for_each(|id| scene.query.casters.prefetch(level, *id));
             blocks.push(Block::of(level.eight(), scene.view, scene.query.casters, ids));
         }
-        for start in (points.0..points.0 + points.1).step_by(TILE) {
-            let len = (points.0 + points.1 - start).min(TILE);
-            let ids = &all.ids[start..start + len];
+        let tiles = all.ids[points.0..points.0 + points.1].chunks(TILE);
+        let mut next = tiles.clone();
+        let mut fetch =
+            || next.next().into_iter().flatten().for_each(|id| level.prefetch(&scene.origins[*id as usize]));
+        fetch();
+        for (ids, start) in tiles.zip((points.0..).step_by(TILE)) {
+            fetch();
+            let len = ids.len();
             tile.place(level.points(), [&all.x[start..], &all.y[start..], &all.z[start..]], len);
             let (rect, _) = tile.bounds();
             for (i, block) in blocks.iter().enumerate() {
@@ -372,7 +406,7 @@ impl<A: AnyHit> Task<'_, A> {
             while blocked != 0 {
                 let i = blocked.trailing_zeros() as usize;
                 blocked &= blocked - 1;
-                self.blocked.push(ids[i]);
+                found.push(ids[i]);
             }
         }
     }

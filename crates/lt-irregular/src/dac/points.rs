@@ -36,21 +36,24 @@ impl Points {
         self.reserve(origins.len());
         let [x, y, z] = view.axes();
         let mut len = 0;
-        for (chunk, some) in origins.chunks(P::WIDTH).enumerate() {
-            // What is not given starts nowhere, which no view takes.
-            let mut o = [[f32::NAN; 16]; 3];
-            let mut ids = [0; 16];
-            for (i, from) in some.iter().enumerate() {
-                (o[0][i], o[1][i], o[2][i]) = (from[x], from[y], from[z]);
-                ids[i] = first + (chunk * P::WIDTH + i) as u32;
-            }
-            let (point, taken) =
-                view.points(lanes, [lanes.load(&o[0]), lanes.load(&o[1]), lanes.load(&o[2])]);
+        let mut ids: [u32; 16] = core::array::from_fn(|i| first + i as u32);
+        let mut rest = [Vec3::NAN; 16];
+        for some in origins.chunks(P::WIDTH) {
+            let whole = if some.len() == P::WIDTH {
+                some
+            } else {
+                // What is not given starts nowhere, which no view takes.
+                rest[..some.len()].copy_from_slice(some);
+                &rest
+            };
+            let o = lanes.load_vectors(whole);
+            let (point, taken) = view.points(lanes, [o[x], o[y], o[z]]);
             lanes.compress(taken, point[0], &mut self.x[len..]);
             lanes.compress(taken, point[1], &mut self.y[len..]);
             lanes.compress(taken, point[2], &mut self.z[len..]);
             lanes.compress_words(taken, &ids, &mut self.ids[len..]);
             len += taken.count_ones() as usize;
+            ids.iter_mut().for_each(|id| *id += P::WIDTH as u32);
         }
         len
     }

@@ -62,6 +62,7 @@ pub struct Embree {
     new_scene: NewScene,
     free_scene: Free,
     build_ms: BuildMs,
+    build_cpu_ms: BuildMs,
     use_threads: UseThreads,
     build: Build,
     new_rays: NewRays,
@@ -100,6 +101,7 @@ impl Embree {
                 new_scene: *library.get(b"lt_embree_scene\0")?,
                 free_scene: *library.get(b"lt_embree_scene_free\0")?,
                 build_ms: *library.get(b"lt_embree_build_ms\0")?,
+                build_cpu_ms: *library.get(b"lt_embree_build_cpu_ms\0")?,
                 use_threads: *library.get(b"lt_embree_use_threads\0")?,
                 build: *library.get(b"lt_embree_build\0")?,
                 new_rays: *library.get(b"lt_embree_rays\0")?,
@@ -178,6 +180,12 @@ impl<'e> EmbreeScene<'e> {
     pub fn build_ms(&self) -> f64 {
         // SAFETY: made by `new_scene` and not freed yet.
         unsafe { (self.embree.build_ms)(self.scene) }
+    }
+
+    /// The same as CPU time of all threads.
+    pub fn build_cpu_ms(&self) -> f64 {
+        // SAFETY: made by `new_scene` and not freed yet.
+        unsafe { (self.embree.build_cpu_ms)(self.scene) }
     }
 
     /// Prepares a list of rays.

@@ -10,6 +10,7 @@
 
 mod builds;
 mod clock;
+mod crossover;
 mod embree;
 mod judge;
 mod light;
@@ -134,6 +135,7 @@ fn write(folder: &Path, report: &Report) -> Outcome<()> {
     fs::write(folder.join("rays.csv"), report.csv())?;
     fs::write(folder.join("rays.md"), report.markdown())?;
     fs::write(folder.join("rays.svg"), plot::svg(&report.rows)?)?;
-    println!("\nwritten: rays.csv, rays.md, rays.svg in {}", folder.display());
+    fs::write(folder.join("crossover.svg"), crossover::svg(&report.rows, &report.rebuilt)?)?;
+    println!("\nwritten: rays.csv, rays.md, rays.svg, crossover.svg in {}", folder.display());
     Ok(())
 }

@@ -13,7 +13,7 @@ pub struct Options {
     #[arg(
         long,
         value_delimiter = ',',
-        default_value = "street,town,square,forest,random:10000,random:100000,random:1000000"
+        default_value = "street,town,square,forest,random:1000,random:10000,random:100000,random:1000000"
     )]
     pub scenes: Vec<String>,
     /// Measured rounds, after one to warm up
@@ -31,7 +31,7 @@ pub struct Options {
     /// Time no build
     #[arg(long)]
     no_build: bool,
-    /// Folder for rays.csv, rays.md and rays.svg
+    /// Folder for rays.csv, rays.md, rays.svg and crossover.svg
     #[arg(long, value_name = "FOLDER")]
     pub out: Option<PathBuf>,
     /// Turn over one answer in a thousand of the last peer's: fails unless nine in ten are judged wrong by more than rounding

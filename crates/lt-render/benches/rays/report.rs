@@ -4,6 +4,7 @@ use std::fmt;
 use std::fmt::Write as _;
 
 use super::builds::Builds;
+use super::crossover;
 use super::embree::{BUILD_THREADS, Embree};
 use super::judge::Differences;
 use super::measure::{Column, Family, Measured};
@@ -74,7 +75,8 @@ impl Row {
         rates.reduce(f64::max)
     }
 
-    fn rate(&self, name: &str, rate: fn(&Column) -> f64) -> Option<f64> {
+    /// The rate of one column.
+    pub fn rate(&self, name: &str, rate: fn(&Column) -> f64) -> Option<f64> {
         self.columns.iter().find(|c| c.name == name).map(rate)
     }
 }
@@ -255,7 +257,11 @@ impl Report {
                 ("ours, divide and conquer", r.ours),
             ];
             for (way, ms) in ways {
-                let _ = writeln!(text, "{},,rebuilt,,,\"{way}\",{},ms,{ms:.2},,,", r.scene, r.threads);
+                let _ = writeln!(
+                    text,
+                    "{},{},rebuilt,,,\"{way}\",{},ms,{ms:.2},,,",
+                    r.scene, r.triangles, r.threads
+                );
             }
         }
         text
@@ -307,6 +313,9 @@ impl Report {
                 r.ours,
                 r.ratio()
             );
+        }
+        if let Some(words) = crossover::words(&self.rows, &self.rebuilt) {
+            let _ = writeln!(text, "\n{words}");
         }
         text.push_str("\n### Answers\n\n");
         for row in &self.rows {

@@ -141,6 +141,10 @@ impl Backend for CpuBackend {
         "cpu"
     }
 
+    fn has_all_resolvers(&self) -> bool {
+        true
+    }
+
     fn device(&self) -> String {
         format!("{} ({:?})", cpu_model(), tracer(&self.scene).level())
     }

@@ -229,6 +229,10 @@ impl Backend for GpuBackend {
         "gpu"
     }
 
+    fn has_all_resolvers(&self) -> bool {
+        false
+    }
+
     fn device(&self) -> String {
         self.device_name.clone()
     }
