@@ -19,8 +19,13 @@ pub const REQUIRE_GPU: &str = "LT_REQUIRE_GPU";
 /// sums and divides within 2.5 units of the last place, so that samples themselves differ, and pictures as small as the tests' have many
 /// edges: 600 (on an H100 at 320×200, 109 seen in decisions, and 453 in doubts, which cost a ray more or less).
 pub fn twin_ppm() -> f64 {
+    if is_on_hardware() { 600.0 } else { 20.0 }
+}
+
+/// Whether GPU tests run on anything but a software driver.
+pub fn is_on_hardware() -> bool {
     static IS_HARDWARE: OnceLock<bool> = OnceLock::new();
-    if *IS_HARDWARE.get_or_init(lt_render::gpu::has_hardware_adapter) { 600.0 } else { 20.0 }
+    *IS_HARDWARE.get_or_init(lt_render::gpu::has_hardware_adapter)
 }
 
 /// A built-in scene at time 0.

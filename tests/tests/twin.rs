@@ -2,7 +2,7 @@
 
 use lt_render::{Session, Setup, Technique};
 use lt_tests::textures::{download, upload, visibility_texture};
-use lt_tests::{builtin, count_different, cpu_session, gpu_session, ppm, twin_ppm};
+use lt_tests::{builtin, count_different, cpu_session, gpu_session, is_on_hardware, ppm, twin_ppm};
 
 /// Scenes that between them have: one flat tree; textures; alpha test; instances; instances with alpha test.
 const SCENES: [&str; 4] = ["cornell", "street:4", "square:6", "forest:12"];
@@ -12,13 +12,16 @@ const SCENES: [&str; 4] = ["cornell", "street:4", "square:6", "forest:12"];
 /// for one map; with the three of the default cascades 8,937 were seen of cornell.
 const RAW_VARIANCE_PPM: f64 = 700.0;
 const RAW_HANKEL_PPM: f64 = 7_000.0;
+/// By how much more hardware may differ there: 1,406 ppm were seen of a variance on an H100.
+const RAW_ON_HARDWARE: f64 = 4.0;
 
 /// How many ppm of pixels may be decided otherwise.
 fn bound_ppm(technique: &Technique) -> f64 {
     let id = technique.to_string();
+    let raw = if is_on_hardware() { RAW_ON_HARDWARE } else { 1.0 };
     match (id.contains("prefiltered"), id.contains("msm"), id.contains("vsm")) {
-        (true, true, _) => RAW_HANKEL_PPM,
-        (true, _, true) => RAW_VARIANCE_PPM,
+        (true, true, _) => raw * RAW_HANKEL_PPM,
+        (true, _, true) => raw * RAW_VARIANCE_PPM,
         _ => twin_ppm(),
     }
 }
