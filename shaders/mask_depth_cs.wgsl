@@ -117,1163 +117,1153 @@ var<storage> last_depths: type_21;
 var<storage, read_write> depths: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_165_: lt_mask_LightPlace;
-    var phi_166_: bool;
-    var phi_167_: lt_mask_LightPlace;
-    var phi_168_: bool;
-    var phi_173_: lt_mask_LightPlace;
+    var phi_164_: lt_mask_LightPlace;
+    var phi_165_: bool;
+    var phi_166_: lt_mask_LightPlace;
+    var phi_167_: bool;
+    var phi_172_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_165_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_166_ = false;
+            phi_164_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_165_ = false;
         } else {
-            phi_165_ = lt_mask_LightPlace();
-            phi_166_ = true;
+            phi_164_ = lt_mask_LightPlace();
+            phi_165_ = true;
         }
-        let _e61 = phi_165_;
-        let _e63 = phi_166_;
-        phi_167_ = _e61;
-        phi_168_ = _e63;
+        let _e60 = phi_164_;
+        let _e62 = phi_165_;
+        phi_166_ = _e60;
+        phi_167_ = _e62;
     } else {
-        phi_167_ = lt_mask_LightPlace();
-        phi_168_ = true;
+        phi_166_ = lt_mask_LightPlace();
+        phi_167_ = true;
     }
-    let _e65 = phi_167_;
-    let _e67 = phi_168_;
-    if _e67 {
-        phi_173_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e64 = phi_166_;
+    let _e66 = phi_167_;
+    if _e66 {
+        phi_172_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_173_ = _e65;
+        phi_172_ = _e64;
     }
-    let _e72 = phi_173_;
-    return lt_mask_LightPlace(_e72.word, _e72.shift);
+    let _e71 = phi_172_;
+    return lt_mask_LightPlace(_e71.word, _e71.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_191_: vec2<i32>;
+    var phi_190_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_191_ = vec2(0i);
+            phi_190_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_191_ = vec2<i32>(0i, -1i);
+            phi_190_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_191_ = vec2<i32>(-1i, 0i);
+            phi_190_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_191_ = vec2<i32>(1i, 0i);
+            phi_190_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_191_ = vec2<i32>(0i, 1i);
+            phi_190_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e57 = phi_191_;
-    return vec2<i32>(_e57.x, _e57.y);
+    let _e56 = phi_190_;
+    return vec2<i32>(_e56.x, _e56.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_209_: vec2<i32>;
+    var phi_208_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_209_ = vec2(0i);
+            phi_208_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_209_ = vec2(-1i);
+            phi_208_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_209_ = vec2<i32>(1i, -1i);
+            phi_208_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_209_ = vec2<i32>(-1i, 1i);
+            phi_208_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_209_ = vec2(1i);
+            phi_208_ = vec2(1i);
             break;
         }
     }
-    let _e57 = phi_209_;
-    return vec2<i32>(_e57.x, _e57.y);
+    let _e56 = phi_208_;
+    return vec2<i32>(_e56.x, _e56.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_228_: vec2<i32>;
+    var phi_227_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e51 = lt_mask_pattern_plus(param_5);
-        phi_228_ = vec2<i32>(_e51.x, _e51.y);
+        let _e50 = lt_mask_pattern_plus(param_5);
+        phi_227_ = vec2<i32>(_e50.x, _e50.y);
     } else {
-        let _e55 = lt_mask_pattern_cross(param_5);
-        phi_228_ = vec2<i32>(_e55.x, _e55.y);
+        let _e54 = lt_mask_pattern_cross(param_5);
+        phi_227_ = vec2<i32>(_e54.x, _e54.y);
     }
-    let _e60 = phi_228_;
-    return vec2<i32>(_e60.x, _e60.y);
+    let _e59 = phi_227_;
+    return vec2<i32>(_e59.x, _e59.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_253_: vec2<i32>;
+    var phi_252_: vec2<i32>;
 
-    let _e49 = (param_7 % 13u);
-    switch bitcast<i32>(_e49) {
+    let _e48 = (param_7 % 13u);
+    switch bitcast<i32>(_e48) {
         case 9: {
-            phi_253_ = vec2<i32>(0i, -2i);
+            phi_252_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_253_ = vec2<i32>(-2i, 0i);
+            phi_252_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_253_ = vec2<i32>(2i, 0i);
+            phi_252_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_253_ = vec2<i32>(0i, 2i);
+            phi_252_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_253_ = vec2<i32>((bitcast<i32>((_e49 % 3u)) - 1i), (bitcast<i32>(((_e49 / 3u) % 3u)) - 1i));
+            phi_252_ = vec2<i32>((bitcast<i32>((_e48 % 3u)) - 1i), (bitcast<i32>(((_e48 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e64 = phi_253_;
-    return vec2<i32>(_e64.x, _e64.y);
+    let _e63 = phi_252_;
+    return vec2<i32>(_e63.x, _e63.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
+    var phi_273_: u32;
     var phi_274_: u32;
-    var phi_275_: u32;
 
-    let _e52 = (bitcast<i32>(param_8) + param_9);
-    if (_e52 < 0i) {
-        phi_275_ = 0u;
+    let _e51 = (bitcast<i32>(param_8) + param_9);
+    if (_e51 < 0i) {
+        phi_274_ = 0u;
     } else {
-        if (_e52 >= bitcast<i32>(param_10)) {
-            phi_274_ = (param_10 - 1u);
+        if (_e51 >= bitcast<i32>(param_10)) {
+            phi_273_ = (param_10 - 1u);
         } else {
-            phi_274_ = bitcast<u32>(_e52);
+            phi_273_ = bitcast<u32>(_e51);
         }
-        let _e59 = phi_274_;
-        phi_275_ = _e59;
+        let _e58 = phi_273_;
+        phi_274_ = _e58;
     }
-    let _e61 = phi_275_;
-    return _e61;
+    let _e60 = phi_274_;
+    return _e60;
 }
 
 fn function_() {
+    var phi_351_: bool;
     var phi_352_: bool;
     var phi_353_: bool;
     var phi_354_: bool;
-    var phi_355_: bool;
-    var phi_359_: bool;
+    var phi_358_: bool;
+    var phi_428_: bool;
     var phi_429_: bool;
-    var phi_430_: bool;
-    var phi_441_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_442_: bool;
-    var phi_443_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_444_: bool;
-    var phi_451_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_455_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_468_: bool;
-    var phi_548_: bool;
-    var phi_552_: f32;
-    var phi_563_: bool;
-    var phi_605_: u32;
-    var phi_624_: u32;
-    var phi_632_: u32;
-    var phi_633_: u32;
-    var phi_634_: bool;
-    var phi_635_: u32;
-    var phi_636_: bool;
-    var phi_637_: bool;
-    var phi_638_: u32;
-    var phi_639_: bool;
-    var phi_640_: bool;
-    var phi_644_: bool;
-    var phi_648_: u32;
-    var phi_653_: bool;
-    var phi_674_: u32;
+    var phi_440_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_441_: bool;
+    var phi_442_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_443_: bool;
+    var phi_450_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_454_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_467_: bool;
+    var phi_523_: bool;
+    var phi_527_: f32;
+    var phi_538_: bool;
+    var phi_580_: u32;
+    var phi_599_: u32;
+    var phi_607_: u32;
+    var phi_608_: u32;
+    var phi_609_: bool;
+    var phi_610_: u32;
+    var phi_611_: bool;
+    var phi_612_: bool;
+    var phi_613_: u32;
+    var phi_614_: bool;
+    var phi_615_: bool;
+    var phi_619_: bool;
+    var phi_623_: u32;
+    var phi_628_: bool;
+    var phi_649_: u32;
+    var phi_651_: u32;
+    var phi_654_: lt_mask_Neighbourhood;
+    var phi_666_: bool;
+    var phi_667_: bool;
     var phi_676_: u32;
-    var phi_679_: lt_mask_Neighbourhood;
-    var phi_691_: bool;
-    var phi_692_: bool;
-    var phi_701_: u32;
-    var phi_702_: u32;
-    var phi_762_: vec2<i32>;
-    var phi_782_: vec2<i32>;
-    var phi_809_: u32;
-    var phi_828_: u32;
-    var phi_836_: u32;
-    var phi_862_: bool;
-    var phi_863_: bool;
-    var phi_864_: bool;
-    var phi_865_: bool;
-    var phi_866_: bool;
-    var phi_867_: bool;
-    var phi_868_: bool;
-    var phi_873_: bool;
-    var phi_874_: bool;
-    var phi_875_: bool;
-    var phi_876_: bool;
-    var phi_877_: bool;
-    var phi_878_: bool;
+    var phi_677_: u32;
+    var phi_737_: vec2<i32>;
+    var phi_757_: vec2<i32>;
+    var phi_784_: u32;
+    var phi_803_: u32;
+    var phi_811_: u32;
+    var phi_837_: bool;
+    var phi_838_: bool;
+    var phi_839_: bool;
+    var phi_840_: bool;
+    var phi_841_: bool;
+    var phi_842_: bool;
+    var phi_843_: bool;
+    var phi_848_: bool;
+    var phi_849_: bool;
+    var phi_850_: bool;
+    var phi_851_: bool;
+    var phi_852_: bool;
+    var phi_853_: bool;
+    var phi_854_: bool;
+    var phi_855_: bool;
+    var phi_856_: bool;
+    var phi_871_: bool;
+    var phi_872_: bool;
     var phi_879_: bool;
     var phi_880_: bool;
     var phi_881_: bool;
-    var phi_896_: bool;
-    var phi_897_: bool;
-    var phi_904_: bool;
-    var phi_905_: bool;
-    var phi_906_: bool;
-    var phi_907_: bool;
-    var phi_908_: bool;
-    var phi_912_: bool;
-    var phi_913_: bool;
-    var phi_914_: bool;
+    var phi_882_: bool;
+    var phi_883_: bool;
+    var phi_887_: bool;
+    var phi_888_: bool;
+    var phi_889_: bool;
+    var phi_893_: bool;
+    var phi_894_: bool;
+    var phi_898_: bool;
+    var phi_899_: bool;
+    var phi_917_: bool;
     var phi_918_: bool;
     var phi_919_: bool;
-    var phi_923_: bool;
-    var phi_924_: bool;
-    var phi_942_: bool;
-    var phi_943_: bool;
-    var phi_944_: bool;
-    var phi_677_: u32;
-    var phi_680_: lt_mask_Neighbourhood;
-    var phi_947_: lt_mask_Neighbourhood;
-    var phi_948_: lt_mask_Neighbourhood;
-    var phi_949_: lt_mask_Neighbourhood;
+    var phi_652_: u32;
+    var phi_655_: lt_mask_Neighbourhood;
+    var phi_922_: lt_mask_Neighbourhood;
+    var phi_923_: lt_mask_Neighbourhood;
+    var phi_924_: lt_mask_Neighbourhood;
+    var phi_956_: bool;
+    var phi_957_: bool;
+    var phi_979_: bool;
+    var phi_980_: bool;
     var phi_981_: bool;
-    var phi_982_: bool;
-    var phi_1004_: bool;
-    var phi_1005_: bool;
-    var phi_1006_: bool;
-    var phi_1010_: bool;
-    var phi_1032_: bool;
-    var phi_1033_: bool;
-    var phi_1046_: bool;
-    var phi_1047_: bool;
+    var phi_985_: bool;
+    var phi_1007_: bool;
+    var phi_1008_: bool;
+    var phi_1021_: bool;
+    var phi_1022_: bool;
+    var phi_1023_: bool;
+    var phi_1030_: u32;
+    var phi_1031_: u32;
+    var phi_1032_: u32;
+    var phi_1033_: u32;
+    var phi_1034_: u32;
+    var phi_1035_: u32;
+    var phi_1036_: u32;
     var phi_1048_: bool;
-    var phi_1055_: u32;
-    var phi_1056_: u32;
-    var phi_1057_: u32;
-    var phi_1058_: u32;
-    var phi_1059_: u32;
-    var phi_1060_: u32;
-    var phi_1061_: u32;
-    var phi_1073_: bool;
-    var phi_1074_: bool;
-    var phi_1075_: bool;
-    var phi_1076_: bool;
-    var phi_1080_: bool;
-    var phi_1086_: bool;
+    var phi_1049_: bool;
+    var phi_1050_: bool;
+    var phi_1051_: bool;
+    var phi_1055_: bool;
+    var phi_1061_: bool;
+    var phi_1069_: u32;
+    var phi_1074_: u32;
+    var phi_1083_: u32;
+    var phi_1088_: u32;
+    var phi_1092_: u32;
+    var phi_1093_: u32;
     var phi_1094_: u32;
-    var phi_1099_: u32;
-    var phi_1108_: u32;
-    var phi_1113_: u32;
-    var phi_1117_: u32;
-    var phi_1118_: u32;
-    var phi_1119_: u32;
-    var phi_1123_: f32;
-    var phi_1125_: mask_Masked;
-    var phi_1197_: bool;
-    var phi_1198_: bool;
-    var phi_1199_: bool;
-    var phi_1200_: bool;
-    var phi_1204_: bool;
-    var phi_1232_: f32;
-    var phi_1235_: bool;
-    var phi_1236_: u32;
-    var phi_1247_: u32;
+    var phi_1098_: f32;
+    var phi_1100_: mask_Masked;
+    var phi_1172_: bool;
+    var phi_1173_: bool;
+    var phi_1174_: bool;
+    var phi_1175_: bool;
+    var phi_1179_: bool;
+    var phi_1207_: f32;
+    var phi_1210_: bool;
+    var phi_1211_: u32;
+    var phi_1222_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e48 = id_1;
-    let _e49 = local_2;
-    let _e54 = arrayLength((&last_bits.member));
-    let _e65 = p.member.current.size[0u];
-    let _e67 = p.member.current.size[1u];
-    let _e68 = lt_shaders_entry_pixel_index(_e48, _e65, _e67);
-    if (bitcast<i32>(_e68.word) != 0i) {
-        let _e75 = p.member.light.number;
-        let _e76 = (_e75 * 3u);
-        let _e80 = p.member.light.mask_words;
-        let _e86 = mask_BitsPlace(lt_mask_LightPlace((_e76 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
-        let _e92 = mask_BitsPlace(lt_mask_LightPlace(_e86.light.word, (_e76 % 32u)), _e86.words);
-        let _e95 = mask_BitsPlace(_e92.light, _e80);
-        let _e99 = p.member.current.size[0u];
-        let _e102 = samples.member[_e68.shift].position;
-        let _e104 = visibility.member[_e68.shift];
-        let _e110 = samples.member[_e68.shift].normal[0u];
-        let _e112 = global[0u];
-        if (_e110 == _e112) {
-            let _e115 = samples.member[_e68.shift].normal[1u];
-            let _e117 = global[1u];
-            if (_e115 == _e117) {
-                let _e120 = samples.member[_e68.shift].normal[2u];
-                let _e122 = global[2u];
-                phi_352_ = (_e120 == _e122);
-                phi_353_ = false;
+    let _e47 = id_1;
+    let _e48 = local_2;
+    let _e53 = arrayLength((&last_bits.member));
+    let _e64 = p.member.current.size[0u];
+    let _e66 = p.member.current.size[1u];
+    let _e67 = lt_shaders_entry_pixel_index(_e47, _e64, _e66);
+    if (bitcast<i32>(_e67.word) != 0i) {
+        let _e74 = p.member.light.number;
+        let _e75 = (_e74 * 3u);
+        let _e79 = p.member.light.mask_words;
+        let _e85 = mask_BitsPlace(lt_mask_LightPlace((_e75 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
+        let _e91 = mask_BitsPlace(lt_mask_LightPlace(_e85.light.word, (_e75 % 32u)), _e85.words);
+        let _e94 = mask_BitsPlace(_e91.light, _e79);
+        let _e98 = p.member.current.size[0u];
+        let _e101 = samples.member[_e67.shift].position;
+        let _e103 = visibility.member[_e67.shift];
+        let _e109 = samples.member[_e67.shift].normal[0u];
+        let _e111 = global[0u];
+        if (_e109 == _e111) {
+            let _e114 = samples.member[_e67.shift].normal[1u];
+            let _e116 = global[1u];
+            if (_e114 == _e116) {
+                let _e119 = samples.member[_e67.shift].normal[2u];
+                let _e121 = global[2u];
+                phi_351_ = (_e119 == _e121);
+                phi_352_ = false;
             } else {
-                phi_352_ = bool();
-                phi_353_ = true;
+                phi_351_ = bool();
+                phi_352_ = true;
             }
-            let _e125 = phi_352_;
-            let _e127 = phi_353_;
-            phi_354_ = _e125;
-            phi_355_ = _e127;
+            let _e124 = phi_351_;
+            let _e126 = phi_352_;
+            phi_353_ = _e124;
+            phi_354_ = _e126;
         } else {
-            phi_354_ = bool();
-            phi_355_ = true;
+            phi_353_ = bool();
+            phi_354_ = true;
         }
-        let _e129 = phi_354_;
-        let _e131 = phi_355_;
-        if _e131 {
-            phi_359_ = false;
+        let _e128 = phi_353_;
+        let _e130 = phi_354_;
+        if _e130 {
+            phi_358_ = false;
         } else {
-            phi_359_ = _e129;
+            phi_358_ = _e128;
         }
-        let _e133 = phi_359_;
-        if !(_e133) {
-            let _e136 = samples.member[_e68.shift].position;
-            let _e138 = p.member.light.place;
-            let _e144 = p.member.light.place[3u];
-            let _e151 = (_e138.x - (_e136.x * _e144));
-            let _e152 = (_e138.y - (_e136.y * _e144));
-            let _e153 = (_e138.z - (_e136.z * _e144));
-            let _e155 = samples.member[_e68.shift].normal;
-            if ((((_e155.x * _e151) + (_e155.y * _e152)) + (_e155.z * _e153)) > 0f) {
-                let _e169 = (((_e151 * _e151) + (_e152 * _e152)) + (_e153 * _e153));
-                let _e171 = p.member.light.axis;
-                let _e183 = p.member.light.place[3u];
-                if (_e183 == 0f) {
-                    phi_430_ = true;
+        let _e132 = phi_358_;
+        if !(_e132) {
+            let _e135 = samples.member[_e67.shift].position;
+            let _e137 = p.member.light.place;
+            let _e143 = p.member.light.place[3u];
+            let _e150 = (_e137.x - (_e135.x * _e143));
+            let _e151 = (_e137.y - (_e135.y * _e143));
+            let _e152 = (_e137.z - (_e135.z * _e143));
+            let _e154 = samples.member[_e67.shift].normal;
+            if ((((_e154.x * _e150) + (_e154.y * _e151)) + (_e154.z * _e152)) > 0f) {
+                let _e168 = (((_e150 * _e150) + (_e151 * _e151)) + (_e152 * _e152));
+                let _e170 = p.member.light.axis;
+                let _e182 = p.member.light.place[3u];
+                if (_e182 == 0f) {
+                    phi_429_ = true;
                 } else {
-                    let _e186 = p.member.light.range_squared;
-                    if (_e169 <= _e186) {
-                        let _e189 = p.member.light.cos_outer;
-                        phi_429_ = (-((((_e151 * _e171.x) + (_e152 * _e171.y)) + (_e153 * _e171.z))) >= (_e189 * sqrt(_e169)));
+                    let _e185 = p.member.light.range_squared;
+                    if (_e168 <= _e185) {
+                        let _e188 = p.member.light.cos_outer;
+                        phi_428_ = (-((((_e150 * _e170.x) + (_e151 * _e170.y)) + (_e152 * _e170.z))) >= (_e188 * sqrt(_e168)));
                     } else {
-                        phi_429_ = false;
+                        phi_428_ = false;
                     }
-                    let _e194 = phi_429_;
-                    phi_430_ = _e194;
+                    let _e193 = phi_428_;
+                    phi_429_ = _e193;
                 }
-                let _e196 = phi_430_;
-                if _e196 {
-                    let _e198 = samples.member[_e68.shift].flags;
-                    let _e206 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e212 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e206.unnamed.visibility, false), _e206.unnamed_1);
-                    phi_441_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e212.unnamed, ((_e198 & 1u) == 0u));
-                    phi_442_ = false;
+                let _e195 = phi_429_;
+                if _e195 {
+                    let _e197 = samples.member[_e67.shift].flags;
+                    let _e205 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e205.unnamed.visibility, false), _e205.unnamed_1);
+                    phi_440_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e211.unnamed, ((_e197 & 1u) == 0u));
+                    phi_441_ = false;
                 } else {
-                    phi_441_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_442_ = true;
+                    phi_440_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_441_ = true;
                 }
-                let _e217 = phi_441_;
-                let _e219 = phi_442_;
-                phi_443_ = _e217;
-                phi_444_ = _e219;
+                let _e216 = phi_440_;
+                let _e218 = phi_441_;
+                phi_442_ = _e216;
+                phi_443_ = _e218;
             } else {
-                phi_443_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_444_ = true;
+                phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_443_ = true;
             }
-            let _e221 = phi_443_;
-            let _e223 = phi_444_;
-            if _e223 {
-                let _e229 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e235 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e229.unnamed.visibility, false), _e229.unnamed_1);
-                phi_451_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e235.unnamed, true);
+            let _e220 = phi_442_;
+            let _e222 = phi_443_;
+            if _e222 {
+                let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e234 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e228.unnamed.visibility, false), _e228.unnamed_1);
+                phi_450_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e234.unnamed, true);
             } else {
-                phi_451_ = _e221;
+                phi_450_ = _e220;
             }
-            let _e240 = phi_451_;
-            phi_455_ = _e240;
+            let _e239 = phi_450_;
+            phi_454_ = _e239;
         } else {
-            let _e246 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e252 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e246.unnamed.visibility, false), _e246.unnamed_1);
-            phi_455_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e252.unnamed, true);
+            let _e245 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e251 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e245.unnamed.visibility, false), _e245.unnamed_1);
+            phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e251.unnamed, true);
         }
-        let _e257 = phi_455_;
-        if _e257.unnamed_1 {
-            phi_1125_ = mask_Masked(_e257.unnamed.visibility, 0u, false);
+        let _e256 = phi_454_;
+        if _e256.unnamed_1 {
+            phi_1100_ = mask_Masked(_e256.unnamed.visibility, 0u, false);
         } else {
-            let _e262 = (_e104 < 0.5f);
-            if (_e104 > 0f) {
-                phi_468_ = (_e104 < 1f);
+            let _e261 = (_e103 < 0.5f);
+            if (_e103 > 0f) {
+                phi_467_ = (_e103 < 1f);
             } else {
-                phi_468_ = false;
+                phi_467_ = false;
             }
-            let _e266 = phi_468_;
-            let _e268 = p.member.flags;
-            if ((_e268 & 16u) == 0u) {
-            } else {
-                let _e274 = samples.member[_e68.shift].position[0u];
-                if (_e102.x == _e274) {
-                    let _e278 = samples.member[_e68.shift].position[1u];
-                    if (_e102.y == _e278) {
-                    }
-                }
-            }
-            let _e284 = p.member.previous.eye;
-            let _e295 = p.member.previous.forward;
-            let _e303 = ((((_e102.x - _e284.x) * _e295.x) + ((_e102.y - _e284.y) * _e295.y)) + ((_e102.z - _e284.z) * _e295.z));
-            let _e305 = ((_e48.y * _e99) + _e48.x);
-            if (_e305 < arrayLength((&last_depths.member))) {
+            let _e265 = phi_467_;
+            let _e268 = p.member.previous.eye;
+            let _e279 = p.member.previous.forward;
+            let _e287 = ((((_e101.x - _e268.x) * _e279.x) + ((_e101.y - _e268.y) * _e279.y)) + ((_e101.z - _e268.z) * _e279.z));
+            let _e289 = ((_e47.y * _e98) + _e47.x);
+            if (_e289 < arrayLength((&last_depths.member))) {
             } else {
                 return;
             }
-            let _e309 = last_depths.member[(0u + _e305)];
-            let _e311 = p.member.depth_tolerance;
-            let _e314 = abs(_e303);
-            let _e315 = abs(_e309);
-            if ((bitcast<u32>(_e315) & 2147483647u) > 2139095040u) {
-                phi_548_ = true;
+            let _e293 = last_depths.member[(0u + _e289)];
+            let _e295 = p.member.depth_tolerance;
+            let _e298 = abs(_e287);
+            let _e299 = abs(_e293);
+            if ((bitcast<u32>(_e299) & 2147483647u) > 2139095040u) {
+                phi_523_ = true;
             } else {
-                let _e319 = (_e315 > _e314);
-                if _e319 {
+                let _e303 = (_e299 > _e298);
+                if _e303 {
                 }
-                phi_548_ = _e319;
+                phi_523_ = _e303;
             }
-            let _e321 = phi_548_;
-            if _e321 {
-                phi_552_ = _e315;
+            let _e305 = phi_523_;
+            if _e305 {
+                phi_527_ = _e299;
             } else {
-                phi_552_ = _e314;
+                phi_527_ = _e298;
             }
-            let _e323 = phi_552_;
-            if (abs((_e303 - _e309)) <= (_e311 * _e323)) {
-                let _e327 = p.member.flags;
-                phi_563_ = ((_e327 & 1u) != 0u);
+            let _e307 = phi_527_;
+            if (abs((_e287 - _e293)) <= (_e295 * _e307)) {
+                let _e311 = p.member.flags;
+                phi_538_ = ((_e311 & 1u) != 0u);
             } else {
-                phi_563_ = false;
+                phi_538_ = false;
             }
-            let _e331 = phi_563_;
-            let _e333 = p.member.flags;
-            let _e335 = ((_e333 & 2u) != 0u);
-            let _e337 = p.member.flags;
-            if ((_e337 & 4u) == 0u) {
-                phi_638_ = u32();
-                phi_639_ = true;
-                phi_640_ = false;
+            let _e315 = phi_538_;
+            let _e317 = p.member.flags;
+            let _e319 = ((_e317 & 2u) != 0u);
+            let _e321 = p.member.flags;
+            if ((_e321 & 4u) == 0u) {
+                phi_613_ = u32();
+                phi_614_ = true;
+                phi_615_ = false;
             } else {
-                if _e331 {
+                if _e315 {
                     if !(false) {
-                        let _e347 = ((((_e48.y * _e99) + _e48.x) * _e95.words) + _e95.light.word);
-                        if (_e95.light.shift > 29u) {
-                            let _e351 = (_e347 + 1u);
-                            if (_e351 < _e54) {
+                        let _e331 = ((((_e47.y * _e98) + _e47.x) * _e94.words) + _e94.light.word);
+                        if (_e94.light.shift > 29u) {
+                            let _e335 = (_e331 + 1u);
+                            if (_e335 < _e53) {
                             } else {
                                 return;
                             }
-                            let _e355 = last_bits.member[(0u + _e351)];
-                            phi_605_ = _e355;
+                            let _e339 = last_bits.member[(0u + _e335)];
+                            phi_580_ = _e339;
                         } else {
-                            phi_605_ = 0u;
+                            phi_580_ = 0u;
                         }
-                        let _e357 = phi_605_;
-                        if (_e347 < _e54) {
+                        let _e341 = phi_580_;
+                        if (_e331 < _e53) {
                         } else {
                             return;
                         }
-                        let _e363 = last_bits.member[(0u + _e347)];
-                        let _e366 = (_e363 >> bitcast<u32>((_e95.light.shift & 31u)));
-                        if (_e95.light.shift > 29u) {
-                            phi_624_ = (_e366 | (_e357 << bitcast<u32>(((32u - _e95.light.shift) & 31u))));
+                        let _e347 = last_bits.member[(0u + _e331)];
+                        let _e350 = (_e347 >> bitcast<u32>((_e94.light.shift & 31u)));
+                        if (_e94.light.shift > 29u) {
+                            phi_599_ = (_e350 | (_e341 << bitcast<u32>(((32u - _e94.light.shift) & 31u))));
                         } else {
-                            phi_624_ = _e366;
+                            phi_599_ = _e350;
                         }
-                        let _e374 = phi_624_;
-                        if ((_e374 & 2u) == 0u) {
-                            phi_632_ = (_e374 & 1u);
+                        let _e358 = phi_599_;
+                        if ((_e358 & 2u) == 0u) {
+                            phi_607_ = (_e358 & 1u);
                         } else {
-                            phi_632_ = (_e374 & 7u);
+                            phi_607_ = (_e358 & 7u);
                         }
-                        let _e380 = phi_632_;
-                        phi_633_ = _e380;
-                        phi_634_ = false;
+                        let _e364 = phi_607_;
+                        phi_608_ = _e364;
+                        phi_609_ = false;
                     } else {
-                        phi_633_ = u32();
-                        phi_634_ = true;
+                        phi_608_ = u32();
+                        phi_609_ = true;
                     }
-                    let _e382 = phi_633_;
-                    let _e384 = phi_634_;
-                    phi_635_ = _e382;
-                    phi_636_ = false;
-                    phi_637_ = _e384;
+                    let _e366 = phi_608_;
+                    let _e368 = phi_609_;
+                    phi_610_ = _e366;
+                    phi_611_ = false;
+                    phi_612_ = _e368;
                 } else {
-                    phi_635_ = u32();
-                    phi_636_ = true;
-                    phi_637_ = false;
+                    phi_610_ = u32();
+                    phi_611_ = true;
+                    phi_612_ = false;
                 }
-                let _e386 = phi_635_;
-                let _e388 = phi_636_;
-                let _e390 = phi_637_;
-                phi_638_ = _e386;
-                phi_639_ = _e388;
-                phi_640_ = _e390;
+                let _e370 = phi_610_;
+                let _e372 = phi_611_;
+                let _e374 = phi_612_;
+                phi_613_ = _e370;
+                phi_614_ = _e372;
+                phi_615_ = _e374;
             }
-            let _e392 = phi_638_;
-            let _e394 = phi_639_;
-            let _e396 = phi_640_;
-            if _e394 {
-                phi_644_ = true;
+            let _e376 = phi_613_;
+            let _e378 = phi_614_;
+            let _e380 = phi_615_;
+            if _e378 {
+                phi_619_ = true;
             } else {
-                phi_644_ = _e396;
+                phi_619_ = _e380;
             }
-            let _e398 = phi_644_;
-            if _e398 {
-                phi_648_ = 0u;
+            let _e382 = phi_619_;
+            if _e382 {
+                phi_623_ = 0u;
             } else {
-                phi_648_ = _e392;
+                phi_623_ = _e376;
             }
-            let _e400 = phi_648_;
-            let _e401 = lt_mask_Neighbourhood(false, true);
-            if _e266 {
-                phi_653_ = _e335;
+            let _e384 = phi_623_;
+            let _e385 = lt_mask_Neighbourhood(false, true);
+            if _e265 {
+                phi_628_ = _e319;
             } else {
-                phi_653_ = true;
+                phi_628_ = true;
             }
-            let _e403 = phi_653_;
-            if _e403 {
-                if _e331 {
-                    if ((_e400 & 2u) != 0u) {
-                        phi_947_ = _e401;
+            let _e387 = phi_628_;
+            if _e387 {
+                if _e315 {
+                    if ((_e384 & 2u) != 0u) {
+                        phi_922_ = _e385;
                     } else {
-                        let _e407 = p.member.expansion;
+                        let _e391 = p.member.expansion;
                         if false {
-                            let _e409 = p.member.moving_pattern;
-                            phi_674_ = _e409;
+                            let _e393 = p.member.moving_pattern;
+                            phi_649_ = _e393;
                         } else {
-                            let _e411 = p.member.still_pattern;
-                            phi_674_ = _e411;
+                            let _e395 = p.member.still_pattern;
+                            phi_649_ = _e395;
                         }
-                        let _e413 = phi_674_;
-                        phi_676_ = 0u;
-                        phi_679_ = _e401;
+                        let _e397 = phi_649_;
+                        phi_651_ = 0u;
+                        phi_654_ = _e385;
                         loop {
-                            let _e415 = phi_676_;
-                            let _e417 = phi_679_;
-                            local_1 = _e417;
-                            if (1u <= _e413) {
-                                if (_e413 <= 4u) {
-                                    phi_691_ = false;
+                            let _e399 = phi_651_;
+                            let _e401 = phi_654_;
+                            local_1 = _e401;
+                            if (1u <= _e397) {
+                                if (_e397 <= 4u) {
+                                    phi_666_ = false;
                                 } else {
-                                    phi_691_ = true;
+                                    phi_666_ = true;
                                 }
-                                let _e421 = phi_691_;
-                                phi_692_ = _e421;
+                                let _e405 = phi_666_;
+                                phi_667_ = _e405;
                             } else {
-                                phi_692_ = true;
+                                phi_667_ = true;
                             }
-                            let _e423 = phi_692_;
-                            if _e423 {
-                                switch bitcast<i32>(_e413) {
+                            let _e407 = phi_667_;
+                            if _e407 {
+                                switch bitcast<i32>(_e397) {
                                     case 5: {
-                                        phi_701_ = 4u;
+                                        phi_676_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_701_ = 25u;
+                                        phi_676_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_701_ = 13u;
+                                        phi_676_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_701_ = 9u;
+                                        phi_676_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e426 = phi_701_;
-                                phi_702_ = _e426;
+                                let _e410 = phi_676_;
+                                phi_677_ = _e410;
                             } else {
-                                phi_702_ = 5u;
+                                phi_677_ = 5u;
                             }
-                            let _e428 = phi_702_;
-                            let _e429 = (_e415 < _e428);
-                            if _e429 {
-                                let _e431 = p.member.frame;
-                                let _e435 = p.member.current.size[0u];
-                                let _e437 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e413) {
+                            let _e412 = phi_677_;
+                            let _e413 = (_e399 < _e412);
+                            if _e413 {
+                                let _e415 = p.member.frame;
+                                let _e419 = p.member.current.size[0u];
+                                let _e421 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e397) {
                                     case 1: {
-                                        let _e447 = lt_mask_pattern_plus(_e415);
-                                        phi_782_ = vec2<i32>(_e447.x, _e447.y);
+                                        let _e431 = lt_mask_pattern_plus(_e399);
+                                        phi_757_ = vec2<i32>(_e431.x, _e431.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e451 = lt_mask_pattern_cross(_e415);
-                                        phi_782_ = vec2<i32>(_e451.x, _e451.y);
+                                        let _e435 = lt_mask_pattern_cross(_e399);
+                                        phi_757_ = vec2<i32>(_e435.x, _e435.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e457 = lt_mask_pattern_plus_or_cross(_e415, ((_e48.x + _e48.y) & 1u));
-                                        phi_782_ = vec2<i32>(_e457.x, _e457.y);
+                                        let _e441 = lt_mask_pattern_plus_or_cross(_e399, ((_e47.x + _e47.y) & 1u));
+                                        phi_757_ = vec2<i32>(_e441.x, _e441.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e462 = lt_mask_pattern_plus_or_cross(_e415, (_e431 & 1u));
-                                        phi_782_ = vec2<i32>(_e462.x, _e462.y);
+                                        let _e446 = lt_mask_pattern_plus_or_cross(_e399, (_e415 & 1u));
+                                        phi_757_ = vec2<i32>(_e446.x, _e446.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e431 & 3u)) {
+                                        switch bitcast<i32>((_e415 & 3u)) {
                                             case 0: {
-                                                phi_762_ = vec2(-1i);
+                                                phi_737_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_762_ = vec2(0i);
+                                                phi_737_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_762_ = vec2<i32>(0i, -1i);
+                                                phi_737_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_762_ = vec2<i32>(-1i, 0i);
+                                                phi_737_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e473 = phi_762_;
-                                        phi_782_ = (_e473 + vec2<i32>(bitcast<i32>((_e415 & 1u)), bitcast<i32>(((_e415 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e457 = phi_737_;
+                                        phi_757_ = (_e457 + vec2<i32>(bitcast<i32>((_e399 & 1u)), bitcast<i32>(((_e399 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_782_ = vec2<i32>((bitcast<i32>((_e415 % 5u)) - 2i), (bitcast<i32>(((_e415 / 5u) % 5u)) - 2i));
+                                        phi_757_ = vec2<i32>((bitcast<i32>((_e399 % 5u)) - 2i), (bitcast<i32>(((_e399 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e490 = lt_mask_pattern_diamond(_e415);
-                                        phi_782_ = vec2<i32>(_e490.x, _e490.y);
+                                        let _e474 = lt_mask_pattern_diamond(_e399);
+                                        phi_757_ = vec2<i32>(_e474.x, _e474.y);
                                         break;
                                     }
                                     default: {
-                                        phi_782_ = vec2<i32>((bitcast<i32>((_e415 % 3u)) - 1i), (bitcast<i32>(((_e415 / 3u) % 3u)) - 1i));
+                                        phi_757_ = vec2<i32>((bitcast<i32>((_e399 % 3u)) - 1i), (bitcast<i32>(((_e399 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e495 = phi_782_;
-                                let _e498 = lt_mask_pattern_step_clamped(_e48.x, _e495.x, _e435);
-                                let _e499 = lt_mask_pattern_step_clamped(_e48.y, _e495.y, _e437);
-                                let _e506 = ((((_e499 * _e99) + _e498) * _e95.words) + _e95.light.word);
-                                if (_e95.light.shift > 29u) {
-                                    let _e510 = (_e506 + 1u);
-                                    if (_e510 < _e54) {
+                                let _e479 = phi_757_;
+                                let _e482 = lt_mask_pattern_step_clamped(_e47.x, _e479.x, _e419);
+                                let _e483 = lt_mask_pattern_step_clamped(_e47.y, _e479.y, _e421);
+                                let _e490 = ((((_e483 * _e98) + _e482) * _e94.words) + _e94.light.word);
+                                if (_e94.light.shift > 29u) {
+                                    let _e494 = (_e490 + 1u);
+                                    if (_e494 < _e53) {
                                     } else {
                                         return;
                                     }
-                                    let _e514 = last_bits.member[(0u + _e510)];
-                                    phi_809_ = _e514;
+                                    let _e498 = last_bits.member[(0u + _e494)];
+                                    phi_784_ = _e498;
                                 } else {
-                                    phi_809_ = 0u;
+                                    phi_784_ = 0u;
                                 }
-                                let _e516 = phi_809_;
-                                if (_e506 < _e54) {
+                                let _e500 = phi_784_;
+                                if (_e490 < _e53) {
                                 } else {
                                     return;
                                 }
-                                let _e522 = last_bits.member[(0u + _e506)];
-                                let _e525 = (_e522 >> bitcast<u32>((_e95.light.shift & 31u)));
-                                if (_e95.light.shift > 29u) {
-                                    phi_828_ = (_e525 | (_e516 << bitcast<u32>(((32u - _e95.light.shift) & 31u))));
+                                let _e506 = last_bits.member[(0u + _e490)];
+                                let _e509 = (_e506 >> bitcast<u32>((_e94.light.shift & 31u)));
+                                if (_e94.light.shift > 29u) {
+                                    phi_803_ = (_e509 | (_e500 << bitcast<u32>(((32u - _e94.light.shift) & 31u))));
                                 } else {
-                                    phi_828_ = _e525;
+                                    phi_803_ = _e509;
                                 }
-                                let _e533 = phi_828_;
-                                if ((_e533 & 2u) == 0u) {
-                                    phi_836_ = (_e533 & 1u);
+                                let _e517 = phi_803_;
+                                if ((_e517 & 2u) == 0u) {
+                                    phi_811_ = (_e517 & 1u);
                                 } else {
-                                    phi_836_ = (_e533 & 7u);
+                                    phi_811_ = (_e517 & 7u);
                                 }
-                                let _e539 = phi_836_;
-                                if _e417.any_expands {
-                                    phi_924_ = true;
+                                let _e523 = phi_811_;
+                                if _e401.any_expands {
+                                    phi_899_ = true;
                                 } else {
-                                    if ((_e539 & 2u) != 0u) {
-                                        let _e546 = (((_e539 & 4u) != 0u) != _e262);
-                                        switch bitcast<i32>(_e407) {
+                                    if ((_e523 & 2u) != 0u) {
+                                        let _e530 = (((_e523 & 4u) != 0u) != _e261);
+                                        switch bitcast<i32>(_e391) {
                                             case 1: {
-                                                phi_864_ = bool();
-                                                phi_865_ = false;
-                                                phi_866_ = true;
-                                                phi_867_ = false;
-                                                phi_868_ = false;
+                                                phi_839_ = bool();
+                                                phi_840_ = false;
+                                                phi_841_ = true;
+                                                phi_842_ = false;
+                                                phi_843_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e546 {
-                                                    phi_862_ = (((_e539 & 4u) != 0u) != ((_e539 & 1u) != 0u));
-                                                    phi_863_ = false;
+                                                if _e530 {
+                                                    phi_837_ = (((_e523 & 4u) != 0u) != ((_e523 & 1u) != 0u));
+                                                    phi_838_ = false;
                                                 } else {
-                                                    phi_862_ = bool();
-                                                    phi_863_ = true;
+                                                    phi_837_ = bool();
+                                                    phi_838_ = true;
                                                 }
-                                                let _e554 = phi_862_;
-                                                let _e556 = phi_863_;
-                                                phi_864_ = _e554;
-                                                phi_865_ = false;
-                                                phi_866_ = false;
-                                                phi_867_ = _e556;
-                                                phi_868_ = _e546;
+                                                let _e538 = phi_837_;
+                                                let _e540 = phi_838_;
+                                                phi_839_ = _e538;
+                                                phi_840_ = false;
+                                                phi_841_ = false;
+                                                phi_842_ = _e540;
+                                                phi_843_ = _e530;
                                                 break;
                                             }
                                             default: {
-                                                phi_864_ = bool();
-                                                phi_865_ = true;
-                                                phi_866_ = false;
-                                                phi_867_ = false;
-                                                phi_868_ = false;
+                                                phi_839_ = bool();
+                                                phi_840_ = true;
+                                                phi_841_ = false;
+                                                phi_842_ = false;
+                                                phi_843_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e558 = phi_864_;
-                                        let _e560 = phi_865_;
-                                        let _e562 = phi_866_;
-                                        let _e564 = phi_867_;
-                                        let _e566 = phi_868_;
-                                        phi_876_ = _e546;
-                                        phi_877_ = _e558;
-                                        phi_878_ = _e560;
-                                        phi_879_ = _e562;
-                                        phi_880_ = _e564;
-                                        phi_881_ = _e566;
+                                        let _e542 = phi_839_;
+                                        let _e544 = phi_840_;
+                                        let _e546 = phi_841_;
+                                        let _e548 = phi_842_;
+                                        let _e550 = phi_843_;
+                                        phi_851_ = _e530;
+                                        phi_852_ = _e542;
+                                        phi_853_ = _e544;
+                                        phi_854_ = _e546;
+                                        phi_855_ = _e548;
+                                        phi_856_ = _e550;
                                     } else {
-                                        switch bitcast<i32>(_e407) {
+                                        switch bitcast<i32>(_e391) {
                                             case 1: {
-                                                phi_873_ = false;
-                                                phi_874_ = true;
-                                                phi_875_ = false;
+                                                phi_848_ = false;
+                                                phi_849_ = true;
+                                                phi_850_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_873_ = false;
-                                                phi_874_ = false;
-                                                phi_875_ = true;
+                                                phi_848_ = false;
+                                                phi_849_ = false;
+                                                phi_850_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_873_ = true;
-                                                phi_874_ = false;
-                                                phi_875_ = false;
+                                                phi_848_ = true;
+                                                phi_849_ = false;
+                                                phi_850_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e569 = phi_873_;
-                                        let _e571 = phi_874_;
-                                        let _e573 = phi_875_;
-                                        phi_876_ = false;
-                                        phi_877_ = bool();
-                                        phi_878_ = _e569;
-                                        phi_879_ = _e571;
-                                        phi_880_ = _e573;
-                                        phi_881_ = false;
+                                        let _e553 = phi_848_;
+                                        let _e555 = phi_849_;
+                                        let _e557 = phi_850_;
+                                        phi_851_ = false;
+                                        phi_852_ = bool();
+                                        phi_853_ = _e553;
+                                        phi_854_ = _e555;
+                                        phi_855_ = _e557;
+                                        phi_856_ = false;
                                     }
-                                    let _e575 = phi_876_;
-                                    let _e577 = phi_877_;
-                                    let _e579 = phi_878_;
-                                    let _e581 = phi_879_;
-                                    let _e583 = phi_880_;
-                                    let _e585 = phi_881_;
-                                    if _e579 {
-                                        if ((_e539 & 2u) != 0u) {
-                                            if (((_e539 & 4u) != 0u) != _e262) {
-                                                phi_896_ = false;
+                                    let _e559 = phi_851_;
+                                    let _e561 = phi_852_;
+                                    let _e563 = phi_853_;
+                                    let _e565 = phi_854_;
+                                    let _e567 = phi_855_;
+                                    let _e569 = phi_856_;
+                                    if _e563 {
+                                        if ((_e523 & 2u) != 0u) {
+                                            if (((_e523 & 4u) != 0u) != _e261) {
+                                                phi_871_ = false;
                                             } else {
-                                                phi_896_ = true;
+                                                phi_871_ = true;
                                             }
-                                            let _e592 = phi_896_;
-                                            phi_897_ = _e592;
+                                            let _e576 = phi_871_;
+                                            phi_872_ = _e576;
                                         } else {
-                                            phi_897_ = true;
+                                            phi_872_ = true;
                                         }
-                                        let _e594 = phi_897_;
-                                        if _e594 {
-                                            phi_904_ = (((_e539 & 1u) != 0u) != _e262);
+                                        let _e578 = phi_872_;
+                                        if _e578 {
+                                            phi_879_ = (((_e523 & 1u) != 0u) != _e261);
                                         } else {
-                                            phi_904_ = true;
+                                            phi_879_ = true;
                                         }
-                                        let _e599 = phi_904_;
-                                        phi_905_ = _e599;
-                                        phi_906_ = false;
-                                        phi_907_ = false;
-                                        phi_908_ = false;
+                                        let _e583 = phi_879_;
+                                        phi_880_ = _e583;
+                                        phi_881_ = false;
+                                        phi_882_ = false;
+                                        phi_883_ = false;
                                     } else {
-                                        phi_905_ = bool();
-                                        phi_906_ = _e581;
-                                        phi_907_ = _e583;
-                                        phi_908_ = _e585;
+                                        phi_880_ = bool();
+                                        phi_881_ = _e565;
+                                        phi_882_ = _e567;
+                                        phi_883_ = _e569;
                                     }
-                                    let _e601 = phi_905_;
-                                    let _e603 = phi_906_;
-                                    let _e605 = phi_907_;
-                                    let _e607 = phi_908_;
-                                    if _e603 {
-                                        phi_912_ = _e575;
-                                        phi_913_ = false;
-                                        phi_914_ = false;
+                                    let _e585 = phi_880_;
+                                    let _e587 = phi_881_;
+                                    let _e589 = phi_882_;
+                                    let _e591 = phi_883_;
+                                    if _e587 {
+                                        phi_887_ = _e559;
+                                        phi_888_ = false;
+                                        phi_889_ = false;
                                     } else {
-                                        phi_912_ = _e601;
-                                        phi_913_ = _e605;
-                                        phi_914_ = _e607;
+                                        phi_887_ = _e585;
+                                        phi_888_ = _e589;
+                                        phi_889_ = _e591;
                                     }
-                                    let _e609 = phi_912_;
-                                    let _e611 = phi_913_;
-                                    let _e613 = phi_914_;
-                                    if _e611 {
+                                    let _e593 = phi_887_;
+                                    let _e595 = phi_888_;
+                                    let _e597 = phi_889_;
+                                    if _e595 {
+                                        phi_893_ = false;
+                                        phi_894_ = true;
+                                    } else {
+                                        phi_893_ = _e561;
+                                        phi_894_ = _e597;
+                                    }
+                                    let _e599 = phi_893_;
+                                    let _e601 = phi_894_;
+                                    if _e601 {
+                                        phi_898_ = _e599;
+                                    } else {
+                                        phi_898_ = _e593;
+                                    }
+                                    let _e603 = phi_898_;
+                                    phi_899_ = _e603;
+                                }
+                                let _e605 = phi_899_;
+                                if _e401.all_remove {
+                                    if (((_e523 & 1u) != 0u) == _e261) {
+                                        if ((_e523 & 2u) != 0u) {
+                                            phi_917_ = (((_e523 & 4u) != 0u) == _e261);
+                                        } else {
+                                            phi_917_ = true;
+                                        }
+                                        let _e615 = phi_917_;
+                                        phi_918_ = _e615;
+                                    } else {
                                         phi_918_ = false;
-                                        phi_919_ = true;
-                                    } else {
-                                        phi_918_ = _e577;
-                                        phi_919_ = _e613;
                                     }
-                                    let _e615 = phi_918_;
-                                    let _e617 = phi_919_;
-                                    if _e617 {
-                                        phi_923_ = _e615;
-                                    } else {
-                                        phi_923_ = _e609;
-                                    }
-                                    let _e619 = phi_923_;
-                                    phi_924_ = _e619;
-                                }
-                                let _e621 = phi_924_;
-                                if _e417.all_remove {
-                                    if (((_e539 & 1u) != 0u) == _e262) {
-                                        if ((_e539 & 2u) != 0u) {
-                                            phi_942_ = (((_e539 & 4u) != 0u) == _e262);
-                                        } else {
-                                            phi_942_ = true;
-                                        }
-                                        let _e631 = phi_942_;
-                                        phi_943_ = _e631;
-                                    } else {
-                                        phi_943_ = false;
-                                    }
-                                    let _e633 = phi_943_;
-                                    phi_944_ = _e633;
+                                    let _e617 = phi_918_;
+                                    phi_919_ = _e617;
                                 } else {
-                                    phi_944_ = false;
+                                    phi_919_ = false;
                                 }
-                                let _e635 = phi_944_;
-                                phi_677_ = (_e415 + 1u);
-                                phi_680_ = lt_mask_Neighbourhood(_e621, _e635);
+                                let _e619 = phi_919_;
+                                phi_652_ = (_e399 + 1u);
+                                phi_655_ = lt_mask_Neighbourhood(_e605, _e619);
                             } else {
-                                phi_677_ = u32();
-                                phi_680_ = lt_mask_Neighbourhood();
+                                phi_652_ = u32();
+                                phi_655_ = lt_mask_Neighbourhood();
                             }
-                            let _e639 = phi_677_;
-                            let _e641 = phi_680_;
+                            let _e623 = phi_652_;
+                            let _e625 = phi_655_;
                             continue;
                             continuing {
-                                phi_676_ = _e639;
-                                phi_679_ = _e641;
-                                break if !(_e429);
+                                phi_651_ = _e623;
+                                phi_654_ = _e625;
+                                break if !(_e413);
                             }
                         }
-                        let _e949 = local_1;
-                        phi_947_ = _e949;
+                        let _e933 = local_1;
+                        phi_922_ = _e933;
                     }
-                    let _e644 = phi_947_;
-                    phi_948_ = _e644;
+                    let _e628 = phi_922_;
+                    phi_923_ = _e628;
                 } else {
-                    phi_948_ = _e401;
+                    phi_923_ = _e385;
                 }
-                let _e646 = phi_948_;
-                phi_949_ = _e646;
+                let _e630 = phi_923_;
+                phi_924_ = _e630;
             } else {
-                phi_949_ = _e401;
+                phi_924_ = _e385;
             }
-            let _e648 = phi_949_;
-            let _e651 = p.member.frame;
-            let _e653 = p.member.refresh;
-            if (_e653 == 0u) {
-                phi_982_ = false;
+            let _e632 = phi_924_;
+            let _e635 = p.member.frame;
+            let _e637 = p.member.refresh;
+            if (_e637 == 0u) {
+                phi_957_ = false;
             } else {
-                if (_e653 == 0u) {
+                if (_e637 == 0u) {
                     return;
                 }
-                let _e662 = ((_e48.x + (_e48.y * (((_e653 * 5u) / 8u) | 1u))) + (_e651 % _e653));
-                if (_e653 == 0u) {
-                    phi_981_ = (_e662 == 0u);
+                let _e646 = ((_e47.x + (_e47.y * (((_e637 * 5u) / 8u) | 1u))) + (_e635 % _e637));
+                if (_e637 == 0u) {
+                    phi_956_ = (_e646 == 0u);
                 } else {
-                    if (_e653 == 0u) {
+                    if (_e637 == 0u) {
                         return;
                     }
-                    phi_981_ = ((_e662 % _e653) == 0u);
+                    phi_956_ = ((_e646 % _e637) == 0u);
                 }
-                let _e669 = phi_981_;
-                phi_982_ = _e669;
+                let _e653 = phi_956_;
+                phi_957_ = _e653;
             }
-            let _e671 = phi_982_;
-            if _e331 {
-                if _e671 {
-                    phi_1004_ = bool();
+            let _e655 = phi_957_;
+            if _e315 {
+                if _e655 {
+                    phi_979_ = bool();
                 } else {
-                    phi_1004_ = ((_e400 & 2u) != 0u);
+                    phi_979_ = ((_e384 & 2u) != 0u);
                 }
-                let _e677 = phi_1004_;
-                phi_1005_ = _e677;
-                phi_1006_ = _e671;
+                let _e661 = phi_979_;
+                phi_980_ = _e661;
+                phi_981_ = _e655;
             } else {
-                phi_1005_ = bool();
-                phi_1006_ = true;
+                phi_980_ = bool();
+                phi_981_ = true;
             }
-            let _e679 = phi_1005_;
-            let _e681 = phi_1006_;
-            if _e681 {
-                phi_1010_ = false;
+            let _e663 = phi_980_;
+            let _e665 = phi_981_;
+            if _e665 {
+                phi_985_ = false;
             } else {
-                phi_1010_ = _e679;
+                phi_985_ = _e663;
             }
-            let _e683 = phi_1010_;
-            if _e683 {
-                phi_1061_ = 7u;
+            let _e667 = phi_985_;
+            if _e667 {
+                phi_1036_ = 7u;
             } else {
-                if (_e104 != 0.5f) {
-                    if _e331 {
-                        if _e671 {
-                            phi_1058_ = 6u;
+                if (_e103 != 0.5f) {
+                    if _e315 {
+                        if _e655 {
+                            phi_1033_ = 6u;
                         } else {
-                            if _e266 {
-                                phi_1033_ = true;
+                            if _e265 {
+                                phi_1008_ = true;
                             } else {
-                                if _e648.any_expands {
-                                    phi_1032_ = false;
+                                if _e632.any_expands {
+                                    phi_1007_ = false;
                                 } else {
-                                    phi_1032_ = true;
+                                    phi_1007_ = true;
                                 }
-                                let _e685 = phi_1032_;
-                                phi_1033_ = _e685;
+                                let _e669 = phi_1007_;
+                                phi_1008_ = _e669;
                             }
-                            let _e687 = phi_1033_;
-                            if _e687 {
-                                if _e266 {
-                                    if _e335 {
-                                        if _e648.all_remove {
-                                            phi_1046_ = false;
+                            let _e671 = phi_1008_;
+                            if _e671 {
+                                if _e265 {
+                                    if _e319 {
+                                        if _e632.all_remove {
+                                            phi_1021_ = false;
                                         } else {
-                                            phi_1046_ = true;
+                                            phi_1021_ = true;
                                         }
-                                        let _e689 = phi_1046_;
-                                        phi_1047_ = _e689;
+                                        let _e673 = phi_1021_;
+                                        phi_1022_ = _e673;
                                     } else {
-                                        phi_1047_ = true;
+                                        phi_1022_ = true;
                                     }
-                                    let _e691 = phi_1047_;
-                                    phi_1048_ = _e691;
+                                    let _e675 = phi_1022_;
+                                    phi_1023_ = _e675;
                                 } else {
-                                    phi_1048_ = true;
+                                    phi_1023_ = true;
                                 }
-                                let _e693 = phi_1048_;
-                                if _e693 {
-                                    if _e266 {
-                                        phi_1055_ = 1u;
+                                let _e677 = phi_1023_;
+                                if _e677 {
+                                    if _e265 {
+                                        phi_1030_ = 1u;
                                     } else {
-                                        phi_1055_ = 0u;
+                                        phi_1030_ = 0u;
                                     }
-                                    let _e695 = phi_1055_;
-                                    phi_1056_ = _e695;
+                                    let _e679 = phi_1030_;
+                                    phi_1031_ = _e679;
                                 } else {
-                                    phi_1056_ = 5u;
+                                    phi_1031_ = 5u;
                                 }
-                                let _e697 = phi_1056_;
-                                phi_1057_ = _e697;
+                                let _e681 = phi_1031_;
+                                phi_1032_ = _e681;
                             } else {
-                                phi_1057_ = 4u;
+                                phi_1032_ = 4u;
                             }
-                            let _e699 = phi_1057_;
-                            phi_1058_ = _e699;
+                            let _e683 = phi_1032_;
+                            phi_1033_ = _e683;
                         }
-                        let _e701 = phi_1058_;
-                        phi_1059_ = _e701;
+                        let _e685 = phi_1033_;
+                        phi_1034_ = _e685;
                     } else {
-                        phi_1059_ = 3u;
+                        phi_1034_ = 3u;
                     }
-                    let _e703 = phi_1059_;
-                    phi_1060_ = _e703;
+                    let _e687 = phi_1034_;
+                    phi_1035_ = _e687;
                 } else {
-                    phi_1060_ = 2u;
+                    phi_1035_ = 2u;
                 }
-                let _e705 = phi_1060_;
-                phi_1061_ = _e705;
+                let _e689 = phi_1035_;
+                phi_1036_ = _e689;
             }
-            let _e707 = phi_1061_;
-            if !((_e707 == 0u)) {
-                if !((_e707 == 5u)) {
-                    phi_1073_ = !(_e683);
-                    phi_1074_ = false;
+            let _e691 = phi_1036_;
+            if !((_e691 == 0u)) {
+                if !((_e691 == 5u)) {
+                    phi_1048_ = !(_e667);
+                    phi_1049_ = false;
                 } else {
-                    phi_1073_ = bool();
-                    phi_1074_ = true;
+                    phi_1048_ = bool();
+                    phi_1049_ = true;
                 }
-                let _e714 = phi_1073_;
-                let _e716 = phi_1074_;
-                phi_1075_ = _e714;
-                phi_1076_ = _e716;
+                let _e698 = phi_1048_;
+                let _e700 = phi_1049_;
+                phi_1050_ = _e698;
+                phi_1051_ = _e700;
             } else {
-                phi_1075_ = bool();
-                phi_1076_ = true;
+                phi_1050_ = bool();
+                phi_1051_ = true;
             }
-            let _e718 = phi_1075_;
-            let _e720 = phi_1076_;
-            if _e720 {
-                phi_1080_ = false;
+            let _e702 = phi_1050_;
+            let _e704 = phi_1051_;
+            if _e704 {
+                phi_1055_ = false;
             } else {
-                phi_1080_ = _e718;
+                phi_1055_ = _e702;
             }
-            let _e722 = phi_1080_;
-            if _e683 {
-                phi_1086_ = ((_e400 & 4u) != 0u);
+            let _e706 = phi_1055_;
+            if _e667 {
+                phi_1061_ = ((_e384 & 4u) != 0u);
             } else {
-                phi_1086_ = _e262;
+                phi_1061_ = _e261;
             }
-            let _e726 = phi_1086_;
-            if _e722 {
-                if _e262 {
-                    phi_1094_ = (2u | 1u);
+            let _e710 = phi_1061_;
+            if _e706 {
+                if _e261 {
+                    phi_1069_ = (2u | 1u);
                 } else {
-                    phi_1094_ = 2u;
+                    phi_1069_ = 2u;
                 }
-                let _e729 = phi_1094_;
+                let _e713 = phi_1069_;
                 if false {
-                    phi_1099_ = (_e729 | 4u);
+                    phi_1074_ = (_e713 | 4u);
                 } else {
-                    phi_1099_ = _e729;
+                    phi_1074_ = _e713;
                 }
-                let _e732 = phi_1099_;
-                phi_1119_ = _e732;
+                let _e716 = phi_1074_;
+                phi_1094_ = _e716;
             } else {
-                if (_e707 == 7u) {
-                    if _e262 {
-                        phi_1108_ = (2u | 1u);
+                if (_e691 == 7u) {
+                    if _e261 {
+                        phi_1083_ = (2u | 1u);
                     } else {
-                        phi_1108_ = 2u;
+                        phi_1083_ = 2u;
                     }
-                    let _e736 = phi_1108_;
-                    if _e726 {
-                        phi_1113_ = (_e736 | 4u);
+                    let _e720 = phi_1083_;
+                    if _e710 {
+                        phi_1088_ = (_e720 | 4u);
                     } else {
-                        phi_1113_ = _e736;
+                        phi_1088_ = _e720;
                     }
-                    let _e739 = phi_1113_;
-                    phi_1118_ = _e739;
+                    let _e723 = phi_1088_;
+                    phi_1093_ = _e723;
                 } else {
-                    if _e262 {
-                        phi_1117_ = 1u;
+                    if _e261 {
+                        phi_1092_ = 1u;
                     } else {
-                        phi_1117_ = 0u;
+                        phi_1092_ = 0u;
                     }
-                    let _e741 = phi_1117_;
-                    phi_1118_ = _e741;
+                    let _e725 = phi_1092_;
+                    phi_1093_ = _e725;
                 }
-                let _e743 = phi_1118_;
-                phi_1119_ = _e743;
+                let _e727 = phi_1093_;
+                phi_1094_ = _e727;
             }
-            let _e745 = phi_1119_;
-            if _e726 {
-                phi_1123_ = 0f;
+            let _e729 = phi_1094_;
+            if _e710 {
+                phi_1098_ = 0f;
             } else {
-                phi_1123_ = 1f;
+                phi_1098_ = 1f;
             }
-            let _e747 = phi_1123_;
-            phi_1125_ = mask_Masked(_e747, _e745, _e722);
+            let _e731 = phi_1098_;
+            phi_1100_ = mask_Masked(_e731, _e729, _e706);
         }
-        let _e750 = phi_1125_;
-        visibility.member[_e68.shift] = _e750.visibility;
-        let _e755 = p.member.light.number;
-        let _e756 = (_e755 * 3u);
-        let _e758 = (_e756 % 32u);
-        let _e760 = p.member.light.mask_words;
-        let _e762 = ((_e68.shift * _e760) + (_e756 / 32u));
-        let _e764 = bits.member[_e762];
-        bits.member[_e762] = ((_e764 & ~((7u << bitcast<u32>((_e758 & 31u))))) | (_e750.bits << bitcast<u32>((_e758 & 31u))));
-        if (_e758 > 29u) {
-            let _e779 = bits.member[(_e762 + 1u)];
-            let _e781 = (32u - _e758);
-            bits.member[(_e762 + 1u)] = ((_e779 & ~((7u >> bitcast<u32>((_e781 & 31u))))) | (_e750.bits >> bitcast<u32>((_e781 & 31u))));
+        let _e734 = phi_1100_;
+        visibility.member[_e67.shift] = _e734.visibility;
+        let _e739 = p.member.light.number;
+        let _e740 = (_e739 * 3u);
+        let _e742 = (_e740 % 32u);
+        let _e744 = p.member.light.mask_words;
+        let _e746 = ((_e67.shift * _e744) + (_e740 / 32u));
+        let _e748 = bits.member[_e746];
+        bits.member[_e746] = ((_e748 & ~((7u << bitcast<u32>((_e742 & 31u))))) | (_e734.bits << bitcast<u32>((_e742 & 31u))));
+        if (_e742 > 29u) {
+            let _e763 = bits.member[(_e746 + 1u)];
+            let _e765 = (32u - _e742);
+            bits.member[(_e746 + 1u)] = ((_e763 & ~((7u >> bitcast<u32>((_e765 & 31u))))) | (_e734.bits >> bitcast<u32>((_e765 & 31u))));
         }
-        let _e796 = samples.member[_e68.shift].normal[0u];
-        let _e798 = global[0u];
-        if (_e796 == _e798) {
-            let _e801 = samples.member[_e68.shift].normal[1u];
-            let _e803 = global[1u];
-            if (_e801 == _e803) {
-                let _e806 = samples.member[_e68.shift].normal[2u];
-                let _e808 = global[2u];
-                phi_1197_ = (_e806 == _e808);
-                phi_1198_ = false;
+        let _e780 = samples.member[_e67.shift].normal[0u];
+        let _e782 = global[0u];
+        if (_e780 == _e782) {
+            let _e785 = samples.member[_e67.shift].normal[1u];
+            let _e787 = global[1u];
+            if (_e785 == _e787) {
+                let _e790 = samples.member[_e67.shift].normal[2u];
+                let _e792 = global[2u];
+                phi_1172_ = (_e790 == _e792);
+                phi_1173_ = false;
             } else {
-                phi_1197_ = bool();
-                phi_1198_ = true;
+                phi_1172_ = bool();
+                phi_1173_ = true;
             }
-            let _e811 = phi_1197_;
-            let _e813 = phi_1198_;
-            phi_1199_ = _e811;
-            phi_1200_ = _e813;
+            let _e795 = phi_1172_;
+            let _e797 = phi_1173_;
+            phi_1174_ = _e795;
+            phi_1175_ = _e797;
         } else {
-            phi_1199_ = bool();
-            phi_1200_ = true;
+            phi_1174_ = bool();
+            phi_1175_ = true;
         }
-        let _e815 = phi_1199_;
-        let _e817 = phi_1200_;
-        if _e817 {
-            phi_1204_ = false;
+        let _e799 = phi_1174_;
+        let _e801 = phi_1175_;
+        if _e801 {
+            phi_1179_ = false;
         } else {
-            phi_1204_ = _e815;
+            phi_1179_ = _e799;
         }
-        let _e819 = phi_1204_;
-        if !(_e819) {
-            let _e822 = samples.member[_e68.shift].position;
-            let _e824 = p.member.current.eye;
-            let _e835 = p.member.current.forward;
-            phi_1232_ = ((((_e822.x - _e824.x) * _e835.x) + ((_e822.y - _e824.y) * _e835.y)) + ((_e822.z - _e824.z) * _e835.z));
+        let _e803 = phi_1179_;
+        if !(_e803) {
+            let _e806 = samples.member[_e67.shift].position;
+            let _e808 = p.member.current.eye;
+            let _e819 = p.member.current.forward;
+            phi_1207_ = ((((_e806.x - _e808.x) * _e819.x) + ((_e806.y - _e808.y) * _e819.y)) + ((_e806.z - _e808.z) * _e819.z));
         } else {
-            phi_1232_ = 0f;
+            phi_1207_ = 0f;
         }
-        let _e845 = phi_1232_;
-        depths.member[_e68.shift] = _e845;
-        phi_1235_ = _e750.needs_ray;
-        phi_1236_ = _e68.shift;
+        let _e829 = phi_1207_;
+        depths.member[_e67.shift] = _e829;
+        phi_1210_ = _e734.needs_ray;
+        phi_1211_ = _e67.shift;
     } else {
-        phi_1235_ = false;
-        phi_1236_ = 0u;
+        phi_1210_ = false;
+        phi_1211_ = 0u;
     }
-    let _e849 = phi_1235_;
-    let _e851 = phi_1236_;
-    if (_e49 == 0u) {
+    let _e833 = phi_1210_;
+    let _e835 = phi_1211_;
+    if (_e48 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e849 {
-        let _e855 = atomicAdd((&shared_[0u]), 1u);
-        phi_1247_ = _e855;
+    if _e833 {
+        let _e839 = atomicAdd((&shared_[0u]), 1u);
+        phi_1222_ = _e839;
     } else {
-        phi_1247_ = 0u;
+        phi_1222_ = 0u;
     }
-    let _e857 = phi_1247_;
+    let _e841 = phi_1222_;
     workgroupBarrier();
-    if (_e49 == 0u) {
-        let _e861 = atomicLoad((&shared_[0u]));
-        let _e862 = atomicAdd((&list.member[3u]), _e861);
-        atomicStore((&shared_[1u]), _e862);
+    if (_e48 == 0u) {
+        let _e845 = atomicLoad((&shared_[0u]));
+        let _e846 = atomicAdd((&list.member[3u]), _e845);
+        atomicStore((&shared_[1u]), _e846);
     }
     workgroupBarrier();
-    if _e849 {
-        let _e865 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e865) + _e857)]), _e851);
+    if _e833 {
+        let _e849 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e849) + _e841)]), _e835);
     }
     return;
 }

@@ -117,1071 +117,1061 @@ var<storage> last_depths: type_21;
 var<storage, read_write> depths: type_21;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_165_: lt_mask_LightPlace;
-    var phi_166_: bool;
-    var phi_167_: lt_mask_LightPlace;
-    var phi_168_: bool;
-    var phi_173_: lt_mask_LightPlace;
+    var phi_164_: lt_mask_LightPlace;
+    var phi_165_: bool;
+    var phi_166_: lt_mask_LightPlace;
+    var phi_167_: bool;
+    var phi_172_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_165_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_166_ = false;
+            phi_164_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_165_ = false;
         } else {
-            phi_165_ = lt_mask_LightPlace();
-            phi_166_ = true;
+            phi_164_ = lt_mask_LightPlace();
+            phi_165_ = true;
         }
-        let _e61 = phi_165_;
-        let _e63 = phi_166_;
-        phi_167_ = _e61;
-        phi_168_ = _e63;
+        let _e60 = phi_164_;
+        let _e62 = phi_165_;
+        phi_166_ = _e60;
+        phi_167_ = _e62;
     } else {
-        phi_167_ = lt_mask_LightPlace();
-        phi_168_ = true;
+        phi_166_ = lt_mask_LightPlace();
+        phi_167_ = true;
     }
-    let _e65 = phi_167_;
-    let _e67 = phi_168_;
-    if _e67 {
-        phi_173_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e64 = phi_166_;
+    let _e66 = phi_167_;
+    if _e66 {
+        phi_172_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_173_ = _e65;
+        phi_172_ = _e64;
     }
-    let _e72 = phi_173_;
-    return lt_mask_LightPlace(_e72.word, _e72.shift);
+    let _e71 = phi_172_;
+    return lt_mask_LightPlace(_e71.word, _e71.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_191_: vec2<i32>;
+    var phi_190_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_191_ = vec2(0i);
+            phi_190_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_191_ = vec2<i32>(0i, -1i);
+            phi_190_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_191_ = vec2<i32>(-1i, 0i);
+            phi_190_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_191_ = vec2<i32>(1i, 0i);
+            phi_190_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_191_ = vec2<i32>(0i, 1i);
+            phi_190_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e57 = phi_191_;
-    return vec2<i32>(_e57.x, _e57.y);
+    let _e56 = phi_190_;
+    return vec2<i32>(_e56.x, _e56.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_209_: vec2<i32>;
+    var phi_208_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_209_ = vec2(0i);
+            phi_208_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_209_ = vec2(-1i);
+            phi_208_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_209_ = vec2<i32>(1i, -1i);
+            phi_208_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_209_ = vec2<i32>(-1i, 1i);
+            phi_208_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_209_ = vec2(1i);
+            phi_208_ = vec2(1i);
             break;
         }
     }
-    let _e57 = phi_209_;
-    return vec2<i32>(_e57.x, _e57.y);
+    let _e56 = phi_208_;
+    return vec2<i32>(_e56.x, _e56.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_228_: vec2<i32>;
+    var phi_227_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e51 = lt_mask_pattern_plus(param_5);
-        phi_228_ = vec2<i32>(_e51.x, _e51.y);
+        let _e50 = lt_mask_pattern_plus(param_5);
+        phi_227_ = vec2<i32>(_e50.x, _e50.y);
     } else {
-        let _e55 = lt_mask_pattern_cross(param_5);
-        phi_228_ = vec2<i32>(_e55.x, _e55.y);
+        let _e54 = lt_mask_pattern_cross(param_5);
+        phi_227_ = vec2<i32>(_e54.x, _e54.y);
     }
-    let _e60 = phi_228_;
-    return vec2<i32>(_e60.x, _e60.y);
+    let _e59 = phi_227_;
+    return vec2<i32>(_e59.x, _e59.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_253_: vec2<i32>;
+    var phi_252_: vec2<i32>;
 
-    let _e49 = (param_7 % 13u);
-    switch bitcast<i32>(_e49) {
+    let _e48 = (param_7 % 13u);
+    switch bitcast<i32>(_e48) {
         case 9: {
-            phi_253_ = vec2<i32>(0i, -2i);
+            phi_252_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_253_ = vec2<i32>(-2i, 0i);
+            phi_252_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_253_ = vec2<i32>(2i, 0i);
+            phi_252_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_253_ = vec2<i32>(0i, 2i);
+            phi_252_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_253_ = vec2<i32>((bitcast<i32>((_e49 % 3u)) - 1i), (bitcast<i32>(((_e49 / 3u) % 3u)) - 1i));
+            phi_252_ = vec2<i32>((bitcast<i32>((_e48 % 3u)) - 1i), (bitcast<i32>(((_e48 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e64 = phi_253_;
-    return vec2<i32>(_e64.x, _e64.y);
+    let _e63 = phi_252_;
+    return vec2<i32>(_e63.x, _e63.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
+    var phi_273_: u32;
     var phi_274_: u32;
-    var phi_275_: u32;
 
-    let _e52 = (bitcast<i32>(param_8) + param_9);
-    if (_e52 < 0i) {
-        phi_275_ = 0u;
+    let _e51 = (bitcast<i32>(param_8) + param_9);
+    if (_e51 < 0i) {
+        phi_274_ = 0u;
     } else {
-        if (_e52 >= bitcast<i32>(param_10)) {
-            phi_274_ = (param_10 - 1u);
+        if (_e51 >= bitcast<i32>(param_10)) {
+            phi_273_ = (param_10 - 1u);
         } else {
-            phi_274_ = bitcast<u32>(_e52);
+            phi_273_ = bitcast<u32>(_e51);
         }
-        let _e59 = phi_274_;
-        phi_275_ = _e59;
+        let _e58 = phi_273_;
+        phi_274_ = _e58;
     }
-    let _e61 = phi_275_;
-    return _e61;
+    let _e60 = phi_274_;
+    return _e60;
 }
 
 fn function_() {
+    var phi_351_: bool;
     var phi_352_: bool;
     var phi_353_: bool;
     var phi_354_: bool;
-    var phi_355_: bool;
-    var phi_359_: bool;
+    var phi_358_: bool;
+    var phi_428_: bool;
     var phi_429_: bool;
-    var phi_430_: bool;
-    var phi_441_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_442_: bool;
-    var phi_443_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_444_: bool;
-    var phi_451_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_455_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_468_: bool;
-    var phi_548_: bool;
-    var phi_552_: f32;
-    var phi_563_: bool;
-    var phi_569_: bool;
-    var phi_590_: u32;
+    var phi_440_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_441_: bool;
+    var phi_442_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_443_: bool;
+    var phi_450_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_454_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_467_: bool;
+    var phi_523_: bool;
+    var phi_527_: f32;
+    var phi_538_: bool;
+    var phi_544_: bool;
+    var phi_565_: u32;
+    var phi_567_: u32;
+    var phi_570_: lt_mask_Neighbourhood;
+    var phi_582_: bool;
+    var phi_583_: bool;
     var phi_592_: u32;
-    var phi_595_: lt_mask_Neighbourhood;
-    var phi_607_: bool;
-    var phi_608_: bool;
-    var phi_617_: u32;
-    var phi_618_: u32;
-    var phi_678_: vec2<i32>;
-    var phi_698_: vec2<i32>;
-    var phi_725_: u32;
-    var phi_744_: u32;
-    var phi_752_: u32;
-    var phi_778_: bool;
-    var phi_779_: bool;
-    var phi_780_: bool;
-    var phi_781_: bool;
-    var phi_782_: bool;
-    var phi_783_: bool;
-    var phi_784_: bool;
-    var phi_789_: bool;
-    var phi_790_: bool;
-    var phi_791_: bool;
-    var phi_792_: bool;
-    var phi_793_: bool;
-    var phi_794_: bool;
+    var phi_593_: u32;
+    var phi_653_: vec2<i32>;
+    var phi_673_: vec2<i32>;
+    var phi_700_: u32;
+    var phi_719_: u32;
+    var phi_727_: u32;
+    var phi_753_: bool;
+    var phi_754_: bool;
+    var phi_755_: bool;
+    var phi_756_: bool;
+    var phi_757_: bool;
+    var phi_758_: bool;
+    var phi_759_: bool;
+    var phi_764_: bool;
+    var phi_765_: bool;
+    var phi_766_: bool;
+    var phi_767_: bool;
+    var phi_768_: bool;
+    var phi_769_: bool;
+    var phi_770_: bool;
+    var phi_771_: bool;
+    var phi_772_: bool;
+    var phi_787_: bool;
+    var phi_788_: bool;
     var phi_795_: bool;
     var phi_796_: bool;
     var phi_797_: bool;
-    var phi_812_: bool;
-    var phi_813_: bool;
-    var phi_820_: bool;
-    var phi_821_: bool;
-    var phi_822_: bool;
-    var phi_823_: bool;
-    var phi_824_: bool;
-    var phi_828_: bool;
-    var phi_829_: bool;
-    var phi_830_: bool;
+    var phi_798_: bool;
+    var phi_799_: bool;
+    var phi_803_: bool;
+    var phi_804_: bool;
+    var phi_805_: bool;
+    var phi_809_: bool;
+    var phi_810_: bool;
+    var phi_814_: bool;
+    var phi_815_: bool;
+    var phi_833_: bool;
     var phi_834_: bool;
     var phi_835_: bool;
-    var phi_839_: bool;
-    var phi_840_: bool;
-    var phi_858_: bool;
-    var phi_859_: bool;
-    var phi_860_: bool;
-    var phi_593_: u32;
-    var phi_596_: lt_mask_Neighbourhood;
-    var phi_863_: lt_mask_Neighbourhood;
-    var phi_864_: lt_mask_Neighbourhood;
-    var phi_865_: lt_mask_Neighbourhood;
+    var phi_568_: u32;
+    var phi_571_: lt_mask_Neighbourhood;
+    var phi_838_: lt_mask_Neighbourhood;
+    var phi_839_: lt_mask_Neighbourhood;
+    var phi_840_: lt_mask_Neighbourhood;
+    var phi_872_: bool;
+    var phi_873_: bool;
+    var phi_895_: bool;
+    var phi_896_: bool;
     var phi_897_: bool;
-    var phi_898_: bool;
-    var phi_920_: bool;
-    var phi_921_: bool;
-    var phi_922_: bool;
-    var phi_926_: bool;
-    var phi_948_: bool;
-    var phi_949_: bool;
-    var phi_962_: bool;
-    var phi_963_: bool;
+    var phi_901_: bool;
+    var phi_923_: bool;
+    var phi_924_: bool;
+    var phi_937_: bool;
+    var phi_938_: bool;
+    var phi_939_: bool;
+    var phi_946_: u32;
+    var phi_947_: u32;
+    var phi_948_: u32;
+    var phi_949_: u32;
+    var phi_950_: u32;
+    var phi_951_: u32;
+    var phi_952_: u32;
     var phi_964_: bool;
-    var phi_971_: u32;
-    var phi_972_: u32;
-    var phi_973_: u32;
-    var phi_974_: u32;
-    var phi_975_: u32;
-    var phi_976_: u32;
-    var phi_977_: u32;
-    var phi_989_: bool;
-    var phi_990_: bool;
-    var phi_991_: bool;
-    var phi_992_: bool;
-    var phi_996_: bool;
-    var phi_1002_: bool;
+    var phi_965_: bool;
+    var phi_966_: bool;
+    var phi_967_: bool;
+    var phi_971_: bool;
+    var phi_977_: bool;
+    var phi_985_: u32;
+    var phi_990_: u32;
+    var phi_999_: u32;
+    var phi_1004_: u32;
+    var phi_1008_: u32;
+    var phi_1009_: u32;
     var phi_1010_: u32;
-    var phi_1015_: u32;
-    var phi_1024_: u32;
-    var phi_1029_: u32;
-    var phi_1033_: u32;
-    var phi_1034_: u32;
-    var phi_1035_: u32;
-    var phi_1039_: f32;
-    var phi_1041_: mask_Masked;
-    var phi_1113_: bool;
-    var phi_1114_: bool;
-    var phi_1115_: bool;
-    var phi_1116_: bool;
-    var phi_1120_: bool;
-    var phi_1148_: f32;
-    var phi_1151_: bool;
-    var phi_1152_: u32;
-    var phi_1163_: u32;
+    var phi_1014_: f32;
+    var phi_1016_: mask_Masked;
+    var phi_1088_: bool;
+    var phi_1089_: bool;
+    var phi_1090_: bool;
+    var phi_1091_: bool;
+    var phi_1095_: bool;
+    var phi_1123_: f32;
+    var phi_1126_: bool;
+    var phi_1127_: u32;
+    var phi_1138_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e48 = id_1;
-    let _e49 = local_2;
-    let _e54 = arrayLength((&last_bits.member));
-    let _e65 = p.member.current.size[0u];
-    let _e67 = p.member.current.size[1u];
-    let _e68 = lt_shaders_entry_pixel_index(_e48, _e65, _e67);
-    if (bitcast<i32>(_e68.word) != 0i) {
-        let _e75 = p.member.light.number;
-        let _e76 = (_e75 * 3u);
-        let _e80 = p.member.light.mask_words;
-        let _e86 = mask_BitsPlace(lt_mask_LightPlace((_e76 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
-        let _e92 = mask_BitsPlace(lt_mask_LightPlace(_e86.light.word, (_e76 % 32u)), _e86.words);
-        let _e95 = mask_BitsPlace(_e92.light, _e80);
-        let _e99 = p.member.current.size[0u];
-        let _e102 = samples.member[_e68.shift].position;
-        let _e104 = visibility.member[_e68.shift];
-        let _e110 = samples.member[_e68.shift].normal[0u];
-        let _e112 = global[0u];
-        if (_e110 == _e112) {
-            let _e115 = samples.member[_e68.shift].normal[1u];
-            let _e117 = global[1u];
-            if (_e115 == _e117) {
-                let _e120 = samples.member[_e68.shift].normal[2u];
-                let _e122 = global[2u];
-                phi_352_ = (_e120 == _e122);
-                phi_353_ = false;
+    let _e47 = id_1;
+    let _e48 = local_2;
+    let _e53 = arrayLength((&last_bits.member));
+    let _e64 = p.member.current.size[0u];
+    let _e66 = p.member.current.size[1u];
+    let _e67 = lt_shaders_entry_pixel_index(_e47, _e64, _e66);
+    if (bitcast<i32>(_e67.word) != 0i) {
+        let _e74 = p.member.light.number;
+        let _e75 = (_e74 * 3u);
+        let _e79 = p.member.light.mask_words;
+        let _e85 = mask_BitsPlace(lt_mask_LightPlace((_e75 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
+        let _e91 = mask_BitsPlace(lt_mask_LightPlace(_e85.light.word, (_e75 % 32u)), _e85.words);
+        let _e94 = mask_BitsPlace(_e91.light, _e79);
+        let _e98 = p.member.current.size[0u];
+        let _e101 = samples.member[_e67.shift].position;
+        let _e103 = visibility.member[_e67.shift];
+        let _e109 = samples.member[_e67.shift].normal[0u];
+        let _e111 = global[0u];
+        if (_e109 == _e111) {
+            let _e114 = samples.member[_e67.shift].normal[1u];
+            let _e116 = global[1u];
+            if (_e114 == _e116) {
+                let _e119 = samples.member[_e67.shift].normal[2u];
+                let _e121 = global[2u];
+                phi_351_ = (_e119 == _e121);
+                phi_352_ = false;
             } else {
-                phi_352_ = bool();
-                phi_353_ = true;
+                phi_351_ = bool();
+                phi_352_ = true;
             }
-            let _e125 = phi_352_;
-            let _e127 = phi_353_;
-            phi_354_ = _e125;
-            phi_355_ = _e127;
+            let _e124 = phi_351_;
+            let _e126 = phi_352_;
+            phi_353_ = _e124;
+            phi_354_ = _e126;
         } else {
-            phi_354_ = bool();
-            phi_355_ = true;
+            phi_353_ = bool();
+            phi_354_ = true;
         }
-        let _e129 = phi_354_;
-        let _e131 = phi_355_;
-        if _e131 {
-            phi_359_ = false;
+        let _e128 = phi_353_;
+        let _e130 = phi_354_;
+        if _e130 {
+            phi_358_ = false;
         } else {
-            phi_359_ = _e129;
+            phi_358_ = _e128;
         }
-        let _e133 = phi_359_;
-        if !(_e133) {
-            let _e136 = samples.member[_e68.shift].position;
-            let _e138 = p.member.light.place;
-            let _e144 = p.member.light.place[3u];
-            let _e151 = (_e138.x - (_e136.x * _e144));
-            let _e152 = (_e138.y - (_e136.y * _e144));
-            let _e153 = (_e138.z - (_e136.z * _e144));
-            let _e155 = samples.member[_e68.shift].normal;
-            if ((((_e155.x * _e151) + (_e155.y * _e152)) + (_e155.z * _e153)) > 0f) {
-                let _e169 = (((_e151 * _e151) + (_e152 * _e152)) + (_e153 * _e153));
-                let _e171 = p.member.light.axis;
-                let _e183 = p.member.light.place[3u];
-                if (_e183 == 0f) {
-                    phi_430_ = true;
+        let _e132 = phi_358_;
+        if !(_e132) {
+            let _e135 = samples.member[_e67.shift].position;
+            let _e137 = p.member.light.place;
+            let _e143 = p.member.light.place[3u];
+            let _e150 = (_e137.x - (_e135.x * _e143));
+            let _e151 = (_e137.y - (_e135.y * _e143));
+            let _e152 = (_e137.z - (_e135.z * _e143));
+            let _e154 = samples.member[_e67.shift].normal;
+            if ((((_e154.x * _e150) + (_e154.y * _e151)) + (_e154.z * _e152)) > 0f) {
+                let _e168 = (((_e150 * _e150) + (_e151 * _e151)) + (_e152 * _e152));
+                let _e170 = p.member.light.axis;
+                let _e182 = p.member.light.place[3u];
+                if (_e182 == 0f) {
+                    phi_429_ = true;
                 } else {
-                    let _e186 = p.member.light.range_squared;
-                    if (_e169 <= _e186) {
-                        let _e189 = p.member.light.cos_outer;
-                        phi_429_ = (-((((_e151 * _e171.x) + (_e152 * _e171.y)) + (_e153 * _e171.z))) >= (_e189 * sqrt(_e169)));
+                    let _e185 = p.member.light.range_squared;
+                    if (_e168 <= _e185) {
+                        let _e188 = p.member.light.cos_outer;
+                        phi_428_ = (-((((_e150 * _e170.x) + (_e151 * _e170.y)) + (_e152 * _e170.z))) >= (_e188 * sqrt(_e168)));
                     } else {
-                        phi_429_ = false;
+                        phi_428_ = false;
                     }
-                    let _e194 = phi_429_;
-                    phi_430_ = _e194;
+                    let _e193 = phi_428_;
+                    phi_429_ = _e193;
                 }
-                let _e196 = phi_430_;
-                if _e196 {
-                    let _e198 = samples.member[_e68.shift].flags;
-                    let _e206 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e212 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e206.unnamed.visibility, false), _e206.unnamed_1);
-                    phi_441_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e212.unnamed, ((_e198 & 1u) == 0u));
-                    phi_442_ = false;
+                let _e195 = phi_429_;
+                if _e195 {
+                    let _e197 = samples.member[_e67.shift].flags;
+                    let _e205 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e205.unnamed.visibility, false), _e205.unnamed_1);
+                    phi_440_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e211.unnamed, ((_e197 & 1u) == 0u));
+                    phi_441_ = false;
                 } else {
-                    phi_441_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_442_ = true;
+                    phi_440_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_441_ = true;
                 }
-                let _e217 = phi_441_;
-                let _e219 = phi_442_;
-                phi_443_ = _e217;
-                phi_444_ = _e219;
+                let _e216 = phi_440_;
+                let _e218 = phi_441_;
+                phi_442_ = _e216;
+                phi_443_ = _e218;
             } else {
-                phi_443_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_444_ = true;
+                phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_443_ = true;
             }
-            let _e221 = phi_443_;
-            let _e223 = phi_444_;
-            if _e223 {
-                let _e229 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e235 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e229.unnamed.visibility, false), _e229.unnamed_1);
-                phi_451_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e235.unnamed, true);
+            let _e220 = phi_442_;
+            let _e222 = phi_443_;
+            if _e222 {
+                let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e234 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e228.unnamed.visibility, false), _e228.unnamed_1);
+                phi_450_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e234.unnamed, true);
             } else {
-                phi_451_ = _e221;
+                phi_450_ = _e220;
             }
-            let _e240 = phi_451_;
-            phi_455_ = _e240;
+            let _e239 = phi_450_;
+            phi_454_ = _e239;
         } else {
-            let _e246 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e252 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e246.unnamed.visibility, false), _e246.unnamed_1);
-            phi_455_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e252.unnamed, true);
+            let _e245 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e251 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e245.unnamed.visibility, false), _e245.unnamed_1);
+            phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e251.unnamed, true);
         }
-        let _e257 = phi_455_;
-        if _e257.unnamed_1 {
-            phi_1041_ = mask_Masked(_e257.unnamed.visibility, 0u, false);
+        let _e256 = phi_454_;
+        if _e256.unnamed_1 {
+            phi_1016_ = mask_Masked(_e256.unnamed.visibility, 0u, false);
         } else {
-            let _e262 = (_e104 < 0.5f);
-            if (_e104 > 0f) {
-                phi_468_ = (_e104 < 1f);
+            let _e261 = (_e103 < 0.5f);
+            if (_e103 > 0f) {
+                phi_467_ = (_e103 < 1f);
             } else {
-                phi_468_ = false;
+                phi_467_ = false;
             }
-            let _e266 = phi_468_;
-            let _e268 = p.member.flags;
-            if ((_e268 & 16u) == 0u) {
-            } else {
-                let _e274 = samples.member[_e68.shift].position[0u];
-                if (_e102.x == _e274) {
-                    let _e278 = samples.member[_e68.shift].position[1u];
-                    if (_e102.y == _e278) {
-                    }
-                }
-            }
-            let _e284 = p.member.previous.eye;
-            let _e295 = p.member.previous.forward;
-            let _e303 = ((((_e102.x - _e284.x) * _e295.x) + ((_e102.y - _e284.y) * _e295.y)) + ((_e102.z - _e284.z) * _e295.z));
-            let _e305 = ((_e48.y * _e99) + _e48.x);
-            if (_e305 < arrayLength((&last_depths.member))) {
+            let _e265 = phi_467_;
+            let _e268 = p.member.previous.eye;
+            let _e279 = p.member.previous.forward;
+            let _e287 = ((((_e101.x - _e268.x) * _e279.x) + ((_e101.y - _e268.y) * _e279.y)) + ((_e101.z - _e268.z) * _e279.z));
+            let _e289 = ((_e47.y * _e98) + _e47.x);
+            if (_e289 < arrayLength((&last_depths.member))) {
             } else {
                 return;
             }
-            let _e309 = last_depths.member[(0u + _e305)];
-            let _e311 = p.member.depth_tolerance;
-            let _e314 = abs(_e303);
-            let _e315 = abs(_e309);
-            if ((bitcast<u32>(_e315) & 2147483647u) > 2139095040u) {
-                phi_548_ = true;
+            let _e293 = last_depths.member[(0u + _e289)];
+            let _e295 = p.member.depth_tolerance;
+            let _e298 = abs(_e287);
+            let _e299 = abs(_e293);
+            if ((bitcast<u32>(_e299) & 2147483647u) > 2139095040u) {
+                phi_523_ = true;
             } else {
-                let _e319 = (_e315 > _e314);
-                if _e319 {
+                let _e303 = (_e299 > _e298);
+                if _e303 {
                 }
-                phi_548_ = _e319;
+                phi_523_ = _e303;
             }
-            let _e321 = phi_548_;
-            if _e321 {
-                phi_552_ = _e315;
+            let _e305 = phi_523_;
+            if _e305 {
+                phi_527_ = _e299;
             } else {
-                phi_552_ = _e314;
+                phi_527_ = _e298;
             }
-            let _e323 = phi_552_;
-            if (abs((_e303 - _e309)) <= (_e311 * _e323)) {
-                let _e327 = p.member.flags;
-                phi_563_ = ((_e327 & 1u) != 0u);
+            let _e307 = phi_527_;
+            if (abs((_e287 - _e293)) <= (_e295 * _e307)) {
+                let _e311 = p.member.flags;
+                phi_538_ = ((_e311 & 1u) != 0u);
             } else {
-                phi_563_ = false;
+                phi_538_ = false;
             }
-            let _e331 = phi_563_;
-            let _e332 = lt_mask_Neighbourhood(false, true);
-            if _e266 {
-                phi_569_ = false;
+            let _e315 = phi_538_;
+            let _e316 = lt_mask_Neighbourhood(false, true);
+            if _e265 {
+                phi_544_ = false;
             } else {
-                phi_569_ = true;
+                phi_544_ = true;
             }
-            let _e334 = phi_569_;
-            if _e334 {
-                if _e331 {
+            let _e318 = phi_544_;
+            if _e318 {
+                if _e315 {
                     if ((0u & 2u) != 0u) {
-                        phi_863_ = _e332;
+                        phi_838_ = _e316;
                     } else {
-                        let _e338 = p.member.expansion;
+                        let _e322 = p.member.expansion;
                         if false {
-                            let _e340 = p.member.moving_pattern;
-                            phi_590_ = _e340;
+                            let _e324 = p.member.moving_pattern;
+                            phi_565_ = _e324;
                         } else {
-                            let _e342 = p.member.still_pattern;
-                            phi_590_ = _e342;
+                            let _e326 = p.member.still_pattern;
+                            phi_565_ = _e326;
                         }
-                        let _e344 = phi_590_;
-                        phi_592_ = 0u;
-                        phi_595_ = _e332;
+                        let _e328 = phi_565_;
+                        phi_567_ = 0u;
+                        phi_570_ = _e316;
                         loop {
-                            let _e346 = phi_592_;
-                            let _e348 = phi_595_;
-                            local_1 = _e348;
-                            if (1u <= _e344) {
-                                if (_e344 <= 4u) {
-                                    phi_607_ = false;
+                            let _e330 = phi_567_;
+                            let _e332 = phi_570_;
+                            local_1 = _e332;
+                            if (1u <= _e328) {
+                                if (_e328 <= 4u) {
+                                    phi_582_ = false;
                                 } else {
-                                    phi_607_ = true;
+                                    phi_582_ = true;
                                 }
-                                let _e352 = phi_607_;
-                                phi_608_ = _e352;
+                                let _e336 = phi_582_;
+                                phi_583_ = _e336;
                             } else {
-                                phi_608_ = true;
+                                phi_583_ = true;
                             }
-                            let _e354 = phi_608_;
-                            if _e354 {
-                                switch bitcast<i32>(_e344) {
+                            let _e338 = phi_583_;
+                            if _e338 {
+                                switch bitcast<i32>(_e328) {
                                     case 5: {
-                                        phi_617_ = 4u;
+                                        phi_592_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_617_ = 25u;
+                                        phi_592_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_617_ = 13u;
+                                        phi_592_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_617_ = 9u;
+                                        phi_592_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e357 = phi_617_;
-                                phi_618_ = _e357;
+                                let _e341 = phi_592_;
+                                phi_593_ = _e341;
                             } else {
-                                phi_618_ = 5u;
+                                phi_593_ = 5u;
                             }
-                            let _e359 = phi_618_;
-                            let _e360 = (_e346 < _e359);
-                            if _e360 {
-                                let _e362 = p.member.frame;
-                                let _e366 = p.member.current.size[0u];
-                                let _e368 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e344) {
+                            let _e343 = phi_593_;
+                            let _e344 = (_e330 < _e343);
+                            if _e344 {
+                                let _e346 = p.member.frame;
+                                let _e350 = p.member.current.size[0u];
+                                let _e352 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e328) {
                                     case 1: {
-                                        let _e378 = lt_mask_pattern_plus(_e346);
-                                        phi_698_ = vec2<i32>(_e378.x, _e378.y);
+                                        let _e362 = lt_mask_pattern_plus(_e330);
+                                        phi_673_ = vec2<i32>(_e362.x, _e362.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e382 = lt_mask_pattern_cross(_e346);
-                                        phi_698_ = vec2<i32>(_e382.x, _e382.y);
+                                        let _e366 = lt_mask_pattern_cross(_e330);
+                                        phi_673_ = vec2<i32>(_e366.x, _e366.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e388 = lt_mask_pattern_plus_or_cross(_e346, ((_e48.x + _e48.y) & 1u));
-                                        phi_698_ = vec2<i32>(_e388.x, _e388.y);
+                                        let _e372 = lt_mask_pattern_plus_or_cross(_e330, ((_e47.x + _e47.y) & 1u));
+                                        phi_673_ = vec2<i32>(_e372.x, _e372.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e393 = lt_mask_pattern_plus_or_cross(_e346, (_e362 & 1u));
-                                        phi_698_ = vec2<i32>(_e393.x, _e393.y);
+                                        let _e377 = lt_mask_pattern_plus_or_cross(_e330, (_e346 & 1u));
+                                        phi_673_ = vec2<i32>(_e377.x, _e377.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e362 & 3u)) {
+                                        switch bitcast<i32>((_e346 & 3u)) {
                                             case 0: {
-                                                phi_678_ = vec2(-1i);
+                                                phi_653_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_678_ = vec2(0i);
+                                                phi_653_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_678_ = vec2<i32>(0i, -1i);
+                                                phi_653_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_678_ = vec2<i32>(-1i, 0i);
+                                                phi_653_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e404 = phi_678_;
-                                        phi_698_ = (_e404 + vec2<i32>(bitcast<i32>((_e346 & 1u)), bitcast<i32>(((_e346 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e388 = phi_653_;
+                                        phi_673_ = (_e388 + vec2<i32>(bitcast<i32>((_e330 & 1u)), bitcast<i32>(((_e330 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_698_ = vec2<i32>((bitcast<i32>((_e346 % 5u)) - 2i), (bitcast<i32>(((_e346 / 5u) % 5u)) - 2i));
+                                        phi_673_ = vec2<i32>((bitcast<i32>((_e330 % 5u)) - 2i), (bitcast<i32>(((_e330 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e421 = lt_mask_pattern_diamond(_e346);
-                                        phi_698_ = vec2<i32>(_e421.x, _e421.y);
+                                        let _e405 = lt_mask_pattern_diamond(_e330);
+                                        phi_673_ = vec2<i32>(_e405.x, _e405.y);
                                         break;
                                     }
                                     default: {
-                                        phi_698_ = vec2<i32>((bitcast<i32>((_e346 % 3u)) - 1i), (bitcast<i32>(((_e346 / 3u) % 3u)) - 1i));
+                                        phi_673_ = vec2<i32>((bitcast<i32>((_e330 % 3u)) - 1i), (bitcast<i32>(((_e330 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e426 = phi_698_;
-                                let _e429 = lt_mask_pattern_step_clamped(_e48.x, _e426.x, _e366);
-                                let _e430 = lt_mask_pattern_step_clamped(_e48.y, _e426.y, _e368);
-                                let _e437 = ((((_e430 * _e99) + _e429) * _e95.words) + _e95.light.word);
-                                if (_e95.light.shift > 29u) {
-                                    let _e441 = (_e437 + 1u);
-                                    if (_e441 < _e54) {
+                                let _e410 = phi_673_;
+                                let _e413 = lt_mask_pattern_step_clamped(_e47.x, _e410.x, _e350);
+                                let _e414 = lt_mask_pattern_step_clamped(_e47.y, _e410.y, _e352);
+                                let _e421 = ((((_e414 * _e98) + _e413) * _e94.words) + _e94.light.word);
+                                if (_e94.light.shift > 29u) {
+                                    let _e425 = (_e421 + 1u);
+                                    if (_e425 < _e53) {
                                     } else {
                                         return;
                                     }
-                                    let _e445 = last_bits.member[(0u + _e441)];
-                                    phi_725_ = _e445;
+                                    let _e429 = last_bits.member[(0u + _e425)];
+                                    phi_700_ = _e429;
                                 } else {
-                                    phi_725_ = 0u;
+                                    phi_700_ = 0u;
                                 }
-                                let _e447 = phi_725_;
-                                if (_e437 < _e54) {
+                                let _e431 = phi_700_;
+                                if (_e421 < _e53) {
                                 } else {
                                     return;
                                 }
-                                let _e453 = last_bits.member[(0u + _e437)];
-                                let _e456 = (_e453 >> bitcast<u32>((_e95.light.shift & 31u)));
-                                if (_e95.light.shift > 29u) {
-                                    phi_744_ = (_e456 | (_e447 << bitcast<u32>(((32u - _e95.light.shift) & 31u))));
+                                let _e437 = last_bits.member[(0u + _e421)];
+                                let _e440 = (_e437 >> bitcast<u32>((_e94.light.shift & 31u)));
+                                if (_e94.light.shift > 29u) {
+                                    phi_719_ = (_e440 | (_e431 << bitcast<u32>(((32u - _e94.light.shift) & 31u))));
                                 } else {
-                                    phi_744_ = _e456;
+                                    phi_719_ = _e440;
                                 }
-                                let _e464 = phi_744_;
-                                if ((_e464 & 2u) == 0u) {
-                                    phi_752_ = (_e464 & 1u);
+                                let _e448 = phi_719_;
+                                if ((_e448 & 2u) == 0u) {
+                                    phi_727_ = (_e448 & 1u);
                                 } else {
-                                    phi_752_ = (_e464 & 7u);
+                                    phi_727_ = (_e448 & 7u);
                                 }
-                                let _e470 = phi_752_;
-                                if _e348.any_expands {
-                                    phi_840_ = true;
+                                let _e454 = phi_727_;
+                                if _e332.any_expands {
+                                    phi_815_ = true;
                                 } else {
-                                    if ((_e470 & 2u) != 0u) {
-                                        let _e477 = (((_e470 & 4u) != 0u) != _e262);
-                                        switch bitcast<i32>(_e338) {
+                                    if ((_e454 & 2u) != 0u) {
+                                        let _e461 = (((_e454 & 4u) != 0u) != _e261);
+                                        switch bitcast<i32>(_e322) {
                                             case 1: {
-                                                phi_780_ = bool();
-                                                phi_781_ = false;
-                                                phi_782_ = true;
-                                                phi_783_ = false;
-                                                phi_784_ = false;
+                                                phi_755_ = bool();
+                                                phi_756_ = false;
+                                                phi_757_ = true;
+                                                phi_758_ = false;
+                                                phi_759_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e477 {
-                                                    phi_778_ = (((_e470 & 4u) != 0u) != ((_e470 & 1u) != 0u));
-                                                    phi_779_ = false;
+                                                if _e461 {
+                                                    phi_753_ = (((_e454 & 4u) != 0u) != ((_e454 & 1u) != 0u));
+                                                    phi_754_ = false;
                                                 } else {
-                                                    phi_778_ = bool();
-                                                    phi_779_ = true;
+                                                    phi_753_ = bool();
+                                                    phi_754_ = true;
                                                 }
-                                                let _e485 = phi_778_;
-                                                let _e487 = phi_779_;
-                                                phi_780_ = _e485;
-                                                phi_781_ = false;
-                                                phi_782_ = false;
-                                                phi_783_ = _e487;
-                                                phi_784_ = _e477;
+                                                let _e469 = phi_753_;
+                                                let _e471 = phi_754_;
+                                                phi_755_ = _e469;
+                                                phi_756_ = false;
+                                                phi_757_ = false;
+                                                phi_758_ = _e471;
+                                                phi_759_ = _e461;
                                                 break;
                                             }
                                             default: {
-                                                phi_780_ = bool();
-                                                phi_781_ = true;
-                                                phi_782_ = false;
-                                                phi_783_ = false;
-                                                phi_784_ = false;
+                                                phi_755_ = bool();
+                                                phi_756_ = true;
+                                                phi_757_ = false;
+                                                phi_758_ = false;
+                                                phi_759_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e489 = phi_780_;
-                                        let _e491 = phi_781_;
-                                        let _e493 = phi_782_;
-                                        let _e495 = phi_783_;
-                                        let _e497 = phi_784_;
-                                        phi_792_ = _e477;
-                                        phi_793_ = _e489;
-                                        phi_794_ = _e491;
-                                        phi_795_ = _e493;
-                                        phi_796_ = _e495;
-                                        phi_797_ = _e497;
+                                        let _e473 = phi_755_;
+                                        let _e475 = phi_756_;
+                                        let _e477 = phi_757_;
+                                        let _e479 = phi_758_;
+                                        let _e481 = phi_759_;
+                                        phi_767_ = _e461;
+                                        phi_768_ = _e473;
+                                        phi_769_ = _e475;
+                                        phi_770_ = _e477;
+                                        phi_771_ = _e479;
+                                        phi_772_ = _e481;
                                     } else {
-                                        switch bitcast<i32>(_e338) {
+                                        switch bitcast<i32>(_e322) {
                                             case 1: {
-                                                phi_789_ = false;
-                                                phi_790_ = true;
-                                                phi_791_ = false;
+                                                phi_764_ = false;
+                                                phi_765_ = true;
+                                                phi_766_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_789_ = false;
-                                                phi_790_ = false;
-                                                phi_791_ = true;
+                                                phi_764_ = false;
+                                                phi_765_ = false;
+                                                phi_766_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_789_ = true;
-                                                phi_790_ = false;
-                                                phi_791_ = false;
+                                                phi_764_ = true;
+                                                phi_765_ = false;
+                                                phi_766_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e500 = phi_789_;
-                                        let _e502 = phi_790_;
-                                        let _e504 = phi_791_;
-                                        phi_792_ = false;
-                                        phi_793_ = bool();
-                                        phi_794_ = _e500;
-                                        phi_795_ = _e502;
-                                        phi_796_ = _e504;
-                                        phi_797_ = false;
+                                        let _e484 = phi_764_;
+                                        let _e486 = phi_765_;
+                                        let _e488 = phi_766_;
+                                        phi_767_ = false;
+                                        phi_768_ = bool();
+                                        phi_769_ = _e484;
+                                        phi_770_ = _e486;
+                                        phi_771_ = _e488;
+                                        phi_772_ = false;
                                     }
-                                    let _e506 = phi_792_;
-                                    let _e508 = phi_793_;
-                                    let _e510 = phi_794_;
-                                    let _e512 = phi_795_;
-                                    let _e514 = phi_796_;
-                                    let _e516 = phi_797_;
-                                    if _e510 {
-                                        if ((_e470 & 2u) != 0u) {
-                                            if (((_e470 & 4u) != 0u) != _e262) {
-                                                phi_812_ = false;
+                                    let _e490 = phi_767_;
+                                    let _e492 = phi_768_;
+                                    let _e494 = phi_769_;
+                                    let _e496 = phi_770_;
+                                    let _e498 = phi_771_;
+                                    let _e500 = phi_772_;
+                                    if _e494 {
+                                        if ((_e454 & 2u) != 0u) {
+                                            if (((_e454 & 4u) != 0u) != _e261) {
+                                                phi_787_ = false;
                                             } else {
-                                                phi_812_ = true;
+                                                phi_787_ = true;
                                             }
-                                            let _e523 = phi_812_;
-                                            phi_813_ = _e523;
+                                            let _e507 = phi_787_;
+                                            phi_788_ = _e507;
                                         } else {
-                                            phi_813_ = true;
+                                            phi_788_ = true;
                                         }
-                                        let _e525 = phi_813_;
-                                        if _e525 {
-                                            phi_820_ = (((_e470 & 1u) != 0u) != _e262);
+                                        let _e509 = phi_788_;
+                                        if _e509 {
+                                            phi_795_ = (((_e454 & 1u) != 0u) != _e261);
                                         } else {
-                                            phi_820_ = true;
+                                            phi_795_ = true;
                                         }
-                                        let _e530 = phi_820_;
-                                        phi_821_ = _e530;
-                                        phi_822_ = false;
-                                        phi_823_ = false;
-                                        phi_824_ = false;
+                                        let _e514 = phi_795_;
+                                        phi_796_ = _e514;
+                                        phi_797_ = false;
+                                        phi_798_ = false;
+                                        phi_799_ = false;
                                     } else {
-                                        phi_821_ = bool();
-                                        phi_822_ = _e512;
-                                        phi_823_ = _e514;
-                                        phi_824_ = _e516;
+                                        phi_796_ = bool();
+                                        phi_797_ = _e496;
+                                        phi_798_ = _e498;
+                                        phi_799_ = _e500;
                                     }
-                                    let _e532 = phi_821_;
-                                    let _e534 = phi_822_;
-                                    let _e536 = phi_823_;
-                                    let _e538 = phi_824_;
-                                    if _e534 {
-                                        phi_828_ = _e506;
-                                        phi_829_ = false;
-                                        phi_830_ = false;
+                                    let _e516 = phi_796_;
+                                    let _e518 = phi_797_;
+                                    let _e520 = phi_798_;
+                                    let _e522 = phi_799_;
+                                    if _e518 {
+                                        phi_803_ = _e490;
+                                        phi_804_ = false;
+                                        phi_805_ = false;
                                     } else {
-                                        phi_828_ = _e532;
-                                        phi_829_ = _e536;
-                                        phi_830_ = _e538;
+                                        phi_803_ = _e516;
+                                        phi_804_ = _e520;
+                                        phi_805_ = _e522;
                                     }
-                                    let _e540 = phi_828_;
-                                    let _e542 = phi_829_;
-                                    let _e544 = phi_830_;
-                                    if _e542 {
+                                    let _e524 = phi_803_;
+                                    let _e526 = phi_804_;
+                                    let _e528 = phi_805_;
+                                    if _e526 {
+                                        phi_809_ = false;
+                                        phi_810_ = true;
+                                    } else {
+                                        phi_809_ = _e492;
+                                        phi_810_ = _e528;
+                                    }
+                                    let _e530 = phi_809_;
+                                    let _e532 = phi_810_;
+                                    if _e532 {
+                                        phi_814_ = _e530;
+                                    } else {
+                                        phi_814_ = _e524;
+                                    }
+                                    let _e534 = phi_814_;
+                                    phi_815_ = _e534;
+                                }
+                                let _e536 = phi_815_;
+                                if _e332.all_remove {
+                                    if (((_e454 & 1u) != 0u) == _e261) {
+                                        if ((_e454 & 2u) != 0u) {
+                                            phi_833_ = (((_e454 & 4u) != 0u) == _e261);
+                                        } else {
+                                            phi_833_ = true;
+                                        }
+                                        let _e546 = phi_833_;
+                                        phi_834_ = _e546;
+                                    } else {
                                         phi_834_ = false;
-                                        phi_835_ = true;
-                                    } else {
-                                        phi_834_ = _e508;
-                                        phi_835_ = _e544;
                                     }
-                                    let _e546 = phi_834_;
-                                    let _e548 = phi_835_;
-                                    if _e548 {
-                                        phi_839_ = _e546;
-                                    } else {
-                                        phi_839_ = _e540;
-                                    }
-                                    let _e550 = phi_839_;
-                                    phi_840_ = _e550;
-                                }
-                                let _e552 = phi_840_;
-                                if _e348.all_remove {
-                                    if (((_e470 & 1u) != 0u) == _e262) {
-                                        if ((_e470 & 2u) != 0u) {
-                                            phi_858_ = (((_e470 & 4u) != 0u) == _e262);
-                                        } else {
-                                            phi_858_ = true;
-                                        }
-                                        let _e562 = phi_858_;
-                                        phi_859_ = _e562;
-                                    } else {
-                                        phi_859_ = false;
-                                    }
-                                    let _e564 = phi_859_;
-                                    phi_860_ = _e564;
+                                    let _e548 = phi_834_;
+                                    phi_835_ = _e548;
                                 } else {
-                                    phi_860_ = false;
+                                    phi_835_ = false;
                                 }
-                                let _e566 = phi_860_;
-                                phi_593_ = (_e346 + 1u);
-                                phi_596_ = lt_mask_Neighbourhood(_e552, _e566);
+                                let _e550 = phi_835_;
+                                phi_568_ = (_e330 + 1u);
+                                phi_571_ = lt_mask_Neighbourhood(_e536, _e550);
                             } else {
-                                phi_593_ = u32();
-                                phi_596_ = lt_mask_Neighbourhood();
+                                phi_568_ = u32();
+                                phi_571_ = lt_mask_Neighbourhood();
                             }
-                            let _e570 = phi_593_;
-                            let _e572 = phi_596_;
+                            let _e554 = phi_568_;
+                            let _e556 = phi_571_;
                             continue;
                             continuing {
-                                phi_592_ = _e570;
-                                phi_595_ = _e572;
-                                break if !(_e360);
+                                phi_567_ = _e554;
+                                phi_570_ = _e556;
+                                break if !(_e344);
                             }
                         }
-                        let _e867 = local_1;
-                        phi_863_ = _e867;
+                        let _e851 = local_1;
+                        phi_838_ = _e851;
                     }
-                    let _e575 = phi_863_;
-                    phi_864_ = _e575;
+                    let _e559 = phi_838_;
+                    phi_839_ = _e559;
                 } else {
-                    phi_864_ = _e332;
+                    phi_839_ = _e316;
                 }
-                let _e577 = phi_864_;
-                phi_865_ = _e577;
+                let _e561 = phi_839_;
+                phi_840_ = _e561;
             } else {
-                phi_865_ = _e332;
+                phi_840_ = _e316;
             }
-            let _e579 = phi_865_;
-            let _e582 = p.member.frame;
-            let _e584 = p.member.refresh;
-            if (_e584 == 0u) {
-                phi_898_ = false;
+            let _e563 = phi_840_;
+            let _e566 = p.member.frame;
+            let _e568 = p.member.refresh;
+            if (_e568 == 0u) {
+                phi_873_ = false;
             } else {
-                if (_e584 == 0u) {
+                if (_e568 == 0u) {
                     return;
                 }
-                let _e593 = ((_e48.x + (_e48.y * (((_e584 * 5u) / 8u) | 1u))) + (_e582 % _e584));
-                if (_e584 == 0u) {
-                    phi_897_ = (_e593 == 0u);
+                let _e577 = ((_e47.x + (_e47.y * (((_e568 * 5u) / 8u) | 1u))) + (_e566 % _e568));
+                if (_e568 == 0u) {
+                    phi_872_ = (_e577 == 0u);
                 } else {
-                    if (_e584 == 0u) {
+                    if (_e568 == 0u) {
                         return;
                     }
-                    phi_897_ = ((_e593 % _e584) == 0u);
+                    phi_872_ = ((_e577 % _e568) == 0u);
                 }
-                let _e600 = phi_897_;
-                phi_898_ = _e600;
+                let _e584 = phi_872_;
+                phi_873_ = _e584;
             }
-            let _e602 = phi_898_;
-            if _e331 {
-                if _e602 {
-                    phi_920_ = bool();
+            let _e586 = phi_873_;
+            if _e315 {
+                if _e586 {
+                    phi_895_ = bool();
                 } else {
-                    phi_920_ = ((0u & 2u) != 0u);
+                    phi_895_ = ((0u & 2u) != 0u);
                 }
-                let _e608 = phi_920_;
-                phi_921_ = _e608;
-                phi_922_ = _e602;
+                let _e592 = phi_895_;
+                phi_896_ = _e592;
+                phi_897_ = _e586;
             } else {
-                phi_921_ = bool();
-                phi_922_ = true;
+                phi_896_ = bool();
+                phi_897_ = true;
             }
-            let _e610 = phi_921_;
-            let _e612 = phi_922_;
-            if _e612 {
-                phi_926_ = false;
+            let _e594 = phi_896_;
+            let _e596 = phi_897_;
+            if _e596 {
+                phi_901_ = false;
             } else {
-                phi_926_ = _e610;
+                phi_901_ = _e594;
             }
-            let _e614 = phi_926_;
-            if _e614 {
-                phi_977_ = 7u;
+            let _e598 = phi_901_;
+            if _e598 {
+                phi_952_ = 7u;
             } else {
-                if (_e104 != 0.5f) {
-                    if _e331 {
-                        if _e602 {
-                            phi_974_ = 6u;
+                if (_e103 != 0.5f) {
+                    if _e315 {
+                        if _e586 {
+                            phi_949_ = 6u;
                         } else {
-                            if _e266 {
-                                phi_949_ = true;
+                            if _e265 {
+                                phi_924_ = true;
                             } else {
-                                if _e579.any_expands {
-                                    phi_948_ = false;
+                                if _e563.any_expands {
+                                    phi_923_ = false;
                                 } else {
-                                    phi_948_ = true;
+                                    phi_923_ = true;
                                 }
-                                let _e616 = phi_948_;
-                                phi_949_ = _e616;
+                                let _e600 = phi_923_;
+                                phi_924_ = _e600;
                             }
-                            let _e618 = phi_949_;
-                            if _e618 {
-                                if _e266 {
+                            let _e602 = phi_924_;
+                            if _e602 {
+                                if _e265 {
                                     if false {
-                                        if _e579.all_remove {
-                                            phi_962_ = false;
+                                        if _e563.all_remove {
+                                            phi_937_ = false;
                                         } else {
-                                            phi_962_ = true;
+                                            phi_937_ = true;
                                         }
-                                        let _e620 = phi_962_;
-                                        phi_963_ = _e620;
+                                        let _e604 = phi_937_;
+                                        phi_938_ = _e604;
                                     } else {
-                                        phi_963_ = true;
+                                        phi_938_ = true;
                                     }
-                                    let _e622 = phi_963_;
-                                    phi_964_ = _e622;
+                                    let _e606 = phi_938_;
+                                    phi_939_ = _e606;
                                 } else {
-                                    phi_964_ = true;
+                                    phi_939_ = true;
                                 }
-                                let _e624 = phi_964_;
-                                if _e624 {
-                                    if _e266 {
-                                        phi_971_ = 1u;
+                                let _e608 = phi_939_;
+                                if _e608 {
+                                    if _e265 {
+                                        phi_946_ = 1u;
                                     } else {
-                                        phi_971_ = 0u;
+                                        phi_946_ = 0u;
                                     }
-                                    let _e626 = phi_971_;
-                                    phi_972_ = _e626;
+                                    let _e610 = phi_946_;
+                                    phi_947_ = _e610;
                                 } else {
-                                    phi_972_ = 5u;
+                                    phi_947_ = 5u;
                                 }
-                                let _e628 = phi_972_;
-                                phi_973_ = _e628;
+                                let _e612 = phi_947_;
+                                phi_948_ = _e612;
                             } else {
-                                phi_973_ = 4u;
+                                phi_948_ = 4u;
                             }
-                            let _e630 = phi_973_;
-                            phi_974_ = _e630;
+                            let _e614 = phi_948_;
+                            phi_949_ = _e614;
                         }
-                        let _e632 = phi_974_;
-                        phi_975_ = _e632;
+                        let _e616 = phi_949_;
+                        phi_950_ = _e616;
                     } else {
-                        phi_975_ = 3u;
+                        phi_950_ = 3u;
                     }
-                    let _e634 = phi_975_;
-                    phi_976_ = _e634;
+                    let _e618 = phi_950_;
+                    phi_951_ = _e618;
                 } else {
-                    phi_976_ = 2u;
+                    phi_951_ = 2u;
                 }
-                let _e636 = phi_976_;
-                phi_977_ = _e636;
+                let _e620 = phi_951_;
+                phi_952_ = _e620;
             }
-            let _e638 = phi_977_;
-            if !((_e638 == 0u)) {
-                if !((_e638 == 5u)) {
-                    phi_989_ = !(_e614);
-                    phi_990_ = false;
+            let _e622 = phi_952_;
+            if !((_e622 == 0u)) {
+                if !((_e622 == 5u)) {
+                    phi_964_ = !(_e598);
+                    phi_965_ = false;
                 } else {
-                    phi_989_ = bool();
-                    phi_990_ = true;
+                    phi_964_ = bool();
+                    phi_965_ = true;
                 }
-                let _e645 = phi_989_;
-                let _e647 = phi_990_;
-                phi_991_ = _e645;
-                phi_992_ = _e647;
+                let _e629 = phi_964_;
+                let _e631 = phi_965_;
+                phi_966_ = _e629;
+                phi_967_ = _e631;
             } else {
-                phi_991_ = bool();
-                phi_992_ = true;
+                phi_966_ = bool();
+                phi_967_ = true;
             }
-            let _e649 = phi_991_;
-            let _e651 = phi_992_;
-            if _e651 {
-                phi_996_ = false;
+            let _e633 = phi_966_;
+            let _e635 = phi_967_;
+            if _e635 {
+                phi_971_ = false;
             } else {
-                phi_996_ = _e649;
+                phi_971_ = _e633;
             }
-            let _e653 = phi_996_;
-            if _e614 {
-                phi_1002_ = ((0u & 4u) != 0u);
+            let _e637 = phi_971_;
+            if _e598 {
+                phi_977_ = ((0u & 4u) != 0u);
             } else {
-                phi_1002_ = _e262;
+                phi_977_ = _e261;
             }
-            let _e657 = phi_1002_;
-            if _e653 {
-                if _e262 {
-                    phi_1010_ = (2u | 1u);
+            let _e641 = phi_977_;
+            if _e637 {
+                if _e261 {
+                    phi_985_ = (2u | 1u);
                 } else {
-                    phi_1010_ = 2u;
+                    phi_985_ = 2u;
                 }
-                let _e660 = phi_1010_;
+                let _e644 = phi_985_;
                 if false {
-                    phi_1015_ = (_e660 | 4u);
+                    phi_990_ = (_e644 | 4u);
                 } else {
-                    phi_1015_ = _e660;
+                    phi_990_ = _e644;
                 }
-                let _e663 = phi_1015_;
-                phi_1035_ = _e663;
+                let _e647 = phi_990_;
+                phi_1010_ = _e647;
             } else {
-                if (_e638 == 7u) {
-                    if _e262 {
-                        phi_1024_ = (2u | 1u);
+                if (_e622 == 7u) {
+                    if _e261 {
+                        phi_999_ = (2u | 1u);
                     } else {
-                        phi_1024_ = 2u;
+                        phi_999_ = 2u;
                     }
-                    let _e667 = phi_1024_;
-                    if _e657 {
-                        phi_1029_ = (_e667 | 4u);
+                    let _e651 = phi_999_;
+                    if _e641 {
+                        phi_1004_ = (_e651 | 4u);
                     } else {
-                        phi_1029_ = _e667;
+                        phi_1004_ = _e651;
                     }
-                    let _e670 = phi_1029_;
-                    phi_1034_ = _e670;
+                    let _e654 = phi_1004_;
+                    phi_1009_ = _e654;
                 } else {
-                    if _e262 {
-                        phi_1033_ = 1u;
+                    if _e261 {
+                        phi_1008_ = 1u;
                     } else {
-                        phi_1033_ = 0u;
+                        phi_1008_ = 0u;
                     }
-                    let _e672 = phi_1033_;
-                    phi_1034_ = _e672;
+                    let _e656 = phi_1008_;
+                    phi_1009_ = _e656;
                 }
-                let _e674 = phi_1034_;
-                phi_1035_ = _e674;
+                let _e658 = phi_1009_;
+                phi_1010_ = _e658;
             }
-            let _e676 = phi_1035_;
-            if _e657 {
-                phi_1039_ = 0f;
+            let _e660 = phi_1010_;
+            if _e641 {
+                phi_1014_ = 0f;
             } else {
-                phi_1039_ = 1f;
+                phi_1014_ = 1f;
             }
-            let _e678 = phi_1039_;
-            phi_1041_ = mask_Masked(_e678, _e676, _e653);
+            let _e662 = phi_1014_;
+            phi_1016_ = mask_Masked(_e662, _e660, _e637);
         }
-        let _e681 = phi_1041_;
-        visibility.member[_e68.shift] = _e681.visibility;
-        let _e686 = p.member.light.number;
-        let _e687 = (_e686 * 3u);
-        let _e689 = (_e687 % 32u);
-        let _e691 = p.member.light.mask_words;
-        let _e693 = ((_e68.shift * _e691) + (_e687 / 32u));
-        let _e695 = bits.member[_e693];
-        bits.member[_e693] = ((_e695 & ~((7u << bitcast<u32>((_e689 & 31u))))) | (_e681.bits << bitcast<u32>((_e689 & 31u))));
-        if (_e689 > 29u) {
-            let _e710 = bits.member[(_e693 + 1u)];
-            let _e712 = (32u - _e689);
-            bits.member[(_e693 + 1u)] = ((_e710 & ~((7u >> bitcast<u32>((_e712 & 31u))))) | (_e681.bits >> bitcast<u32>((_e712 & 31u))));
+        let _e665 = phi_1016_;
+        visibility.member[_e67.shift] = _e665.visibility;
+        let _e670 = p.member.light.number;
+        let _e671 = (_e670 * 3u);
+        let _e673 = (_e671 % 32u);
+        let _e675 = p.member.light.mask_words;
+        let _e677 = ((_e67.shift * _e675) + (_e671 / 32u));
+        let _e679 = bits.member[_e677];
+        bits.member[_e677] = ((_e679 & ~((7u << bitcast<u32>((_e673 & 31u))))) | (_e665.bits << bitcast<u32>((_e673 & 31u))));
+        if (_e673 > 29u) {
+            let _e694 = bits.member[(_e677 + 1u)];
+            let _e696 = (32u - _e673);
+            bits.member[(_e677 + 1u)] = ((_e694 & ~((7u >> bitcast<u32>((_e696 & 31u))))) | (_e665.bits >> bitcast<u32>((_e696 & 31u))));
         }
-        let _e727 = samples.member[_e68.shift].normal[0u];
-        let _e729 = global[0u];
-        if (_e727 == _e729) {
-            let _e732 = samples.member[_e68.shift].normal[1u];
-            let _e734 = global[1u];
-            if (_e732 == _e734) {
-                let _e737 = samples.member[_e68.shift].normal[2u];
-                let _e739 = global[2u];
-                phi_1113_ = (_e737 == _e739);
-                phi_1114_ = false;
+        let _e711 = samples.member[_e67.shift].normal[0u];
+        let _e713 = global[0u];
+        if (_e711 == _e713) {
+            let _e716 = samples.member[_e67.shift].normal[1u];
+            let _e718 = global[1u];
+            if (_e716 == _e718) {
+                let _e721 = samples.member[_e67.shift].normal[2u];
+                let _e723 = global[2u];
+                phi_1088_ = (_e721 == _e723);
+                phi_1089_ = false;
             } else {
-                phi_1113_ = bool();
-                phi_1114_ = true;
+                phi_1088_ = bool();
+                phi_1089_ = true;
             }
-            let _e742 = phi_1113_;
-            let _e744 = phi_1114_;
-            phi_1115_ = _e742;
-            phi_1116_ = _e744;
+            let _e726 = phi_1088_;
+            let _e728 = phi_1089_;
+            phi_1090_ = _e726;
+            phi_1091_ = _e728;
         } else {
-            phi_1115_ = bool();
-            phi_1116_ = true;
+            phi_1090_ = bool();
+            phi_1091_ = true;
         }
-        let _e746 = phi_1115_;
-        let _e748 = phi_1116_;
-        if _e748 {
-            phi_1120_ = false;
+        let _e730 = phi_1090_;
+        let _e732 = phi_1091_;
+        if _e732 {
+            phi_1095_ = false;
         } else {
-            phi_1120_ = _e746;
+            phi_1095_ = _e730;
         }
-        let _e750 = phi_1120_;
-        if !(_e750) {
-            let _e753 = samples.member[_e68.shift].position;
-            let _e755 = p.member.current.eye;
-            let _e766 = p.member.current.forward;
-            phi_1148_ = ((((_e753.x - _e755.x) * _e766.x) + ((_e753.y - _e755.y) * _e766.y)) + ((_e753.z - _e755.z) * _e766.z));
+        let _e734 = phi_1095_;
+        if !(_e734) {
+            let _e737 = samples.member[_e67.shift].position;
+            let _e739 = p.member.current.eye;
+            let _e750 = p.member.current.forward;
+            phi_1123_ = ((((_e737.x - _e739.x) * _e750.x) + ((_e737.y - _e739.y) * _e750.y)) + ((_e737.z - _e739.z) * _e750.z));
         } else {
-            phi_1148_ = 0f;
+            phi_1123_ = 0f;
         }
-        let _e776 = phi_1148_;
-        depths.member[_e68.shift] = _e776;
-        phi_1151_ = _e681.needs_ray;
-        phi_1152_ = _e68.shift;
+        let _e760 = phi_1123_;
+        depths.member[_e67.shift] = _e760;
+        phi_1126_ = _e665.needs_ray;
+        phi_1127_ = _e67.shift;
     } else {
-        phi_1151_ = false;
-        phi_1152_ = 0u;
+        phi_1126_ = false;
+        phi_1127_ = 0u;
     }
-    let _e780 = phi_1151_;
-    let _e782 = phi_1152_;
-    if (_e49 == 0u) {
+    let _e764 = phi_1126_;
+    let _e766 = phi_1127_;
+    if (_e48 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e780 {
-        let _e786 = atomicAdd((&shared_[0u]), 1u);
-        phi_1163_ = _e786;
+    if _e764 {
+        let _e770 = atomicAdd((&shared_[0u]), 1u);
+        phi_1138_ = _e770;
     } else {
-        phi_1163_ = 0u;
+        phi_1138_ = 0u;
     }
-    let _e788 = phi_1163_;
+    let _e772 = phi_1138_;
     workgroupBarrier();
-    if (_e49 == 0u) {
-        let _e792 = atomicLoad((&shared_[0u]));
-        let _e793 = atomicAdd((&list.member[3u]), _e792);
-        atomicStore((&shared_[1u]), _e793);
+    if (_e48 == 0u) {
+        let _e776 = atomicLoad((&shared_[0u]));
+        let _e777 = atomicAdd((&list.member[3u]), _e776);
+        atomicStore((&shared_[1u]), _e777);
     }
     workgroupBarrier();
-    if _e780 {
-        let _e796 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e796) + _e788)]), _e782);
+    if _e764 {
+        let _e780 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e780) + _e772)]), _e766);
     }
     return;
 }

@@ -108,988 +108,977 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_mask_pattern_step_clamped(param: u32, param_1: i32, param_2: u32) -> u32 {
-    var phi_1041_: u32;
-    var phi_1042_: u32;
+    var phi_1016_: u32;
+    var phi_1017_: u32;
 
-    let _e47 = (bitcast<i32>(param) + param_1);
-    if (_e47 < 0i) {
-        phi_1042_ = 0u;
+    let _e46 = (bitcast<i32>(param) + param_1);
+    if (_e46 < 0i) {
+        phi_1017_ = 0u;
     } else {
-        if (_e47 >= bitcast<i32>(param_2)) {
-            phi_1041_ = (param_2 - 1u);
+        if (_e46 >= bitcast<i32>(param_2)) {
+            phi_1016_ = (param_2 - 1u);
         } else {
-            phi_1041_ = bitcast<u32>(_e47);
+            phi_1016_ = bitcast<u32>(_e46);
         }
-        let _e54 = phi_1041_;
-        phi_1042_ = _e54;
+        let _e53 = phi_1016_;
+        phi_1017_ = _e53;
     }
-    let _e56 = phi_1042_;
-    return _e56;
+    let _e55 = phi_1017_;
+    return _e55;
 }
 
 fn lt_mask_pattern_diamond(param_3: u32) -> vec2<i32> {
-    var phi_1020_: vec2<i32>;
+    var phi_995_: vec2<i32>;
 
-    let _e44 = (param_3 % 13u);
-    switch bitcast<i32>(_e44) {
+    let _e43 = (param_3 % 13u);
+    switch bitcast<i32>(_e43) {
         case 9: {
-            phi_1020_ = vec2<i32>(0i, -2i);
+            phi_995_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_1020_ = vec2<i32>(-2i, 0i);
+            phi_995_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_1020_ = vec2<i32>(2i, 0i);
+            phi_995_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_1020_ = vec2<i32>(0i, 2i);
+            phi_995_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_1020_ = vec2<i32>((bitcast<i32>((_e44 % 3u)) - 1i), (bitcast<i32>(((_e44 / 3u) % 3u)) - 1i));
+            phi_995_ = vec2<i32>((bitcast<i32>((_e43 % 3u)) - 1i), (bitcast<i32>(((_e43 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e59 = phi_1020_;
-    return vec2<i32>(_e59.x, _e59.y);
+    let _e58 = phi_995_;
+    return vec2<i32>(_e58.x, _e58.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_976_: vec2<i32>;
+    var phi_951_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_976_ = vec2(0i);
+            phi_951_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_976_ = vec2(-1i);
+            phi_951_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_976_ = vec2<i32>(1i, -1i);
+            phi_951_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_976_ = vec2<i32>(-1i, 1i);
+            phi_951_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_976_ = vec2(1i);
+            phi_951_ = vec2(1i);
             break;
         }
     }
-    let _e52 = phi_976_;
-    return vec2<i32>(_e52.x, _e52.y);
+    let _e51 = phi_951_;
+    return vec2<i32>(_e51.x, _e51.y);
 }
 
 fn lt_mask_pattern_plus(param_5: u32) -> vec2<i32> {
-    var phi_958_: vec2<i32>;
+    var phi_933_: vec2<i32>;
 
     switch bitcast<i32>((param_5 % 5u)) {
         case 0: {
-            phi_958_ = vec2(0i);
+            phi_933_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_958_ = vec2<i32>(0i, -1i);
+            phi_933_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_958_ = vec2<i32>(-1i, 0i);
+            phi_933_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_958_ = vec2<i32>(1i, 0i);
+            phi_933_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_958_ = vec2<i32>(0i, 1i);
+            phi_933_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e52 = phi_958_;
-    return vec2<i32>(_e52.x, _e52.y);
+    let _e51 = phi_933_;
+    return vec2<i32>(_e51.x, _e51.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_6: u32, param_7: u32) -> vec2<i32> {
-    var phi_995_: vec2<i32>;
+    var phi_970_: vec2<i32>;
 
     if (param_7 == 0u) {
-        let _e46 = lt_mask_pattern_plus(param_6);
-        phi_995_ = vec2<i32>(_e46.x, _e46.y);
+        let _e45 = lt_mask_pattern_plus(param_6);
+        phi_970_ = vec2<i32>(_e45.x, _e45.y);
     } else {
-        let _e50 = lt_mask_pattern_cross(param_6);
-        phi_995_ = vec2<i32>(_e50.x, _e50.y);
+        let _e49 = lt_mask_pattern_cross(param_6);
+        phi_970_ = vec2<i32>(_e49.x, _e49.y);
     }
-    let _e55 = phi_995_;
-    return vec2<i32>(_e55.x, _e55.y);
+    let _e54 = phi_970_;
+    return vec2<i32>(_e54.x, _e54.y);
 }
 
 fn lt_shaders_entry_pixel_index(param_8: vec3<u32>, param_9: u32, param_10: u32) -> lt_mask_LightPlace {
-    var phi_932_: lt_mask_LightPlace;
-    var phi_933_: bool;
-    var phi_934_: lt_mask_LightPlace;
-    var phi_935_: bool;
-    var phi_940_: lt_mask_LightPlace;
+    var phi_907_: lt_mask_LightPlace;
+    var phi_908_: bool;
+    var phi_909_: lt_mask_LightPlace;
+    var phi_910_: bool;
+    var phi_915_: lt_mask_LightPlace;
 
     if (param_8.x < param_9) {
         if (param_8.y < param_10) {
-            phi_932_ = lt_mask_LightPlace(1u, ((param_8.y * param_9) + param_8.x));
-            phi_933_ = false;
+            phi_907_ = lt_mask_LightPlace(1u, ((param_8.y * param_9) + param_8.x));
+            phi_908_ = false;
         } else {
-            phi_932_ = lt_mask_LightPlace();
-            phi_933_ = true;
+            phi_907_ = lt_mask_LightPlace();
+            phi_908_ = true;
         }
-        let _e56 = phi_932_;
-        let _e58 = phi_933_;
-        phi_934_ = _e56;
-        phi_935_ = _e58;
+        let _e55 = phi_907_;
+        let _e57 = phi_908_;
+        phi_909_ = _e55;
+        phi_910_ = _e57;
     } else {
-        phi_934_ = lt_mask_LightPlace();
-        phi_935_ = true;
+        phi_909_ = lt_mask_LightPlace();
+        phi_910_ = true;
     }
-    let _e60 = phi_934_;
-    let _e62 = phi_935_;
-    if _e62 {
-        phi_940_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e59 = phi_909_;
+    let _e61 = phi_910_;
+    if _e61 {
+        phi_915_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_940_ = _e60;
+        phi_915_ = _e59;
     }
-    let _e67 = phi_940_;
-    return lt_mask_LightPlace(_e67.word, _e67.shift);
+    let _e66 = phi_915_;
+    return lt_mask_LightPlace(_e66.word, _e66.shift);
 }
 
 fn function_() {
+    var phi_208_: bool;
     var phi_209_: bool;
     var phi_210_: bool;
     var phi_211_: bool;
-    var phi_212_: bool;
-    var phi_216_: bool;
+    var phi_215_: bool;
+    var phi_285_: bool;
     var phi_286_: bool;
-    var phi_287_: bool;
-    var phi_298_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_299_: bool;
-    var phi_300_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_301_: bool;
-    var phi_308_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_312_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_325_: bool;
-    var phi_363_: bool;
-    var phi_384_: u32;
+    var phi_297_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_298_: bool;
+    var phi_299_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_300_: bool;
+    var phi_307_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_311_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_324_: bool;
+    var phi_338_: bool;
+    var phi_359_: u32;
+    var phi_361_: u32;
+    var phi_364_: lt_mask_Neighbourhood;
+    var phi_376_: bool;
+    var phi_377_: bool;
     var phi_386_: u32;
-    var phi_389_: lt_mask_Neighbourhood;
-    var phi_401_: bool;
-    var phi_402_: bool;
-    var phi_411_: u32;
-    var phi_412_: u32;
-    var phi_472_: vec2<i32>;
-    var phi_492_: vec2<i32>;
-    var phi_517_: u32;
-    var phi_536_: u32;
-    var phi_544_: u32;
-    var phi_570_: bool;
-    var phi_571_: bool;
-    var phi_572_: bool;
-    var phi_573_: bool;
-    var phi_574_: bool;
-    var phi_575_: bool;
-    var phi_576_: bool;
-    var phi_581_: bool;
-    var phi_582_: bool;
-    var phi_583_: bool;
-    var phi_584_: bool;
-    var phi_585_: bool;
-    var phi_586_: bool;
+    var phi_387_: u32;
+    var phi_447_: vec2<i32>;
+    var phi_467_: vec2<i32>;
+    var phi_492_: u32;
+    var phi_511_: u32;
+    var phi_519_: u32;
+    var phi_545_: bool;
+    var phi_546_: bool;
+    var phi_547_: bool;
+    var phi_548_: bool;
+    var phi_549_: bool;
+    var phi_550_: bool;
+    var phi_551_: bool;
+    var phi_556_: bool;
+    var phi_557_: bool;
+    var phi_558_: bool;
+    var phi_559_: bool;
+    var phi_560_: bool;
+    var phi_561_: bool;
+    var phi_562_: bool;
+    var phi_563_: bool;
+    var phi_564_: bool;
+    var phi_579_: bool;
+    var phi_580_: bool;
     var phi_587_: bool;
     var phi_588_: bool;
     var phi_589_: bool;
-    var phi_604_: bool;
-    var phi_605_: bool;
-    var phi_612_: bool;
-    var phi_613_: bool;
-    var phi_614_: bool;
-    var phi_615_: bool;
-    var phi_616_: bool;
-    var phi_620_: bool;
-    var phi_621_: bool;
-    var phi_622_: bool;
+    var phi_590_: bool;
+    var phi_591_: bool;
+    var phi_595_: bool;
+    var phi_596_: bool;
+    var phi_597_: bool;
+    var phi_601_: bool;
+    var phi_602_: bool;
+    var phi_606_: bool;
+    var phi_607_: bool;
+    var phi_625_: bool;
     var phi_626_: bool;
     var phi_627_: bool;
-    var phi_631_: bool;
-    var phi_632_: bool;
-    var phi_650_: bool;
-    var phi_651_: bool;
-    var phi_652_: bool;
-    var phi_387_: u32;
-    var phi_390_: lt_mask_Neighbourhood;
-    var phi_655_: lt_mask_Neighbourhood;
-    var phi_656_: lt_mask_Neighbourhood;
-    var phi_657_: lt_mask_Neighbourhood;
+    var phi_362_: u32;
+    var phi_365_: lt_mask_Neighbourhood;
+    var phi_630_: lt_mask_Neighbourhood;
+    var phi_631_: lt_mask_Neighbourhood;
+    var phi_632_: lt_mask_Neighbourhood;
+    var phi_664_: bool;
+    var phi_665_: bool;
+    var phi_687_: bool;
+    var phi_688_: bool;
     var phi_689_: bool;
-    var phi_690_: bool;
-    var phi_712_: bool;
-    var phi_713_: bool;
-    var phi_714_: bool;
-    var phi_718_: bool;
-    var phi_740_: bool;
-    var phi_741_: bool;
-    var phi_754_: bool;
-    var phi_755_: bool;
+    var phi_693_: bool;
+    var phi_715_: bool;
+    var phi_716_: bool;
+    var phi_729_: bool;
+    var phi_730_: bool;
+    var phi_731_: bool;
+    var phi_738_: u32;
+    var phi_739_: u32;
+    var phi_740_: u32;
+    var phi_741_: u32;
+    var phi_742_: u32;
+    var phi_743_: u32;
+    var phi_744_: u32;
     var phi_756_: bool;
-    var phi_763_: u32;
-    var phi_764_: u32;
-    var phi_765_: u32;
-    var phi_766_: u32;
-    var phi_767_: u32;
-    var phi_768_: u32;
-    var phi_769_: u32;
-    var phi_781_: bool;
-    var phi_782_: bool;
-    var phi_783_: bool;
-    var phi_784_: bool;
-    var phi_788_: bool;
-    var phi_794_: bool;
+    var phi_757_: bool;
+    var phi_758_: bool;
+    var phi_759_: bool;
+    var phi_763_: bool;
+    var phi_769_: bool;
+    var phi_777_: u32;
+    var phi_782_: u32;
+    var phi_791_: u32;
+    var phi_796_: u32;
+    var phi_800_: u32;
+    var phi_801_: u32;
     var phi_802_: u32;
-    var phi_807_: u32;
-    var phi_816_: u32;
-    var phi_821_: u32;
-    var phi_825_: u32;
-    var phi_826_: u32;
-    var phi_827_: u32;
-    var phi_831_: f32;
-    var phi_833_: mask_Masked;
-    var phi_883_: bool;
-    var phi_884_: u32;
-    var phi_895_: u32;
+    var phi_806_: f32;
+    var phi_808_: mask_Masked;
+    var phi_858_: bool;
+    var phi_859_: u32;
+    var phi_870_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e43 = id_1;
-    let _e44 = local_2;
-    let _e49 = arrayLength((&last_bits.member));
-    let _e56 = p.member.current.size[0u];
-    let _e58 = p.member.current.size[1u];
-    let _e59 = lt_shaders_entry_pixel_index(_e43, _e56, _e58);
-    if (bitcast<i32>(_e59.word) != 0i) {
-        let _e66 = p.member.light.number;
-        let _e67 = (_e66 * 3u);
-        let _e69 = (_e67 % 32u);
-        let _e71 = p.member.light.mask_words;
-        let _e75 = p.member.current.size[0u];
-        let _e78 = samples.member[_e59.shift].position;
-        let _e80 = visibility.member[_e59.shift];
-        let _e86 = samples.member[_e59.shift].normal[0u];
-        let _e88 = global[0u];
-        if (_e86 == _e88) {
-            let _e91 = samples.member[_e59.shift].normal[1u];
-            let _e93 = global[1u];
-            if (_e91 == _e93) {
-                let _e96 = samples.member[_e59.shift].normal[2u];
-                let _e98 = global[2u];
-                phi_209_ = (_e96 == _e98);
-                phi_210_ = false;
+    let _e42 = id_1;
+    let _e43 = local_2;
+    let _e48 = arrayLength((&last_bits.member));
+    let _e55 = p.member.current.size[0u];
+    let _e57 = p.member.current.size[1u];
+    let _e58 = lt_shaders_entry_pixel_index(_e42, _e55, _e57);
+    if (bitcast<i32>(_e58.word) != 0i) {
+        let _e65 = p.member.light.number;
+        let _e66 = (_e65 * 3u);
+        let _e68 = (_e66 % 32u);
+        let _e70 = p.member.light.mask_words;
+        let _e74 = p.member.current.size[0u];
+        let _e79 = visibility.member[_e58.shift];
+        let _e85 = samples.member[_e58.shift].normal[0u];
+        let _e87 = global[0u];
+        if (_e85 == _e87) {
+            let _e90 = samples.member[_e58.shift].normal[1u];
+            let _e92 = global[1u];
+            if (_e90 == _e92) {
+                let _e95 = samples.member[_e58.shift].normal[2u];
+                let _e97 = global[2u];
+                phi_208_ = (_e95 == _e97);
+                phi_209_ = false;
             } else {
-                phi_209_ = bool();
-                phi_210_ = true;
+                phi_208_ = bool();
+                phi_209_ = true;
             }
-            let _e101 = phi_209_;
-            let _e103 = phi_210_;
-            phi_211_ = _e101;
-            phi_212_ = _e103;
+            let _e100 = phi_208_;
+            let _e102 = phi_209_;
+            phi_210_ = _e100;
+            phi_211_ = _e102;
         } else {
-            phi_211_ = bool();
-            phi_212_ = true;
+            phi_210_ = bool();
+            phi_211_ = true;
         }
-        let _e105 = phi_211_;
-        let _e107 = phi_212_;
-        if _e107 {
-            phi_216_ = false;
+        let _e104 = phi_210_;
+        let _e106 = phi_211_;
+        if _e106 {
+            phi_215_ = false;
         } else {
-            phi_216_ = _e105;
+            phi_215_ = _e104;
         }
-        let _e109 = phi_216_;
-        if !(_e109) {
-            let _e112 = samples.member[_e59.shift].position;
-            let _e114 = p.member.light.place;
-            let _e120 = p.member.light.place[3u];
-            let _e127 = (_e114.x - (_e112.x * _e120));
-            let _e128 = (_e114.y - (_e112.y * _e120));
-            let _e129 = (_e114.z - (_e112.z * _e120));
-            let _e131 = samples.member[_e59.shift].normal;
-            if ((((_e131.x * _e127) + (_e131.y * _e128)) + (_e131.z * _e129)) > 0f) {
-                let _e145 = (((_e127 * _e127) + (_e128 * _e128)) + (_e129 * _e129));
-                let _e147 = p.member.light.axis;
-                let _e159 = p.member.light.place[3u];
-                if (_e159 == 0f) {
-                    phi_287_ = true;
+        let _e108 = phi_215_;
+        if !(_e108) {
+            let _e111 = samples.member[_e58.shift].position;
+            let _e113 = p.member.light.place;
+            let _e119 = p.member.light.place[3u];
+            let _e126 = (_e113.x - (_e111.x * _e119));
+            let _e127 = (_e113.y - (_e111.y * _e119));
+            let _e128 = (_e113.z - (_e111.z * _e119));
+            let _e130 = samples.member[_e58.shift].normal;
+            if ((((_e130.x * _e126) + (_e130.y * _e127)) + (_e130.z * _e128)) > 0f) {
+                let _e144 = (((_e126 * _e126) + (_e127 * _e127)) + (_e128 * _e128));
+                let _e146 = p.member.light.axis;
+                let _e158 = p.member.light.place[3u];
+                if (_e158 == 0f) {
+                    phi_286_ = true;
                 } else {
-                    let _e162 = p.member.light.range_squared;
-                    if (_e145 <= _e162) {
-                        let _e165 = p.member.light.cos_outer;
-                        phi_286_ = (-((((_e127 * _e147.x) + (_e128 * _e147.y)) + (_e129 * _e147.z))) >= (_e165 * sqrt(_e145)));
+                    let _e161 = p.member.light.range_squared;
+                    if (_e144 <= _e161) {
+                        let _e164 = p.member.light.cos_outer;
+                        phi_285_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
                     } else {
-                        phi_286_ = false;
+                        phi_285_ = false;
                     }
-                    let _e170 = phi_286_;
-                    phi_287_ = _e170;
+                    let _e169 = phi_285_;
+                    phi_286_ = _e169;
                 }
-                let _e172 = phi_287_;
-                if _e172 {
-                    let _e174 = samples.member[_e59.shift].flags;
-                    let _e182 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e188 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e182.unnamed.visibility, false), _e182.unnamed_1);
-                    phi_298_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e188.unnamed, ((_e174 & 1u) == 0u));
-                    phi_299_ = false;
+                let _e171 = phi_286_;
+                if _e171 {
+                    let _e173 = samples.member[_e58.shift].flags;
+                    let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
+                    phi_297_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
+                    phi_298_ = false;
                 } else {
-                    phi_298_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_299_ = true;
+                    phi_297_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_298_ = true;
                 }
-                let _e193 = phi_298_;
-                let _e195 = phi_299_;
-                phi_300_ = _e193;
-                phi_301_ = _e195;
+                let _e192 = phi_297_;
+                let _e194 = phi_298_;
+                phi_299_ = _e192;
+                phi_300_ = _e194;
             } else {
-                phi_300_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_301_ = true;
+                phi_299_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_300_ = true;
             }
-            let _e197 = phi_300_;
-            let _e199 = phi_301_;
-            if _e199 {
-                let _e205 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e205.unnamed.visibility, false), _e205.unnamed_1);
-                phi_308_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e211.unnamed, true);
+            let _e196 = phi_299_;
+            let _e198 = phi_300_;
+            if _e198 {
+                let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
+                phi_307_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
             } else {
-                phi_308_ = _e197;
+                phi_307_ = _e196;
             }
-            let _e216 = phi_308_;
-            phi_312_ = _e216;
+            let _e215 = phi_307_;
+            phi_311_ = _e215;
         } else {
-            let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
-            phi_312_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, true);
+            let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
+            phi_311_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
         }
-        let _e233 = phi_312_;
-        if _e233.unnamed_1 {
-            phi_833_ = mask_Masked(_e233.unnamed.visibility, 0u, false);
+        let _e232 = phi_311_;
+        if _e232.unnamed_1 {
+            phi_808_ = mask_Masked(_e232.unnamed.visibility, 0u, false);
         } else {
-            let _e238 = (_e80 < 0.5f);
-            if (_e80 > 0f) {
-                phi_325_ = (_e80 < 1f);
+            let _e237 = (_e79 < 0.5f);
+            if (_e79 > 0f) {
+                phi_324_ = (_e79 < 1f);
             } else {
-                phi_325_ = false;
+                phi_324_ = false;
             }
-            let _e242 = phi_325_;
-            let _e244 = p.member.flags;
-            if ((_e244 & 16u) == 0u) {
+            let _e241 = phi_324_;
+            let _e243 = p.member.flags;
+            let _e245 = ((_e243 & 1u) != 0u);
+            let _e246 = lt_mask_Neighbourhood(false, true);
+            if _e241 {
+                phi_338_ = false;
             } else {
-                let _e250 = samples.member[_e59.shift].position[0u];
-                if (_e78.x == _e250) {
-                    let _e254 = samples.member[_e59.shift].position[1u];
-                    if (_e78.y == _e254) {
-                    }
-                }
+                phi_338_ = true;
             }
-            let _e259 = p.member.flags;
-            let _e261 = ((_e259 & 1u) != 0u);
-            let _e262 = lt_mask_Neighbourhood(false, true);
-            if _e242 {
-                phi_363_ = false;
-            } else {
-                phi_363_ = true;
-            }
-            let _e264 = phi_363_;
-            if _e264 {
-                if _e261 {
+            let _e248 = phi_338_;
+            if _e248 {
+                if _e245 {
                     if ((0u & 2u) != 0u) {
-                        phi_655_ = _e262;
+                        phi_630_ = _e246;
                     } else {
-                        let _e268 = p.member.expansion;
+                        let _e252 = p.member.expansion;
                         if false {
-                            let _e270 = p.member.moving_pattern;
-                            phi_384_ = _e270;
+                            let _e254 = p.member.moving_pattern;
+                            phi_359_ = _e254;
                         } else {
-                            let _e272 = p.member.still_pattern;
-                            phi_384_ = _e272;
+                            let _e256 = p.member.still_pattern;
+                            phi_359_ = _e256;
                         }
-                        let _e274 = phi_384_;
-                        phi_386_ = 0u;
-                        phi_389_ = _e262;
+                        let _e258 = phi_359_;
+                        phi_361_ = 0u;
+                        phi_364_ = _e246;
                         loop {
-                            let _e276 = phi_386_;
-                            let _e278 = phi_389_;
-                            local_1 = _e278;
-                            if (1u <= _e274) {
-                                if (_e274 <= 4u) {
-                                    phi_401_ = false;
+                            let _e260 = phi_361_;
+                            let _e262 = phi_364_;
+                            local_1 = _e262;
+                            if (1u <= _e258) {
+                                if (_e258 <= 4u) {
+                                    phi_376_ = false;
                                 } else {
-                                    phi_401_ = true;
+                                    phi_376_ = true;
                                 }
-                                let _e282 = phi_401_;
-                                phi_402_ = _e282;
+                                let _e266 = phi_376_;
+                                phi_377_ = _e266;
                             } else {
-                                phi_402_ = true;
+                                phi_377_ = true;
                             }
-                            let _e284 = phi_402_;
-                            if _e284 {
-                                switch bitcast<i32>(_e274) {
+                            let _e268 = phi_377_;
+                            if _e268 {
+                                switch bitcast<i32>(_e258) {
                                     case 5: {
-                                        phi_411_ = 4u;
+                                        phi_386_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_411_ = 25u;
+                                        phi_386_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_411_ = 13u;
+                                        phi_386_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_411_ = 9u;
+                                        phi_386_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e287 = phi_411_;
-                                phi_412_ = _e287;
+                                let _e271 = phi_386_;
+                                phi_387_ = _e271;
                             } else {
-                                phi_412_ = 5u;
+                                phi_387_ = 5u;
                             }
-                            let _e289 = phi_412_;
-                            let _e290 = (_e276 < _e289);
-                            if _e290 {
-                                let _e292 = p.member.frame;
-                                let _e296 = p.member.current.size[0u];
-                                let _e298 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e274) {
+                            let _e273 = phi_387_;
+                            let _e274 = (_e260 < _e273);
+                            if _e274 {
+                                let _e276 = p.member.frame;
+                                let _e280 = p.member.current.size[0u];
+                                let _e282 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e258) {
                                     case 1: {
-                                        let _e308 = lt_mask_pattern_plus(_e276);
-                                        phi_492_ = vec2<i32>(_e308.x, _e308.y);
+                                        let _e292 = lt_mask_pattern_plus(_e260);
+                                        phi_467_ = vec2<i32>(_e292.x, _e292.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e312 = lt_mask_pattern_cross(_e276);
-                                        phi_492_ = vec2<i32>(_e312.x, _e312.y);
+                                        let _e296 = lt_mask_pattern_cross(_e260);
+                                        phi_467_ = vec2<i32>(_e296.x, _e296.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e318 = lt_mask_pattern_plus_or_cross(_e276, ((_e43.x + _e43.y) & 1u));
-                                        phi_492_ = vec2<i32>(_e318.x, _e318.y);
+                                        let _e302 = lt_mask_pattern_plus_or_cross(_e260, ((_e42.x + _e42.y) & 1u));
+                                        phi_467_ = vec2<i32>(_e302.x, _e302.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e323 = lt_mask_pattern_plus_or_cross(_e276, (_e292 & 1u));
-                                        phi_492_ = vec2<i32>(_e323.x, _e323.y);
+                                        let _e307 = lt_mask_pattern_plus_or_cross(_e260, (_e276 & 1u));
+                                        phi_467_ = vec2<i32>(_e307.x, _e307.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e292 & 3u)) {
+                                        switch bitcast<i32>((_e276 & 3u)) {
                                             case 0: {
-                                                phi_472_ = vec2(-1i);
+                                                phi_447_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_472_ = vec2(0i);
+                                                phi_447_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_472_ = vec2<i32>(0i, -1i);
+                                                phi_447_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_472_ = vec2<i32>(-1i, 0i);
+                                                phi_447_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e334 = phi_472_;
-                                        phi_492_ = (_e334 + vec2<i32>(bitcast<i32>((_e276 & 1u)), bitcast<i32>(((_e276 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e318 = phi_447_;
+                                        phi_467_ = (_e318 + vec2<i32>(bitcast<i32>((_e260 & 1u)), bitcast<i32>(((_e260 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_492_ = vec2<i32>((bitcast<i32>((_e276 % 5u)) - 2i), (bitcast<i32>(((_e276 / 5u) % 5u)) - 2i));
+                                        phi_467_ = vec2<i32>((bitcast<i32>((_e260 % 5u)) - 2i), (bitcast<i32>(((_e260 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e351 = lt_mask_pattern_diamond(_e276);
-                                        phi_492_ = vec2<i32>(_e351.x, _e351.y);
+                                        let _e335 = lt_mask_pattern_diamond(_e260);
+                                        phi_467_ = vec2<i32>(_e335.x, _e335.y);
                                         break;
                                     }
                                     default: {
-                                        phi_492_ = vec2<i32>((bitcast<i32>((_e276 % 3u)) - 1i), (bitcast<i32>(((_e276 / 3u) % 3u)) - 1i));
+                                        phi_467_ = vec2<i32>((bitcast<i32>((_e260 % 3u)) - 1i), (bitcast<i32>(((_e260 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e356 = phi_492_;
-                                let _e359 = lt_mask_pattern_step_clamped(_e43.x, _e356.x, _e296);
-                                let _e360 = lt_mask_pattern_step_clamped(_e43.y, _e356.y, _e298);
-                                let _e364 = ((((_e360 * _e75) + _e359) * _e71) + (_e67 / 32u));
-                                if (_e69 > 29u) {
-                                    let _e366 = (_e364 + 1u);
-                                    if (_e366 < _e49) {
+                                let _e340 = phi_467_;
+                                let _e343 = lt_mask_pattern_step_clamped(_e42.x, _e340.x, _e280);
+                                let _e344 = lt_mask_pattern_step_clamped(_e42.y, _e340.y, _e282);
+                                let _e348 = ((((_e344 * _e74) + _e343) * _e70) + (_e66 / 32u));
+                                if (_e68 > 29u) {
+                                    let _e350 = (_e348 + 1u);
+                                    if (_e350 < _e48) {
                                     } else {
                                         return;
                                     }
-                                    let _e370 = last_bits.member[(0u + _e366)];
-                                    phi_517_ = _e370;
+                                    let _e354 = last_bits.member[(0u + _e350)];
+                                    phi_492_ = _e354;
                                 } else {
-                                    phi_517_ = 0u;
+                                    phi_492_ = 0u;
                                 }
-                                let _e372 = phi_517_;
-                                if (_e364 < _e49) {
+                                let _e356 = phi_492_;
+                                if (_e348 < _e48) {
                                 } else {
                                     return;
                                 }
-                                let _e376 = last_bits.member[(0u + _e364)];
-                                let _e379 = (_e376 >> bitcast<u32>((_e69 & 31u)));
-                                if (_e69 > 29u) {
-                                    phi_536_ = (_e379 | (_e372 << bitcast<u32>(((32u - _e69) & 31u))));
+                                let _e360 = last_bits.member[(0u + _e348)];
+                                let _e363 = (_e360 >> bitcast<u32>((_e68 & 31u)));
+                                if (_e68 > 29u) {
+                                    phi_511_ = (_e363 | (_e356 << bitcast<u32>(((32u - _e68) & 31u))));
                                 } else {
-                                    phi_536_ = _e379;
+                                    phi_511_ = _e363;
                                 }
-                                let _e387 = phi_536_;
-                                if ((_e387 & 2u) == 0u) {
-                                    phi_544_ = (_e387 & 1u);
+                                let _e371 = phi_511_;
+                                if ((_e371 & 2u) == 0u) {
+                                    phi_519_ = (_e371 & 1u);
                                 } else {
-                                    phi_544_ = (_e387 & 7u);
+                                    phi_519_ = (_e371 & 7u);
                                 }
-                                let _e393 = phi_544_;
-                                if _e278.any_expands {
-                                    phi_632_ = true;
+                                let _e377 = phi_519_;
+                                if _e262.any_expands {
+                                    phi_607_ = true;
                                 } else {
-                                    if ((_e393 & 2u) != 0u) {
-                                        let _e400 = (((_e393 & 4u) != 0u) != _e238);
-                                        switch bitcast<i32>(_e268) {
+                                    if ((_e377 & 2u) != 0u) {
+                                        let _e384 = (((_e377 & 4u) != 0u) != _e237);
+                                        switch bitcast<i32>(_e252) {
                                             case 1: {
-                                                phi_572_ = bool();
-                                                phi_573_ = false;
-                                                phi_574_ = true;
-                                                phi_575_ = false;
-                                                phi_576_ = false;
+                                                phi_547_ = bool();
+                                                phi_548_ = false;
+                                                phi_549_ = true;
+                                                phi_550_ = false;
+                                                phi_551_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e400 {
-                                                    phi_570_ = (((_e393 & 4u) != 0u) != ((_e393 & 1u) != 0u));
-                                                    phi_571_ = false;
+                                                if _e384 {
+                                                    phi_545_ = (((_e377 & 4u) != 0u) != ((_e377 & 1u) != 0u));
+                                                    phi_546_ = false;
                                                 } else {
-                                                    phi_570_ = bool();
-                                                    phi_571_ = true;
+                                                    phi_545_ = bool();
+                                                    phi_546_ = true;
                                                 }
-                                                let _e408 = phi_570_;
-                                                let _e410 = phi_571_;
-                                                phi_572_ = _e408;
-                                                phi_573_ = false;
-                                                phi_574_ = false;
-                                                phi_575_ = _e410;
-                                                phi_576_ = _e400;
+                                                let _e392 = phi_545_;
+                                                let _e394 = phi_546_;
+                                                phi_547_ = _e392;
+                                                phi_548_ = false;
+                                                phi_549_ = false;
+                                                phi_550_ = _e394;
+                                                phi_551_ = _e384;
                                                 break;
                                             }
                                             default: {
-                                                phi_572_ = bool();
-                                                phi_573_ = true;
-                                                phi_574_ = false;
-                                                phi_575_ = false;
-                                                phi_576_ = false;
+                                                phi_547_ = bool();
+                                                phi_548_ = true;
+                                                phi_549_ = false;
+                                                phi_550_ = false;
+                                                phi_551_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e412 = phi_572_;
-                                        let _e414 = phi_573_;
-                                        let _e416 = phi_574_;
-                                        let _e418 = phi_575_;
-                                        let _e420 = phi_576_;
-                                        phi_584_ = _e400;
-                                        phi_585_ = _e412;
-                                        phi_586_ = _e414;
-                                        phi_587_ = _e416;
-                                        phi_588_ = _e418;
-                                        phi_589_ = _e420;
+                                        let _e396 = phi_547_;
+                                        let _e398 = phi_548_;
+                                        let _e400 = phi_549_;
+                                        let _e402 = phi_550_;
+                                        let _e404 = phi_551_;
+                                        phi_559_ = _e384;
+                                        phi_560_ = _e396;
+                                        phi_561_ = _e398;
+                                        phi_562_ = _e400;
+                                        phi_563_ = _e402;
+                                        phi_564_ = _e404;
                                     } else {
-                                        switch bitcast<i32>(_e268) {
+                                        switch bitcast<i32>(_e252) {
                                             case 1: {
-                                                phi_581_ = false;
-                                                phi_582_ = true;
-                                                phi_583_ = false;
+                                                phi_556_ = false;
+                                                phi_557_ = true;
+                                                phi_558_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_581_ = false;
-                                                phi_582_ = false;
-                                                phi_583_ = true;
+                                                phi_556_ = false;
+                                                phi_557_ = false;
+                                                phi_558_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_581_ = true;
-                                                phi_582_ = false;
-                                                phi_583_ = false;
+                                                phi_556_ = true;
+                                                phi_557_ = false;
+                                                phi_558_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e423 = phi_581_;
-                                        let _e425 = phi_582_;
-                                        let _e427 = phi_583_;
-                                        phi_584_ = false;
-                                        phi_585_ = bool();
-                                        phi_586_ = _e423;
-                                        phi_587_ = _e425;
-                                        phi_588_ = _e427;
-                                        phi_589_ = false;
+                                        let _e407 = phi_556_;
+                                        let _e409 = phi_557_;
+                                        let _e411 = phi_558_;
+                                        phi_559_ = false;
+                                        phi_560_ = bool();
+                                        phi_561_ = _e407;
+                                        phi_562_ = _e409;
+                                        phi_563_ = _e411;
+                                        phi_564_ = false;
                                     }
-                                    let _e429 = phi_584_;
-                                    let _e431 = phi_585_;
-                                    let _e433 = phi_586_;
-                                    let _e435 = phi_587_;
-                                    let _e437 = phi_588_;
-                                    let _e439 = phi_589_;
-                                    if _e433 {
-                                        if ((_e393 & 2u) != 0u) {
-                                            if (((_e393 & 4u) != 0u) != _e238) {
-                                                phi_604_ = false;
+                                    let _e413 = phi_559_;
+                                    let _e415 = phi_560_;
+                                    let _e417 = phi_561_;
+                                    let _e419 = phi_562_;
+                                    let _e421 = phi_563_;
+                                    let _e423 = phi_564_;
+                                    if _e417 {
+                                        if ((_e377 & 2u) != 0u) {
+                                            if (((_e377 & 4u) != 0u) != _e237) {
+                                                phi_579_ = false;
                                             } else {
-                                                phi_604_ = true;
+                                                phi_579_ = true;
                                             }
-                                            let _e446 = phi_604_;
-                                            phi_605_ = _e446;
+                                            let _e430 = phi_579_;
+                                            phi_580_ = _e430;
                                         } else {
-                                            phi_605_ = true;
+                                            phi_580_ = true;
                                         }
-                                        let _e448 = phi_605_;
-                                        if _e448 {
-                                            phi_612_ = (((_e393 & 1u) != 0u) != _e238);
+                                        let _e432 = phi_580_;
+                                        if _e432 {
+                                            phi_587_ = (((_e377 & 1u) != 0u) != _e237);
                                         } else {
-                                            phi_612_ = true;
+                                            phi_587_ = true;
                                         }
-                                        let _e453 = phi_612_;
-                                        phi_613_ = _e453;
-                                        phi_614_ = false;
-                                        phi_615_ = false;
-                                        phi_616_ = false;
+                                        let _e437 = phi_587_;
+                                        phi_588_ = _e437;
+                                        phi_589_ = false;
+                                        phi_590_ = false;
+                                        phi_591_ = false;
                                     } else {
-                                        phi_613_ = bool();
-                                        phi_614_ = _e435;
-                                        phi_615_ = _e437;
-                                        phi_616_ = _e439;
+                                        phi_588_ = bool();
+                                        phi_589_ = _e419;
+                                        phi_590_ = _e421;
+                                        phi_591_ = _e423;
                                     }
-                                    let _e455 = phi_613_;
-                                    let _e457 = phi_614_;
-                                    let _e459 = phi_615_;
-                                    let _e461 = phi_616_;
-                                    if _e457 {
-                                        phi_620_ = _e429;
-                                        phi_621_ = false;
-                                        phi_622_ = false;
+                                    let _e439 = phi_588_;
+                                    let _e441 = phi_589_;
+                                    let _e443 = phi_590_;
+                                    let _e445 = phi_591_;
+                                    if _e441 {
+                                        phi_595_ = _e413;
+                                        phi_596_ = false;
+                                        phi_597_ = false;
                                     } else {
-                                        phi_620_ = _e455;
-                                        phi_621_ = _e459;
-                                        phi_622_ = _e461;
+                                        phi_595_ = _e439;
+                                        phi_596_ = _e443;
+                                        phi_597_ = _e445;
                                     }
-                                    let _e463 = phi_620_;
-                                    let _e465 = phi_621_;
-                                    let _e467 = phi_622_;
-                                    if _e465 {
+                                    let _e447 = phi_595_;
+                                    let _e449 = phi_596_;
+                                    let _e451 = phi_597_;
+                                    if _e449 {
+                                        phi_601_ = false;
+                                        phi_602_ = true;
+                                    } else {
+                                        phi_601_ = _e415;
+                                        phi_602_ = _e451;
+                                    }
+                                    let _e453 = phi_601_;
+                                    let _e455 = phi_602_;
+                                    if _e455 {
+                                        phi_606_ = _e453;
+                                    } else {
+                                        phi_606_ = _e447;
+                                    }
+                                    let _e457 = phi_606_;
+                                    phi_607_ = _e457;
+                                }
+                                let _e459 = phi_607_;
+                                if _e262.all_remove {
+                                    if (((_e377 & 1u) != 0u) == _e237) {
+                                        if ((_e377 & 2u) != 0u) {
+                                            phi_625_ = (((_e377 & 4u) != 0u) == _e237);
+                                        } else {
+                                            phi_625_ = true;
+                                        }
+                                        let _e469 = phi_625_;
+                                        phi_626_ = _e469;
+                                    } else {
                                         phi_626_ = false;
-                                        phi_627_ = true;
-                                    } else {
-                                        phi_626_ = _e431;
-                                        phi_627_ = _e467;
                                     }
-                                    let _e469 = phi_626_;
-                                    let _e471 = phi_627_;
-                                    if _e471 {
-                                        phi_631_ = _e469;
-                                    } else {
-                                        phi_631_ = _e463;
-                                    }
-                                    let _e473 = phi_631_;
-                                    phi_632_ = _e473;
-                                }
-                                let _e475 = phi_632_;
-                                if _e278.all_remove {
-                                    if (((_e393 & 1u) != 0u) == _e238) {
-                                        if ((_e393 & 2u) != 0u) {
-                                            phi_650_ = (((_e393 & 4u) != 0u) == _e238);
-                                        } else {
-                                            phi_650_ = true;
-                                        }
-                                        let _e485 = phi_650_;
-                                        phi_651_ = _e485;
-                                    } else {
-                                        phi_651_ = false;
-                                    }
-                                    let _e487 = phi_651_;
-                                    phi_652_ = _e487;
+                                    let _e471 = phi_626_;
+                                    phi_627_ = _e471;
                                 } else {
-                                    phi_652_ = false;
+                                    phi_627_ = false;
                                 }
-                                let _e489 = phi_652_;
-                                phi_387_ = (_e276 + 1u);
-                                phi_390_ = lt_mask_Neighbourhood(_e475, _e489);
+                                let _e473 = phi_627_;
+                                phi_362_ = (_e260 + 1u);
+                                phi_365_ = lt_mask_Neighbourhood(_e459, _e473);
                             } else {
-                                phi_387_ = u32();
-                                phi_390_ = lt_mask_Neighbourhood();
+                                phi_362_ = u32();
+                                phi_365_ = lt_mask_Neighbourhood();
                             }
-                            let _e493 = phi_387_;
-                            let _e495 = phi_390_;
+                            let _e477 = phi_362_;
+                            let _e479 = phi_365_;
                             continue;
                             continuing {
-                                phi_386_ = _e493;
-                                phi_389_ = _e495;
-                                break if !(_e290);
+                                phi_361_ = _e477;
+                                phi_364_ = _e479;
+                                break if !(_e274);
                             }
                         }
-                        let _e733 = local_1;
-                        phi_655_ = _e733;
+                        let _e717 = local_1;
+                        phi_630_ = _e717;
                     }
-                    let _e498 = phi_655_;
-                    phi_656_ = _e498;
+                    let _e482 = phi_630_;
+                    phi_631_ = _e482;
                 } else {
-                    phi_656_ = _e262;
+                    phi_631_ = _e246;
                 }
-                let _e500 = phi_656_;
-                phi_657_ = _e500;
+                let _e484 = phi_631_;
+                phi_632_ = _e484;
             } else {
-                phi_657_ = _e262;
+                phi_632_ = _e246;
             }
-            let _e502 = phi_657_;
-            let _e505 = p.member.frame;
-            let _e507 = p.member.refresh;
-            if (_e507 == 0u) {
-                phi_690_ = false;
+            let _e486 = phi_632_;
+            let _e489 = p.member.frame;
+            let _e491 = p.member.refresh;
+            if (_e491 == 0u) {
+                phi_665_ = false;
             } else {
-                if (_e507 == 0u) {
+                if (_e491 == 0u) {
                     return;
                 }
-                let _e516 = ((_e43.x + (_e43.y * (((_e507 * 5u) / 8u) | 1u))) + (_e505 % _e507));
-                if (_e507 == 0u) {
-                    phi_689_ = (_e516 == 0u);
+                let _e500 = ((_e42.x + (_e42.y * (((_e491 * 5u) / 8u) | 1u))) + (_e489 % _e491));
+                if (_e491 == 0u) {
+                    phi_664_ = (_e500 == 0u);
                 } else {
-                    if (_e507 == 0u) {
+                    if (_e491 == 0u) {
                         return;
                     }
-                    phi_689_ = ((_e516 % _e507) == 0u);
+                    phi_664_ = ((_e500 % _e491) == 0u);
                 }
-                let _e523 = phi_689_;
-                phi_690_ = _e523;
+                let _e507 = phi_664_;
+                phi_665_ = _e507;
             }
-            let _e525 = phi_690_;
-            if _e261 {
-                if _e525 {
-                    phi_712_ = bool();
+            let _e509 = phi_665_;
+            if _e245 {
+                if _e509 {
+                    phi_687_ = bool();
                 } else {
-                    phi_712_ = ((0u & 2u) != 0u);
+                    phi_687_ = ((0u & 2u) != 0u);
                 }
-                let _e531 = phi_712_;
-                phi_713_ = _e531;
-                phi_714_ = _e525;
+                let _e515 = phi_687_;
+                phi_688_ = _e515;
+                phi_689_ = _e509;
             } else {
-                phi_713_ = bool();
-                phi_714_ = true;
+                phi_688_ = bool();
+                phi_689_ = true;
             }
-            let _e533 = phi_713_;
-            let _e535 = phi_714_;
-            if _e535 {
-                phi_718_ = false;
+            let _e517 = phi_688_;
+            let _e519 = phi_689_;
+            if _e519 {
+                phi_693_ = false;
             } else {
-                phi_718_ = _e533;
+                phi_693_ = _e517;
             }
-            let _e537 = phi_718_;
-            if _e537 {
-                phi_769_ = 7u;
+            let _e521 = phi_693_;
+            if _e521 {
+                phi_744_ = 7u;
             } else {
-                if (_e80 != 0.5f) {
-                    if _e261 {
-                        if _e525 {
-                            phi_766_ = 6u;
+                if (_e79 != 0.5f) {
+                    if _e245 {
+                        if _e509 {
+                            phi_741_ = 6u;
                         } else {
-                            if _e242 {
-                                phi_741_ = true;
+                            if _e241 {
+                                phi_716_ = true;
                             } else {
-                                if _e502.any_expands {
-                                    phi_740_ = false;
+                                if _e486.any_expands {
+                                    phi_715_ = false;
                                 } else {
-                                    phi_740_ = true;
+                                    phi_715_ = true;
                                 }
-                                let _e539 = phi_740_;
-                                phi_741_ = _e539;
+                                let _e523 = phi_715_;
+                                phi_716_ = _e523;
                             }
-                            let _e541 = phi_741_;
-                            if _e541 {
-                                if _e242 {
+                            let _e525 = phi_716_;
+                            if _e525 {
+                                if _e241 {
                                     if false {
-                                        if _e502.all_remove {
-                                            phi_754_ = false;
+                                        if _e486.all_remove {
+                                            phi_729_ = false;
                                         } else {
-                                            phi_754_ = true;
+                                            phi_729_ = true;
                                         }
-                                        let _e543 = phi_754_;
-                                        phi_755_ = _e543;
+                                        let _e527 = phi_729_;
+                                        phi_730_ = _e527;
                                     } else {
-                                        phi_755_ = true;
+                                        phi_730_ = true;
                                     }
-                                    let _e545 = phi_755_;
-                                    phi_756_ = _e545;
+                                    let _e529 = phi_730_;
+                                    phi_731_ = _e529;
                                 } else {
-                                    phi_756_ = true;
+                                    phi_731_ = true;
                                 }
-                                let _e547 = phi_756_;
-                                if _e547 {
-                                    if _e242 {
-                                        phi_763_ = 1u;
+                                let _e531 = phi_731_;
+                                if _e531 {
+                                    if _e241 {
+                                        phi_738_ = 1u;
                                     } else {
-                                        phi_763_ = 0u;
+                                        phi_738_ = 0u;
                                     }
-                                    let _e549 = phi_763_;
-                                    phi_764_ = _e549;
+                                    let _e533 = phi_738_;
+                                    phi_739_ = _e533;
                                 } else {
-                                    phi_764_ = 5u;
+                                    phi_739_ = 5u;
                                 }
-                                let _e551 = phi_764_;
-                                phi_765_ = _e551;
+                                let _e535 = phi_739_;
+                                phi_740_ = _e535;
                             } else {
-                                phi_765_ = 4u;
+                                phi_740_ = 4u;
                             }
-                            let _e553 = phi_765_;
-                            phi_766_ = _e553;
+                            let _e537 = phi_740_;
+                            phi_741_ = _e537;
                         }
-                        let _e555 = phi_766_;
-                        phi_767_ = _e555;
+                        let _e539 = phi_741_;
+                        phi_742_ = _e539;
                     } else {
-                        phi_767_ = 3u;
+                        phi_742_ = 3u;
                     }
-                    let _e557 = phi_767_;
-                    phi_768_ = _e557;
+                    let _e541 = phi_742_;
+                    phi_743_ = _e541;
                 } else {
-                    phi_768_ = 2u;
+                    phi_743_ = 2u;
                 }
-                let _e559 = phi_768_;
-                phi_769_ = _e559;
+                let _e543 = phi_743_;
+                phi_744_ = _e543;
             }
-            let _e561 = phi_769_;
-            if !((_e561 == 0u)) {
-                if !((_e561 == 5u)) {
-                    phi_781_ = !(_e537);
-                    phi_782_ = false;
+            let _e545 = phi_744_;
+            if !((_e545 == 0u)) {
+                if !((_e545 == 5u)) {
+                    phi_756_ = !(_e521);
+                    phi_757_ = false;
                 } else {
-                    phi_781_ = bool();
-                    phi_782_ = true;
+                    phi_756_ = bool();
+                    phi_757_ = true;
                 }
-                let _e568 = phi_781_;
-                let _e570 = phi_782_;
-                phi_783_ = _e568;
-                phi_784_ = _e570;
+                let _e552 = phi_756_;
+                let _e554 = phi_757_;
+                phi_758_ = _e552;
+                phi_759_ = _e554;
             } else {
-                phi_783_ = bool();
-                phi_784_ = true;
+                phi_758_ = bool();
+                phi_759_ = true;
             }
-            let _e572 = phi_783_;
-            let _e574 = phi_784_;
-            if _e574 {
-                phi_788_ = false;
+            let _e556 = phi_758_;
+            let _e558 = phi_759_;
+            if _e558 {
+                phi_763_ = false;
             } else {
-                phi_788_ = _e572;
+                phi_763_ = _e556;
             }
-            let _e576 = phi_788_;
-            if _e537 {
-                phi_794_ = ((0u & 4u) != 0u);
+            let _e560 = phi_763_;
+            if _e521 {
+                phi_769_ = ((0u & 4u) != 0u);
             } else {
-                phi_794_ = _e238;
+                phi_769_ = _e237;
             }
-            let _e580 = phi_794_;
-            if _e576 {
-                if _e238 {
-                    phi_802_ = (2u | 1u);
+            let _e564 = phi_769_;
+            if _e560 {
+                if _e237 {
+                    phi_777_ = (2u | 1u);
                 } else {
-                    phi_802_ = 2u;
+                    phi_777_ = 2u;
                 }
-                let _e583 = phi_802_;
+                let _e567 = phi_777_;
                 if false {
-                    phi_807_ = (_e583 | 4u);
+                    phi_782_ = (_e567 | 4u);
                 } else {
-                    phi_807_ = _e583;
+                    phi_782_ = _e567;
                 }
-                let _e586 = phi_807_;
-                phi_827_ = _e586;
+                let _e570 = phi_782_;
+                phi_802_ = _e570;
             } else {
-                if (_e561 == 7u) {
-                    if _e238 {
-                        phi_816_ = (2u | 1u);
+                if (_e545 == 7u) {
+                    if _e237 {
+                        phi_791_ = (2u | 1u);
                     } else {
-                        phi_816_ = 2u;
+                        phi_791_ = 2u;
                     }
-                    let _e590 = phi_816_;
-                    if _e580 {
-                        phi_821_ = (_e590 | 4u);
+                    let _e574 = phi_791_;
+                    if _e564 {
+                        phi_796_ = (_e574 | 4u);
                     } else {
-                        phi_821_ = _e590;
+                        phi_796_ = _e574;
                     }
-                    let _e593 = phi_821_;
-                    phi_826_ = _e593;
+                    let _e577 = phi_796_;
+                    phi_801_ = _e577;
                 } else {
-                    if _e238 {
-                        phi_825_ = 1u;
+                    if _e237 {
+                        phi_800_ = 1u;
                     } else {
-                        phi_825_ = 0u;
+                        phi_800_ = 0u;
                     }
-                    let _e595 = phi_825_;
-                    phi_826_ = _e595;
+                    let _e579 = phi_800_;
+                    phi_801_ = _e579;
                 }
-                let _e597 = phi_826_;
-                phi_827_ = _e597;
+                let _e581 = phi_801_;
+                phi_802_ = _e581;
             }
-            let _e599 = phi_827_;
-            if _e580 {
-                phi_831_ = 0f;
+            let _e583 = phi_802_;
+            if _e564 {
+                phi_806_ = 0f;
             } else {
-                phi_831_ = 1f;
+                phi_806_ = 1f;
             }
-            let _e601 = phi_831_;
-            phi_833_ = mask_Masked(_e601, _e599, _e576);
+            let _e585 = phi_806_;
+            phi_808_ = mask_Masked(_e585, _e583, _e560);
         }
-        let _e604 = phi_833_;
-        visibility.member[_e59.shift] = _e604.visibility;
-        let _e609 = p.member.light.number;
-        let _e610 = (_e609 * 3u);
-        let _e612 = (_e610 % 32u);
-        let _e614 = p.member.light.mask_words;
-        let _e616 = ((_e59.shift * _e614) + (_e610 / 32u));
-        let _e618 = bits.member[_e616];
-        bits.member[_e616] = ((_e618 & ~((7u << bitcast<u32>((_e612 & 31u))))) | (_e604.bits << bitcast<u32>((_e612 & 31u))));
-        if (_e612 > 29u) {
-            let _e633 = bits.member[(_e616 + 1u)];
-            let _e635 = (32u - _e612);
-            bits.member[(_e616 + 1u)] = ((_e633 & ~((7u >> bitcast<u32>((_e635 & 31u))))) | (_e604.bits >> bitcast<u32>((_e635 & 31u))));
+        let _e588 = phi_808_;
+        visibility.member[_e58.shift] = _e588.visibility;
+        let _e593 = p.member.light.number;
+        let _e594 = (_e593 * 3u);
+        let _e596 = (_e594 % 32u);
+        let _e598 = p.member.light.mask_words;
+        let _e600 = ((_e58.shift * _e598) + (_e594 / 32u));
+        let _e602 = bits.member[_e600];
+        bits.member[_e600] = ((_e602 & ~((7u << bitcast<u32>((_e596 & 31u))))) | (_e588.bits << bitcast<u32>((_e596 & 31u))));
+        if (_e596 > 29u) {
+            let _e617 = bits.member[(_e600 + 1u)];
+            let _e619 = (32u - _e596);
+            bits.member[(_e600 + 1u)] = ((_e617 & ~((7u >> bitcast<u32>((_e619 & 31u))))) | (_e588.bits >> bitcast<u32>((_e619 & 31u))));
         }
-        phi_883_ = _e604.needs_ray;
-        phi_884_ = _e59.shift;
+        phi_858_ = _e588.needs_ray;
+        phi_859_ = _e58.shift;
     } else {
-        phi_883_ = false;
-        phi_884_ = 0u;
+        phi_858_ = false;
+        phi_859_ = 0u;
     }
-    let _e649 = phi_883_;
-    let _e651 = phi_884_;
-    if (_e44 == 0u) {
+    let _e633 = phi_858_;
+    let _e635 = phi_859_;
+    if (_e43 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e649 {
-        let _e655 = atomicAdd((&shared_[0u]), 1u);
-        phi_895_ = _e655;
+    if _e633 {
+        let _e639 = atomicAdd((&shared_[0u]), 1u);
+        phi_870_ = _e639;
     } else {
-        phi_895_ = 0u;
+        phi_870_ = 0u;
     }
-    let _e657 = phi_895_;
+    let _e641 = phi_870_;
     workgroupBarrier();
-    if (_e44 == 0u) {
-        let _e661 = atomicLoad((&shared_[0u]));
-        let _e662 = atomicAdd((&list.member[3u]), _e661);
-        atomicStore((&shared_[1u]), _e662);
+    if (_e43 == 0u) {
+        let _e645 = atomicLoad((&shared_[0u]));
+        let _e646 = atomicAdd((&list.member[3u]), _e645);
+        atomicStore((&shared_[1u]), _e646);
     }
     workgroupBarrier();
-    if _e649 {
-        let _e665 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e665) + _e657)]), _e651);
+    if _e633 {
+        let _e649 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e649) + _e641)]), _e635);
     }
     return;
 }

@@ -298,179 +298,178 @@ fn function_() {
     var phi_514_: bool;
     var phi_515_: bool;
     var phi_519_: bool;
-    var phi_523_: bool;
-    var phi_524_: bool;
-    var phi_735_: f32;
-    var phi_740_: f32;
-    var phi_741_: bool;
-    var phi_742_: f32;
-    var phi_743_: bool;
-    var phi_747_: f32;
-    var phi_768_: f32;
-    var phi_773_: f32;
-    var phi_774_: bool;
-    var phi_775_: f32;
-    var phi_776_: bool;
-    var phi_780_: f32;
-    var phi_801_: bool;
+    var phi_520_: bool;
+    var phi_731_: f32;
+    var phi_736_: f32;
+    var phi_737_: bool;
+    var phi_738_: f32;
+    var phi_739_: bool;
+    var phi_743_: f32;
+    var phi_764_: f32;
+    var phi_769_: f32;
+    var phi_770_: bool;
+    var phi_771_: f32;
+    var phi_772_: bool;
+    var phi_776_: f32;
+    var phi_797_: bool;
+    var phi_816_: vec2<u32>;
+    var phi_817_: bool;
+    var phi_818_: bool;
+    var phi_819_: bool;
     var phi_820_: vec2<u32>;
     var phi_821_: bool;
     var phi_822_: bool;
     var phi_823_: bool;
-    var phi_824_: vec2<u32>;
+    var phi_824_: bool;
     var phi_825_: bool;
     var phi_826_: bool;
-    var phi_827_: bool;
+    var phi_827_: vec2<u32>;
     var phi_828_: bool;
     var phi_829_: bool;
     var phi_830_: bool;
-    var phi_831_: vec2<u32>;
+    var phi_831_: bool;
     var phi_832_: bool;
     var phi_833_: bool;
-    var phi_834_: bool;
+    var phi_834_: vec2<u32>;
     var phi_835_: bool;
     var phi_836_: bool;
     var phi_837_: bool;
-    var phi_838_: vec2<u32>;
-    var phi_839_: bool;
-    var phi_840_: bool;
-    var phi_841_: bool;
-    var phi_842_: bool;
-    var phi_851_: bool;
-    var phi_852_: bool;
-    var phi_853_: bool;
+    var phi_838_: bool;
+    var phi_847_: bool;
+    var phi_848_: bool;
+    var phi_849_: bool;
+    var phi_850_: bool;
     var phi_854_: bool;
-    var phi_858_: bool;
-    var phi_859_: bool;
-    var phi_860_: vec2<u32>;
-    var phi_898_: bool;
-    var phi_900_: lt_mask_Reprojection;
+    var phi_855_: bool;
+    var phi_856_: vec2<u32>;
+    var phi_894_: bool;
+    var phi_896_: lt_mask_Reprojection;
+    var phi_897_: lt_mask_Reprojection;
+    var phi_898_: lt_mask_Reprojection;
+    var phi_899_: bool;
+    var phi_900_: bool;
     var phi_901_: lt_mask_Reprojection;
     var phi_902_: lt_mask_Reprojection;
-    var phi_903_: bool;
+    var phi_903_: lt_mask_Reprojection;
     var phi_904_: bool;
-    var phi_905_: lt_mask_Reprojection;
-    var phi_906_: lt_mask_Reprojection;
-    var phi_907_: lt_mask_Reprojection;
-    var phi_908_: bool;
-    var phi_909_: bool;
-    var phi_964_: bool;
-    var phi_968_: f32;
-    var phi_972_: lt_mask_Reprojection;
-    var phi_973_: bool;
+    var phi_905_: bool;
+    var phi_960_: bool;
+    var phi_964_: f32;
+    var phi_968_: lt_mask_Reprojection;
+    var phi_969_: bool;
+    var phi_981_: bool;
+    var phi_982_: bool;
+    var phi_983_: bool;
+    var phi_984_: lt_mask_Reprojection;
     var phi_985_: bool;
-    var phi_986_: bool;
-    var phi_987_: bool;
-    var phi_988_: lt_mask_Reprojection;
     var phi_989_: bool;
-    var phi_993_: bool;
-    var phi_994_: lt_mask_Reprojection;
-    var phi_1037_: u32;
-    var phi_1056_: u32;
-    var phi_1064_: u32;
-    var phi_1065_: u32;
-    var phi_1066_: bool;
-    var phi_1067_: u32;
+    var phi_990_: lt_mask_Reprojection;
+    var phi_1033_: u32;
+    var phi_1052_: u32;
+    var phi_1060_: u32;
+    var phi_1061_: u32;
+    var phi_1062_: bool;
+    var phi_1063_: u32;
+    var phi_1064_: bool;
+    var phi_1065_: bool;
+    var phi_1066_: u32;
+    var phi_1067_: bool;
     var phi_1068_: bool;
-    var phi_1069_: bool;
-    var phi_1070_: u32;
-    var phi_1071_: bool;
     var phi_1072_: bool;
-    var phi_1076_: bool;
-    var phi_1080_: u32;
-    var phi_1085_: bool;
-    var phi_1107_: u32;
-    var phi_1109_: u32;
-    var phi_1112_: lt_mask_Neighbourhood;
-    var phi_1124_: bool;
-    var phi_1125_: bool;
-    var phi_1134_: u32;
-    var phi_1135_: u32;
-    var phi_1195_: vec2<i32>;
-    var phi_1215_: vec2<i32>;
-    var phi_1242_: u32;
-    var phi_1261_: u32;
-    var phi_1269_: u32;
+    var phi_1076_: u32;
+    var phi_1081_: bool;
+    var phi_1103_: u32;
+    var phi_1105_: u32;
+    var phi_1108_: lt_mask_Neighbourhood;
+    var phi_1120_: bool;
+    var phi_1121_: bool;
+    var phi_1130_: u32;
+    var phi_1131_: u32;
+    var phi_1191_: vec2<i32>;
+    var phi_1211_: vec2<i32>;
+    var phi_1238_: u32;
+    var phi_1257_: u32;
+    var phi_1265_: u32;
+    var phi_1291_: bool;
+    var phi_1292_: bool;
+    var phi_1293_: bool;
+    var phi_1294_: bool;
     var phi_1295_: bool;
     var phi_1296_: bool;
     var phi_1297_: bool;
-    var phi_1298_: bool;
-    var phi_1299_: bool;
-    var phi_1300_: bool;
-    var phi_1301_: bool;
+    var phi_1302_: bool;
+    var phi_1303_: bool;
+    var phi_1304_: bool;
+    var phi_1305_: bool;
     var phi_1306_: bool;
     var phi_1307_: bool;
     var phi_1308_: bool;
     var phi_1309_: bool;
     var phi_1310_: bool;
-    var phi_1311_: bool;
-    var phi_1312_: bool;
-    var phi_1313_: bool;
-    var phi_1314_: bool;
-    var phi_1329_: bool;
-    var phi_1330_: bool;
+    var phi_1325_: bool;
+    var phi_1326_: bool;
+    var phi_1333_: bool;
+    var phi_1334_: bool;
+    var phi_1335_: bool;
+    var phi_1336_: bool;
     var phi_1337_: bool;
-    var phi_1338_: bool;
-    var phi_1339_: bool;
-    var phi_1340_: bool;
     var phi_1341_: bool;
-    var phi_1345_: bool;
-    var phi_1346_: bool;
+    var phi_1342_: bool;
+    var phi_1343_: bool;
     var phi_1347_: bool;
-    var phi_1351_: bool;
+    var phi_1348_: bool;
     var phi_1352_: bool;
-    var phi_1356_: bool;
-    var phi_1357_: bool;
-    var phi_1375_: bool;
-    var phi_1376_: bool;
-    var phi_1377_: bool;
-    var phi_1110_: u32;
-    var phi_1113_: lt_mask_Neighbourhood;
-    var phi_1380_: lt_mask_Neighbourhood;
-    var phi_1381_: lt_mask_Neighbourhood;
-    var phi_1382_: lt_mask_Neighbourhood;
-    var phi_1414_: bool;
-    var phi_1415_: bool;
-    var phi_1437_: bool;
-    var phi_1438_: bool;
+    var phi_1353_: bool;
+    var phi_1371_: bool;
+    var phi_1372_: bool;
+    var phi_1373_: bool;
+    var phi_1106_: u32;
+    var phi_1109_: lt_mask_Neighbourhood;
+    var phi_1376_: lt_mask_Neighbourhood;
+    var phi_1377_: lt_mask_Neighbourhood;
+    var phi_1378_: lt_mask_Neighbourhood;
+    var phi_1410_: bool;
+    var phi_1411_: bool;
+    var phi_1433_: bool;
+    var phi_1434_: bool;
+    var phi_1435_: bool;
     var phi_1439_: bool;
-    var phi_1443_: bool;
-    var phi_1465_: bool;
-    var phi_1466_: bool;
-    var phi_1479_: bool;
-    var phi_1480_: bool;
-    var phi_1481_: bool;
+    var phi_1461_: bool;
+    var phi_1462_: bool;
+    var phi_1475_: bool;
+    var phi_1476_: bool;
+    var phi_1477_: bool;
+    var phi_1484_: u32;
+    var phi_1485_: u32;
+    var phi_1486_: u32;
+    var phi_1487_: u32;
     var phi_1488_: u32;
     var phi_1489_: u32;
     var phi_1490_: u32;
-    var phi_1491_: u32;
-    var phi_1492_: u32;
-    var phi_1493_: u32;
-    var phi_1494_: u32;
-    var phi_1506_: bool;
-    var phi_1507_: bool;
-    var phi_1508_: bool;
+    var phi_1502_: bool;
+    var phi_1503_: bool;
+    var phi_1504_: bool;
+    var phi_1505_: bool;
     var phi_1509_: bool;
-    var phi_1513_: bool;
-    var phi_1519_: bool;
-    var phi_1527_: u32;
-    var phi_1532_: u32;
-    var phi_1541_: u32;
+    var phi_1515_: bool;
+    var phi_1523_: u32;
+    var phi_1528_: u32;
+    var phi_1537_: u32;
+    var phi_1542_: u32;
     var phi_1546_: u32;
-    var phi_1550_: u32;
-    var phi_1551_: u32;
-    var phi_1552_: u32;
-    var phi_1556_: f32;
-    var phi_1558_: mask_Masked;
-    var phi_1630_: bool;
-    var phi_1631_: bool;
-    var phi_1632_: bool;
+    var phi_1547_: u32;
+    var phi_1548_: u32;
+    var phi_1552_: f32;
+    var phi_1554_: mask_Masked;
+    var phi_1626_: bool;
+    var phi_1627_: bool;
+    var phi_1628_: bool;
+    var phi_1629_: bool;
     var phi_1633_: bool;
-    var phi_1637_: bool;
-    var phi_1665_: f32;
-    var phi_1668_: bool;
-    var phi_1669_: u32;
-    var phi_1680_: u32;
+    var phi_1661_: f32;
+    var phi_1664_: bool;
+    var phi_1665_: u32;
+    var phi_1676_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e60 = id_1;
@@ -581,7 +580,7 @@ fn function_() {
         }
         let _e269 = phi_468_;
         if _e269.unnamed_1 {
-            phi_1558_ = mask_Masked(_e269.unnamed.visibility, 0u, false);
+            phi_1554_ = mask_Masked(_e269.unnamed.visibility, 0u, false);
         } else {
             let _e274 = (_e116 < 0.5f);
             if (_e116 > 0f) {
@@ -595,7 +594,7 @@ fn function_() {
             let _e296 = lt_mask_Reprojection(_e292.pixel, true, _e292.has_moved);
             let _e302 = p.member.flags;
             if ((_e302 & 16u) == 0u) {
-                phi_524_ = true;
+                phi_520_ = false;
             } else {
                 let _e308 = samples.member[_e80.shift].position[0u];
                 if (_e114.x == _e308) {
@@ -624,1059 +623,1053 @@ fn function_() {
                     phi_519_ = _e323;
                 }
                 let _e327 = phi_519_;
-                if _e327 {
-                    phi_523_ = false;
-                } else {
-                    phi_523_ = true;
-                }
-                let _e329 = phi_523_;
-                phi_524_ = _e329;
+                phi_520_ = _e327;
             }
-            let _e331 = phi_524_;
-            if _e331 {
-                let _e333 = samples.member[_e80.shift].position;
-                let _e337 = p.member.previous.eye;
-                let _e340 = (_e114.x - _e337.x);
-                let _e343 = (_e114.y - _e337.y);
-                let _e346 = (_e114.z - _e337.z);
-                let _e348 = p.member.previous.forward;
-                let _e356 = (((_e340 * _e348.x) + (_e343 * _e348.y)) + (_e346 * _e348.z));
-                let _e358 = p.member.previous.right;
-                let _e368 = p.member.previous.right;
-                let _e383 = p.member.previous.up;
-                let _e393 = p.member.previous.up;
-                let _e408 = p.member.current.eye;
-                let _e411 = (_e333.x - _e408.x);
-                let _e414 = (_e333.y - _e408.y);
-                let _e417 = (_e333.z - _e408.z);
-                let _e419 = p.member.current.forward;
-                let _e427 = (((_e411 * _e419.x) + (_e414 * _e419.y)) + (_e417 * _e419.z));
-                let _e429 = p.member.current.right;
-                let _e439 = p.member.current.right;
-                let _e454 = p.member.current.up;
-                let _e464 = p.member.current.up;
-                let _e483 = p.member.current.size[0u];
-                let _e485 = (((((((_e340 * _e358.x) + (_e343 * _e358.y)) + (_e346 * _e358.z)) / ((((_e368.x * _e368.x) + (_e368.y * _e368.y)) + (_e368.z * _e368.z)) * _e356)) - ((((_e411 * _e429.x) + (_e414 * _e429.y)) + (_e417 * _e429.z)) / ((((_e439.x * _e439.x) + (_e439.y * _e439.y)) + (_e439.z * _e439.z)) * _e427))) * 0.5f) * f32(_e483));
-                let _e489 = p.member.current.size[1u];
-                let _e491 = (((((((_e340 * _e383.x) + (_e343 * _e383.y)) + (_e346 * _e383.z)) / ((((_e393.x * _e393.x) + (_e393.y * _e393.y)) + (_e393.z * _e393.z)) * _e356)) - ((((_e411 * _e454.x) + (_e414 * _e454.y)) + (_e417 * _e454.z)) / ((((_e464.x * _e464.x) + (_e464.y * _e464.y)) + (_e464.z * _e464.z)) * _e427))) * -0.5f) * f32(_e489));
-                let _e495 = p.member.current.grid[0u];
-                let _e497 = p.member.current.grid[1u];
-                let _e517 = p.member.current.size[0u];
-                let _e519 = p.member.current.size[1u];
-                let _e521 = ((f32(_e60.x) + ((f32((_e60.y & (_e497 - 1u))) + 0.5f) / f32(_e497))) + _e485);
-                if (_e521 > -8388608f) {
-                    let _e533 = f32(select(0i, select(select(i32(_e521), i32(-2147483648), (_e521 < bitcast<f32>(3472883712u))), 2147483647i, (_e521 > bitcast<f32>(1325400063u))), (_e521 == _e521)));
-                    if (_e533 > _e521) {
-                        phi_735_ = 1f;
-                    } else {
-                        phi_735_ = 0f;
-                    }
-                    let _e536 = phi_735_;
-                    if (_e521 < 8388608f) {
-                        phi_740_ = (_e533 - _e536);
-                        phi_741_ = false;
-                    } else {
-                        phi_740_ = f32();
-                        phi_741_ = true;
-                    }
-                    let _e539 = phi_740_;
-                    let _e541 = phi_741_;
-                    phi_742_ = _e539;
-                    phi_743_ = _e541;
-                } else {
-                    phi_742_ = f32();
-                    phi_743_ = true;
-                }
-                let _e543 = phi_742_;
-                let _e545 = phi_743_;
-                if _e545 {
-                    phi_747_ = _e521;
-                } else {
-                    phi_747_ = _e543;
-                }
-                let _e547 = phi_747_;
-                let _e548 = ((f32(_e60.y) + ((f32((_e60.x & (_e495 - 1u))) + 0.5f) / f32(_e495))) + _e491);
-                if (_e548 > -8388608f) {
-                    let _e560 = f32(select(0i, select(select(i32(_e548), i32(-2147483648), (_e548 < bitcast<f32>(3472883712u))), 2147483647i, (_e548 > bitcast<f32>(1325400063u))), (_e548 == _e548)));
-                    if (_e560 > _e548) {
-                        phi_768_ = 1f;
-                    } else {
-                        phi_768_ = 0f;
-                    }
-                    let _e563 = phi_768_;
-                    if (_e548 < 8388608f) {
-                        phi_773_ = (_e560 - _e563);
-                        phi_774_ = false;
-                    } else {
-                        phi_773_ = f32();
-                        phi_774_ = true;
-                    }
-                    let _e566 = phi_773_;
-                    let _e568 = phi_774_;
-                    phi_775_ = _e566;
-                    phi_776_ = _e568;
-                } else {
-                    phi_775_ = f32();
-                    phi_776_ = true;
-                }
-                let _e570 = phi_775_;
-                let _e572 = phi_776_;
-                if _e572 {
-                    phi_780_ = _e548;
-                } else {
-                    phi_780_ = _e570;
-                }
-                let _e574 = phi_780_;
-                if (_e547 >= 0f) {
-                    if (_e574 >= 0f) {
-                        if (_e547 < f32(_e517)) {
-                            let _e580 = (_e574 < f32(_e519));
-                            if (_e485 == 0f) {
-                                phi_801_ = (_e491 == 0f);
-                            } else {
-                                phi_801_ = false;
-                            }
-                            let _e584 = phi_801_;
-                            if _e580 {
-                                phi_820_ = vec2<u32>(select(select(u32(_e547), 0u, (_e547 < bitcast<f32>(0u))), 4294967295u, (_e547 > bitcast<f32>(1333788671u))), select(select(u32(_e574), 0u, (_e574 < bitcast<f32>(0u))), 4294967295u, (_e574 > bitcast<f32>(1333788671u))));
-                                phi_821_ = false;
-                            } else {
-                                phi_820_ = vec2<u32>();
-                                phi_821_ = true;
-                            }
-                            let _e601 = phi_820_;
-                            let _e603 = phi_821_;
-                            phi_822_ = _e584;
-                            phi_823_ = _e580;
-                            phi_824_ = _e601;
-                            phi_825_ = _e584;
-                            phi_826_ = _e580;
-                            phi_827_ = false;
-                            phi_828_ = _e603;
-                        } else {
-                            phi_822_ = bool();
-                            phi_823_ = bool();
-                            phi_824_ = vec2<u32>();
-                            phi_825_ = bool();
-                            phi_826_ = bool();
-                            phi_827_ = true;
-                            phi_828_ = false;
-                        }
-                        let _e605 = phi_822_;
-                        let _e607 = phi_823_;
-                        let _e609 = phi_824_;
-                        let _e611 = phi_825_;
-                        let _e613 = phi_826_;
-                        let _e615 = phi_827_;
-                        let _e617 = phi_828_;
-                        phi_829_ = _e605;
-                        phi_830_ = _e607;
-                        phi_831_ = _e609;
-                        phi_832_ = _e611;
-                        phi_833_ = _e613;
-                        phi_834_ = _e615;
-                        phi_835_ = _e617;
-                    } else {
-                        phi_829_ = bool();
-                        phi_830_ = bool();
-                        phi_831_ = vec2<u32>();
-                        phi_832_ = bool();
-                        phi_833_ = bool();
-                        phi_834_ = true;
-                        phi_835_ = false;
-                    }
-                    let _e619 = phi_829_;
-                    let _e621 = phi_830_;
-                    let _e623 = phi_831_;
-                    let _e625 = phi_832_;
-                    let _e627 = phi_833_;
-                    let _e629 = phi_834_;
-                    let _e631 = phi_835_;
-                    phi_836_ = _e619;
-                    phi_837_ = _e621;
-                    phi_838_ = _e623;
-                    phi_839_ = _e625;
-                    phi_840_ = _e627;
-                    phi_841_ = _e629;
-                    phi_842_ = _e631;
-                } else {
-                    phi_836_ = bool();
-                    phi_837_ = bool();
-                    phi_838_ = vec2<u32>();
-                    phi_839_ = bool();
-                    phi_840_ = bool();
-                    phi_841_ = true;
-                    phi_842_ = false;
-                }
-                let _e633 = phi_836_;
-                let _e635 = phi_837_;
-                let _e637 = phi_838_;
-                let _e639 = phi_839_;
-                let _e641 = phi_840_;
-                let _e643 = phi_841_;
-                let _e645 = phi_842_;
-                if _e643 {
-                    if (_e485 == 0f) {
-                        phi_851_ = (_e491 == 0f);
-                    } else {
-                        phi_851_ = false;
-                    }
-                    let _e649 = phi_851_;
-                    phi_852_ = _e649;
-                    phi_853_ = false;
-                    phi_854_ = true;
-                } else {
-                    phi_852_ = _e639;
-                    phi_853_ = _e641;
-                    phi_854_ = _e645;
-                }
-                let _e651 = phi_852_;
-                let _e653 = phi_853_;
-                let _e655 = phi_854_;
-                if _e655 {
-                    phi_858_ = _e651;
-                    phi_859_ = _e653;
-                    phi_860_ = vec2<u32>(_e60.x, _e60.y);
-                } else {
-                    phi_858_ = _e633;
-                    phi_859_ = _e635;
-                    phi_860_ = _e637;
-                }
-                let _e657 = phi_858_;
-                let _e659 = phi_859_;
-                let _e661 = phi_860_;
-                let _e671 = lt_mask_Reprojection(vec2<u32>(_e661.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e678 = lt_mask_Reprojection(vec2<u32>(_e671.pixel.x, _e661.y), _e671.is_valid, _e671.has_moved);
-                let _e682 = lt_mask_Reprojection(_e678.pixel, _e659, _e678.has_moved);
-                let _e686 = lt_mask_Reprojection(_e682.pixel, _e682.is_valid, !(_e657));
-                if _e659 {
-                    let _e689 = p.member.previous.eye;
-                    let _e700 = p.member.previous.forward;
-                    let _e709 = (((((_e114.x - _e689.x) * _e700.x) + ((_e114.y - _e689.y) * _e700.y)) + ((_e114.z - _e689.z) * _e700.z)) > 0f);
-                    let _e713 = lt_mask_Reprojection(_e686.pixel, _e709, _e686.has_moved);
-                    if _e709 {
-                        phi_898_ = false;
-                    } else {
-                        phi_898_ = true;
-                    }
-                    let _e715 = phi_898_;
-                    phi_900_ = _e713;
-                    phi_901_ = _e713;
-                    phi_902_ = lt_mask_Reprojection();
-                    phi_903_ = _e709;
-                    phi_904_ = _e715;
-                } else {
-                    phi_900_ = lt_mask_Reprojection();
-                    phi_901_ = lt_mask_Reprojection();
-                    phi_902_ = lt_mask_Reprojection(_e686.pixel, false, _e686.has_moved);
-                    phi_903_ = false;
-                    phi_904_ = false;
-                }
-                let _e721 = phi_900_;
-                let _e723 = phi_901_;
-                let _e725 = phi_902_;
-                let _e727 = phi_903_;
-                let _e729 = phi_904_;
-                phi_905_ = _e721;
-                phi_906_ = _e723;
-                phi_907_ = _e725;
-                phi_908_ = _e727;
-                phi_909_ = _e729;
+            let _e329 = phi_520_;
+            if _e329 {
+                phi_901_ = lt_mask_Reprojection(_e296.pixel, _e296.is_valid, false);
+                phi_902_ = lt_mask_Reprojection();
+                phi_903_ = lt_mask_Reprojection();
+                phi_904_ = true;
+                phi_905_ = false;
             } else {
-                phi_905_ = lt_mask_Reprojection(_e296.pixel, _e296.is_valid, false);
-                phi_906_ = lt_mask_Reprojection();
-                phi_907_ = lt_mask_Reprojection();
-                phi_908_ = true;
-                phi_909_ = false;
+                let _e331 = samples.member[_e80.shift].position;
+                let _e335 = p.member.previous.eye;
+                let _e338 = (_e114.x - _e335.x);
+                let _e341 = (_e114.y - _e335.y);
+                let _e344 = (_e114.z - _e335.z);
+                let _e346 = p.member.previous.forward;
+                let _e354 = (((_e338 * _e346.x) + (_e341 * _e346.y)) + (_e344 * _e346.z));
+                let _e356 = p.member.previous.right;
+                let _e366 = p.member.previous.right;
+                let _e381 = p.member.previous.up;
+                let _e391 = p.member.previous.up;
+                let _e406 = p.member.current.eye;
+                let _e409 = (_e331.x - _e406.x);
+                let _e412 = (_e331.y - _e406.y);
+                let _e415 = (_e331.z - _e406.z);
+                let _e417 = p.member.current.forward;
+                let _e425 = (((_e409 * _e417.x) + (_e412 * _e417.y)) + (_e415 * _e417.z));
+                let _e427 = p.member.current.right;
+                let _e437 = p.member.current.right;
+                let _e452 = p.member.current.up;
+                let _e462 = p.member.current.up;
+                let _e481 = p.member.current.size[0u];
+                let _e483 = (((((((_e338 * _e356.x) + (_e341 * _e356.y)) + (_e344 * _e356.z)) / ((((_e366.x * _e366.x) + (_e366.y * _e366.y)) + (_e366.z * _e366.z)) * _e354)) - ((((_e409 * _e427.x) + (_e412 * _e427.y)) + (_e415 * _e427.z)) / ((((_e437.x * _e437.x) + (_e437.y * _e437.y)) + (_e437.z * _e437.z)) * _e425))) * 0.5f) * f32(_e481));
+                let _e487 = p.member.current.size[1u];
+                let _e489 = (((((((_e338 * _e381.x) + (_e341 * _e381.y)) + (_e344 * _e381.z)) / ((((_e391.x * _e391.x) + (_e391.y * _e391.y)) + (_e391.z * _e391.z)) * _e354)) - ((((_e409 * _e452.x) + (_e412 * _e452.y)) + (_e415 * _e452.z)) / ((((_e462.x * _e462.x) + (_e462.y * _e462.y)) + (_e462.z * _e462.z)) * _e425))) * -0.5f) * f32(_e487));
+                let _e493 = p.member.current.grid[0u];
+                let _e495 = p.member.current.grid[1u];
+                let _e515 = p.member.current.size[0u];
+                let _e517 = p.member.current.size[1u];
+                let _e519 = ((f32(_e60.x) + ((f32((_e60.y & (_e495 - 1u))) + 0.5f) / f32(_e495))) + _e483);
+                if (_e519 > -8388608f) {
+                    let _e531 = f32(select(0i, select(select(i32(_e519), i32(-2147483648), (_e519 < bitcast<f32>(3472883712u))), 2147483647i, (_e519 > bitcast<f32>(1325400063u))), (_e519 == _e519)));
+                    if (_e531 > _e519) {
+                        phi_731_ = 1f;
+                    } else {
+                        phi_731_ = 0f;
+                    }
+                    let _e534 = phi_731_;
+                    if (_e519 < 8388608f) {
+                        phi_736_ = (_e531 - _e534);
+                        phi_737_ = false;
+                    } else {
+                        phi_736_ = f32();
+                        phi_737_ = true;
+                    }
+                    let _e537 = phi_736_;
+                    let _e539 = phi_737_;
+                    phi_738_ = _e537;
+                    phi_739_ = _e539;
+                } else {
+                    phi_738_ = f32();
+                    phi_739_ = true;
+                }
+                let _e541 = phi_738_;
+                let _e543 = phi_739_;
+                if _e543 {
+                    phi_743_ = _e519;
+                } else {
+                    phi_743_ = _e541;
+                }
+                let _e545 = phi_743_;
+                let _e546 = ((f32(_e60.y) + ((f32((_e60.x & (_e493 - 1u))) + 0.5f) / f32(_e493))) + _e489);
+                if (_e546 > -8388608f) {
+                    let _e558 = f32(select(0i, select(select(i32(_e546), i32(-2147483648), (_e546 < bitcast<f32>(3472883712u))), 2147483647i, (_e546 > bitcast<f32>(1325400063u))), (_e546 == _e546)));
+                    if (_e558 > _e546) {
+                        phi_764_ = 1f;
+                    } else {
+                        phi_764_ = 0f;
+                    }
+                    let _e561 = phi_764_;
+                    if (_e546 < 8388608f) {
+                        phi_769_ = (_e558 - _e561);
+                        phi_770_ = false;
+                    } else {
+                        phi_769_ = f32();
+                        phi_770_ = true;
+                    }
+                    let _e564 = phi_769_;
+                    let _e566 = phi_770_;
+                    phi_771_ = _e564;
+                    phi_772_ = _e566;
+                } else {
+                    phi_771_ = f32();
+                    phi_772_ = true;
+                }
+                let _e568 = phi_771_;
+                let _e570 = phi_772_;
+                if _e570 {
+                    phi_776_ = _e546;
+                } else {
+                    phi_776_ = _e568;
+                }
+                let _e572 = phi_776_;
+                if (_e545 >= 0f) {
+                    if (_e572 >= 0f) {
+                        if (_e545 < f32(_e515)) {
+                            let _e578 = (_e572 < f32(_e517));
+                            if (_e483 == 0f) {
+                                phi_797_ = (_e489 == 0f);
+                            } else {
+                                phi_797_ = false;
+                            }
+                            let _e582 = phi_797_;
+                            if _e578 {
+                                phi_816_ = vec2<u32>(select(select(u32(_e545), 0u, (_e545 < bitcast<f32>(0u))), 4294967295u, (_e545 > bitcast<f32>(1333788671u))), select(select(u32(_e572), 0u, (_e572 < bitcast<f32>(0u))), 4294967295u, (_e572 > bitcast<f32>(1333788671u))));
+                                phi_817_ = false;
+                            } else {
+                                phi_816_ = vec2<u32>();
+                                phi_817_ = true;
+                            }
+                            let _e599 = phi_816_;
+                            let _e601 = phi_817_;
+                            phi_818_ = _e582;
+                            phi_819_ = _e578;
+                            phi_820_ = _e599;
+                            phi_821_ = _e582;
+                            phi_822_ = _e578;
+                            phi_823_ = false;
+                            phi_824_ = _e601;
+                        } else {
+                            phi_818_ = bool();
+                            phi_819_ = bool();
+                            phi_820_ = vec2<u32>();
+                            phi_821_ = bool();
+                            phi_822_ = bool();
+                            phi_823_ = true;
+                            phi_824_ = false;
+                        }
+                        let _e603 = phi_818_;
+                        let _e605 = phi_819_;
+                        let _e607 = phi_820_;
+                        let _e609 = phi_821_;
+                        let _e611 = phi_822_;
+                        let _e613 = phi_823_;
+                        let _e615 = phi_824_;
+                        phi_825_ = _e603;
+                        phi_826_ = _e605;
+                        phi_827_ = _e607;
+                        phi_828_ = _e609;
+                        phi_829_ = _e611;
+                        phi_830_ = _e613;
+                        phi_831_ = _e615;
+                    } else {
+                        phi_825_ = bool();
+                        phi_826_ = bool();
+                        phi_827_ = vec2<u32>();
+                        phi_828_ = bool();
+                        phi_829_ = bool();
+                        phi_830_ = true;
+                        phi_831_ = false;
+                    }
+                    let _e617 = phi_825_;
+                    let _e619 = phi_826_;
+                    let _e621 = phi_827_;
+                    let _e623 = phi_828_;
+                    let _e625 = phi_829_;
+                    let _e627 = phi_830_;
+                    let _e629 = phi_831_;
+                    phi_832_ = _e617;
+                    phi_833_ = _e619;
+                    phi_834_ = _e621;
+                    phi_835_ = _e623;
+                    phi_836_ = _e625;
+                    phi_837_ = _e627;
+                    phi_838_ = _e629;
+                } else {
+                    phi_832_ = bool();
+                    phi_833_ = bool();
+                    phi_834_ = vec2<u32>();
+                    phi_835_ = bool();
+                    phi_836_ = bool();
+                    phi_837_ = true;
+                    phi_838_ = false;
+                }
+                let _e631 = phi_832_;
+                let _e633 = phi_833_;
+                let _e635 = phi_834_;
+                let _e637 = phi_835_;
+                let _e639 = phi_836_;
+                let _e641 = phi_837_;
+                let _e643 = phi_838_;
+                if _e641 {
+                    if (_e483 == 0f) {
+                        phi_847_ = (_e489 == 0f);
+                    } else {
+                        phi_847_ = false;
+                    }
+                    let _e647 = phi_847_;
+                    phi_848_ = _e647;
+                    phi_849_ = false;
+                    phi_850_ = true;
+                } else {
+                    phi_848_ = _e637;
+                    phi_849_ = _e639;
+                    phi_850_ = _e643;
+                }
+                let _e649 = phi_848_;
+                let _e651 = phi_849_;
+                let _e653 = phi_850_;
+                if _e653 {
+                    phi_854_ = _e649;
+                    phi_855_ = _e651;
+                    phi_856_ = vec2<u32>(_e60.x, _e60.y);
+                } else {
+                    phi_854_ = _e631;
+                    phi_855_ = _e633;
+                    phi_856_ = _e635;
+                }
+                let _e655 = phi_854_;
+                let _e657 = phi_855_;
+                let _e659 = phi_856_;
+                let _e669 = lt_mask_Reprojection(vec2<u32>(_e659.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e676 = lt_mask_Reprojection(vec2<u32>(_e669.pixel.x, _e659.y), _e669.is_valid, _e669.has_moved);
+                let _e680 = lt_mask_Reprojection(_e676.pixel, _e657, _e676.has_moved);
+                let _e684 = lt_mask_Reprojection(_e680.pixel, _e680.is_valid, !(_e655));
+                if _e657 {
+                    let _e687 = p.member.previous.eye;
+                    let _e698 = p.member.previous.forward;
+                    let _e707 = (((((_e114.x - _e687.x) * _e698.x) + ((_e114.y - _e687.y) * _e698.y)) + ((_e114.z - _e687.z) * _e698.z)) > 0f);
+                    let _e711 = lt_mask_Reprojection(_e684.pixel, _e707, _e684.has_moved);
+                    if _e707 {
+                        phi_894_ = false;
+                    } else {
+                        phi_894_ = true;
+                    }
+                    let _e713 = phi_894_;
+                    phi_896_ = _e711;
+                    phi_897_ = _e711;
+                    phi_898_ = lt_mask_Reprojection();
+                    phi_899_ = _e707;
+                    phi_900_ = _e713;
+                } else {
+                    phi_896_ = lt_mask_Reprojection();
+                    phi_897_ = lt_mask_Reprojection();
+                    phi_898_ = lt_mask_Reprojection(_e684.pixel, false, _e684.has_moved);
+                    phi_899_ = false;
+                    phi_900_ = false;
+                }
+                let _e719 = phi_896_;
+                let _e721 = phi_897_;
+                let _e723 = phi_898_;
+                let _e725 = phi_899_;
+                let _e727 = phi_900_;
+                phi_901_ = _e719;
+                phi_902_ = _e721;
+                phi_903_ = _e723;
+                phi_904_ = _e725;
+                phi_905_ = _e727;
             }
-            let _e731 = phi_905_;
-            let _e733 = phi_906_;
-            let _e735 = phi_907_;
-            let _e737 = phi_908_;
-            let _e739 = phi_909_;
-            if _e737 {
-                let _e742 = p.member.previous.eye;
-                let _e753 = p.member.previous.forward;
-                let _e761 = ((((_e114.x - _e742.x) * _e753.x) + ((_e114.y - _e742.y) * _e753.y)) + ((_e114.z - _e742.z) * _e753.z));
-                let _e767 = ((_e731.pixel.y * _e111) + _e731.pixel.x);
-                if (_e767 < arrayLength((&last_depths.member))) {
+            let _e729 = phi_901_;
+            let _e731 = phi_902_;
+            let _e733 = phi_903_;
+            let _e735 = phi_904_;
+            let _e737 = phi_905_;
+            if _e735 {
+                let _e740 = p.member.previous.eye;
+                let _e751 = p.member.previous.forward;
+                let _e759 = ((((_e114.x - _e740.x) * _e751.x) + ((_e114.y - _e740.y) * _e751.y)) + ((_e114.z - _e740.z) * _e751.z));
+                let _e765 = ((_e729.pixel.y * _e111) + _e729.pixel.x);
+                if (_e765 < arrayLength((&last_depths.member))) {
                 } else {
                     return;
                 }
-                let _e771 = last_depths.member[(0u + _e767)];
-                let _e773 = p.member.depth_tolerance;
-                let _e776 = abs(_e761);
-                let _e777 = abs(_e771);
-                if ((bitcast<u32>(_e777) & 2147483647u) > 2139095040u) {
-                    phi_964_ = true;
+                let _e769 = last_depths.member[(0u + _e765)];
+                let _e771 = p.member.depth_tolerance;
+                let _e774 = abs(_e759);
+                let _e775 = abs(_e769);
+                if ((bitcast<u32>(_e775) & 2147483647u) > 2139095040u) {
+                    phi_960_ = true;
                 } else {
-                    let _e781 = (_e777 > _e776);
-                    if _e781 {
+                    let _e779 = (_e775 > _e774);
+                    if _e779 {
                     }
-                    phi_964_ = _e781;
+                    phi_960_ = _e779;
+                }
+                let _e781 = phi_960_;
+                if _e781 {
+                    phi_964_ = _e775;
+                } else {
+                    phi_964_ = _e774;
                 }
                 let _e783 = phi_964_;
-                if _e783 {
-                    phi_968_ = _e777;
-                } else {
-                    phi_968_ = _e776;
-                }
-                let _e785 = phi_968_;
-                phi_972_ = lt_mask_Reprojection(_e731.pixel, (abs((_e761 - _e771)) <= (_e773 * _e785)), _e731.has_moved);
-                phi_973_ = true;
+                phi_968_ = lt_mask_Reprojection(_e729.pixel, (abs((_e759 - _e769)) <= (_e771 * _e783)), _e729.has_moved);
+                phi_969_ = true;
             } else {
-                phi_972_ = _e733;
-                phi_973_ = _e739;
+                phi_968_ = _e731;
+                phi_969_ = _e737;
             }
-            let _e793 = phi_972_;
-            let _e795 = phi_973_;
-            if _e795 {
-                if _e793.is_valid {
-                    let _e798 = p.member.flags;
-                    phi_985_ = ((_e798 & 1u) != 0u);
-                    phi_986_ = false;
+            let _e791 = phi_968_;
+            let _e793 = phi_969_;
+            if _e793 {
+                if _e791.is_valid {
+                    let _e796 = p.member.flags;
+                    phi_981_ = ((_e796 & 1u) != 0u);
+                    phi_982_ = false;
                 } else {
-                    phi_985_ = bool();
-                    phi_986_ = true;
+                    phi_981_ = bool();
+                    phi_982_ = true;
                 }
-                let _e802 = phi_985_;
-                let _e804 = phi_986_;
-                phi_987_ = _e802;
-                phi_988_ = _e793;
+                let _e800 = phi_981_;
+                let _e802 = phi_982_;
+                phi_983_ = _e800;
+                phi_984_ = _e791;
+                phi_985_ = _e802;
+            } else {
+                phi_983_ = bool();
+                phi_984_ = _e733;
+                phi_985_ = true;
+            }
+            let _e804 = phi_983_;
+            let _e806 = phi_984_;
+            let _e808 = phi_985_;
+            if _e808 {
+                phi_989_ = false;
+                phi_990_ = _e806;
+            } else {
                 phi_989_ = _e804;
-            } else {
-                phi_987_ = bool();
-                phi_988_ = _e735;
-                phi_989_ = true;
+                phi_990_ = _e791;
             }
-            let _e806 = phi_987_;
-            let _e808 = phi_988_;
             let _e810 = phi_989_;
-            if _e810 {
-                phi_993_ = false;
-                phi_994_ = _e808;
+            let _e812 = phi_990_;
+            let _e816 = lt_mask_Reprojection(_e812.pixel, _e810, _e812.has_moved);
+            let _e818 = p.member.flags;
+            let _e820 = ((_e818 & 2u) != 0u);
+            let _e822 = p.member.flags;
+            if ((_e822 & 4u) == 0u) {
+                phi_1066_ = u32();
+                phi_1067_ = true;
+                phi_1068_ = false;
             } else {
-                phi_993_ = _e806;
-                phi_994_ = _e793;
-            }
-            let _e812 = phi_993_;
-            let _e814 = phi_994_;
-            let _e818 = lt_mask_Reprojection(_e814.pixel, _e812, _e814.has_moved);
-            let _e820 = p.member.flags;
-            let _e822 = ((_e820 & 2u) != 0u);
-            let _e824 = p.member.flags;
-            if ((_e824 & 4u) == 0u) {
-                phi_1070_ = u32();
-                phi_1071_ = true;
-                phi_1072_ = false;
-            } else {
-                if _e812 {
-                    if !(_e818.has_moved) {
-                        let _e835 = ((((_e60.y * _e111) + _e60.x) * _e107.words) + _e107.light.word);
+                if _e810 {
+                    if !(_e816.has_moved) {
+                        let _e833 = ((((_e60.y * _e111) + _e60.x) * _e107.words) + _e107.light.word);
                         if (_e107.light.shift > 29u) {
-                            let _e839 = (_e835 + 1u);
-                            if (_e839 < _e66) {
+                            let _e837 = (_e833 + 1u);
+                            if (_e837 < _e66) {
                             } else {
                                 return;
                             }
-                            let _e843 = last_bits.member[(0u + _e839)];
-                            phi_1037_ = _e843;
+                            let _e841 = last_bits.member[(0u + _e837)];
+                            phi_1033_ = _e841;
                         } else {
-                            phi_1037_ = 0u;
+                            phi_1033_ = 0u;
                         }
-                        let _e845 = phi_1037_;
-                        if (_e835 < _e66) {
+                        let _e843 = phi_1033_;
+                        if (_e833 < _e66) {
                         } else {
                             return;
                         }
-                        let _e851 = last_bits.member[(0u + _e835)];
-                        let _e854 = (_e851 >> bitcast<u32>((_e107.light.shift & 31u)));
+                        let _e849 = last_bits.member[(0u + _e833)];
+                        let _e852 = (_e849 >> bitcast<u32>((_e107.light.shift & 31u)));
                         if (_e107.light.shift > 29u) {
-                            phi_1056_ = (_e854 | (_e845 << bitcast<u32>(((32u - _e107.light.shift) & 31u))));
+                            phi_1052_ = (_e852 | (_e843 << bitcast<u32>(((32u - _e107.light.shift) & 31u))));
                         } else {
-                            phi_1056_ = _e854;
+                            phi_1052_ = _e852;
                         }
-                        let _e862 = phi_1056_;
-                        if ((_e862 & 2u) == 0u) {
-                            phi_1064_ = (_e862 & 1u);
+                        let _e860 = phi_1052_;
+                        if ((_e860 & 2u) == 0u) {
+                            phi_1060_ = (_e860 & 1u);
                         } else {
-                            phi_1064_ = (_e862 & 7u);
+                            phi_1060_ = (_e860 & 7u);
                         }
-                        let _e868 = phi_1064_;
-                        phi_1065_ = _e868;
-                        phi_1066_ = false;
+                        let _e866 = phi_1060_;
+                        phi_1061_ = _e866;
+                        phi_1062_ = false;
                     } else {
-                        phi_1065_ = u32();
-                        phi_1066_ = true;
+                        phi_1061_ = u32();
+                        phi_1062_ = true;
                     }
-                    let _e870 = phi_1065_;
-                    let _e872 = phi_1066_;
-                    phi_1067_ = _e870;
-                    phi_1068_ = false;
-                    phi_1069_ = _e872;
+                    let _e868 = phi_1061_;
+                    let _e870 = phi_1062_;
+                    phi_1063_ = _e868;
+                    phi_1064_ = false;
+                    phi_1065_ = _e870;
                 } else {
-                    phi_1067_ = u32();
-                    phi_1068_ = true;
-                    phi_1069_ = false;
+                    phi_1063_ = u32();
+                    phi_1064_ = true;
+                    phi_1065_ = false;
                 }
-                let _e874 = phi_1067_;
-                let _e876 = phi_1068_;
-                let _e878 = phi_1069_;
-                phi_1070_ = _e874;
-                phi_1071_ = _e876;
-                phi_1072_ = _e878;
+                let _e872 = phi_1063_;
+                let _e874 = phi_1064_;
+                let _e876 = phi_1065_;
+                phi_1066_ = _e872;
+                phi_1067_ = _e874;
+                phi_1068_ = _e876;
             }
-            let _e880 = phi_1070_;
-            let _e882 = phi_1071_;
-            let _e884 = phi_1072_;
-            if _e882 {
-                phi_1076_ = true;
+            let _e878 = phi_1066_;
+            let _e880 = phi_1067_;
+            let _e882 = phi_1068_;
+            if _e880 {
+                phi_1072_ = true;
             } else {
-                phi_1076_ = _e884;
+                phi_1072_ = _e882;
+            }
+            let _e884 = phi_1072_;
+            if _e884 {
+                phi_1076_ = 0u;
+            } else {
+                phi_1076_ = _e878;
             }
             let _e886 = phi_1076_;
-            if _e886 {
-                phi_1080_ = 0u;
-            } else {
-                phi_1080_ = _e880;
-            }
-            let _e888 = phi_1080_;
-            let _e889 = lt_mask_Neighbourhood(false, true);
+            let _e887 = lt_mask_Neighbourhood(false, true);
             if _e278 {
-                phi_1085_ = _e822;
+                phi_1081_ = _e820;
             } else {
-                phi_1085_ = true;
+                phi_1081_ = true;
             }
-            let _e891 = phi_1085_;
-            if _e891 {
-                if _e812 {
-                    if ((_e888 & 2u) != 0u) {
-                        phi_1380_ = _e889;
+            let _e889 = phi_1081_;
+            if _e889 {
+                if _e810 {
+                    if ((_e886 & 2u) != 0u) {
+                        phi_1376_ = _e887;
                     } else {
-                        let _e895 = p.member.expansion;
-                        if _e818.has_moved {
-                            let _e898 = p.member.moving_pattern;
-                            phi_1107_ = _e898;
+                        let _e893 = p.member.expansion;
+                        if _e816.has_moved {
+                            let _e896 = p.member.moving_pattern;
+                            phi_1103_ = _e896;
                         } else {
-                            let _e900 = p.member.still_pattern;
-                            phi_1107_ = _e900;
+                            let _e898 = p.member.still_pattern;
+                            phi_1103_ = _e898;
                         }
-                        let _e902 = phi_1107_;
-                        phi_1109_ = 0u;
-                        phi_1112_ = _e889;
+                        let _e900 = phi_1103_;
+                        phi_1105_ = 0u;
+                        phi_1108_ = _e887;
                         loop {
-                            let _e904 = phi_1109_;
-                            let _e906 = phi_1112_;
-                            local_1 = _e906;
-                            if (1u <= _e902) {
-                                if (_e902 <= 4u) {
-                                    phi_1124_ = false;
+                            let _e902 = phi_1105_;
+                            let _e904 = phi_1108_;
+                            local_1 = _e904;
+                            if (1u <= _e900) {
+                                if (_e900 <= 4u) {
+                                    phi_1120_ = false;
                                 } else {
-                                    phi_1124_ = true;
+                                    phi_1120_ = true;
                                 }
-                                let _e910 = phi_1124_;
-                                phi_1125_ = _e910;
+                                let _e908 = phi_1120_;
+                                phi_1121_ = _e908;
                             } else {
-                                phi_1125_ = true;
+                                phi_1121_ = true;
                             }
-                            let _e912 = phi_1125_;
-                            if _e912 {
-                                switch bitcast<i32>(_e902) {
+                            let _e910 = phi_1121_;
+                            if _e910 {
+                                switch bitcast<i32>(_e900) {
                                     case 5: {
-                                        phi_1134_ = 4u;
+                                        phi_1130_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_1134_ = 25u;
+                                        phi_1130_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_1134_ = 13u;
+                                        phi_1130_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_1134_ = 9u;
+                                        phi_1130_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e915 = phi_1134_;
-                                phi_1135_ = _e915;
+                                let _e913 = phi_1130_;
+                                phi_1131_ = _e913;
                             } else {
-                                phi_1135_ = 5u;
+                                phi_1131_ = 5u;
                             }
-                            let _e917 = phi_1135_;
-                            let _e918 = (_e904 < _e917);
-                            if _e918 {
-                                let _e924 = p.member.frame;
-                                let _e928 = p.member.current.size[0u];
-                                let _e930 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e902) {
+                            let _e915 = phi_1131_;
+                            let _e916 = (_e902 < _e915);
+                            if _e916 {
+                                let _e922 = p.member.frame;
+                                let _e926 = p.member.current.size[0u];
+                                let _e928 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e900) {
                                     case 1: {
-                                        let _e940 = lt_mask_pattern_plus(_e904);
-                                        phi_1215_ = vec2<i32>(_e940.x, _e940.y);
+                                        let _e938 = lt_mask_pattern_plus(_e902);
+                                        phi_1211_ = vec2<i32>(_e938.x, _e938.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e944 = lt_mask_pattern_cross(_e904);
-                                        phi_1215_ = vec2<i32>(_e944.x, _e944.y);
+                                        let _e942 = lt_mask_pattern_cross(_e902);
+                                        phi_1211_ = vec2<i32>(_e942.x, _e942.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e950 = lt_mask_pattern_plus_or_cross(_e904, ((_e818.pixel.x + _e818.pixel.y) & 1u));
-                                        phi_1215_ = vec2<i32>(_e950.x, _e950.y);
+                                        let _e948 = lt_mask_pattern_plus_or_cross(_e902, ((_e816.pixel.x + _e816.pixel.y) & 1u));
+                                        phi_1211_ = vec2<i32>(_e948.x, _e948.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e955 = lt_mask_pattern_plus_or_cross(_e904, (_e924 & 1u));
-                                        phi_1215_ = vec2<i32>(_e955.x, _e955.y);
+                                        let _e953 = lt_mask_pattern_plus_or_cross(_e902, (_e922 & 1u));
+                                        phi_1211_ = vec2<i32>(_e953.x, _e953.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e924 & 3u)) {
+                                        switch bitcast<i32>((_e922 & 3u)) {
                                             case 0: {
-                                                phi_1195_ = vec2(-1i);
+                                                phi_1191_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1195_ = vec2(0i);
+                                                phi_1191_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1195_ = vec2<i32>(0i, -1i);
+                                                phi_1191_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1195_ = vec2<i32>(-1i, 0i);
+                                                phi_1191_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e966 = phi_1195_;
-                                        phi_1215_ = (_e966 + vec2<i32>(bitcast<i32>((_e904 & 1u)), bitcast<i32>(((_e904 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e964 = phi_1191_;
+                                        phi_1211_ = (_e964 + vec2<i32>(bitcast<i32>((_e902 & 1u)), bitcast<i32>(((_e902 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1215_ = vec2<i32>((bitcast<i32>((_e904 % 5u)) - 2i), (bitcast<i32>(((_e904 / 5u) % 5u)) - 2i));
+                                        phi_1211_ = vec2<i32>((bitcast<i32>((_e902 % 5u)) - 2i), (bitcast<i32>(((_e902 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e983 = lt_mask_pattern_diamond(_e904);
-                                        phi_1215_ = vec2<i32>(_e983.x, _e983.y);
+                                        let _e981 = lt_mask_pattern_diamond(_e902);
+                                        phi_1211_ = vec2<i32>(_e981.x, _e981.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1215_ = vec2<i32>((bitcast<i32>((_e904 % 3u)) - 1i), (bitcast<i32>(((_e904 / 3u) % 3u)) - 1i));
+                                        phi_1211_ = vec2<i32>((bitcast<i32>((_e902 % 3u)) - 1i), (bitcast<i32>(((_e902 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e988 = phi_1215_;
-                                let _e991 = lt_mask_pattern_step_clamped(_e818.pixel.x, _e988.x, _e928);
-                                let _e992 = lt_mask_pattern_step_clamped(_e818.pixel.y, _e988.y, _e930);
-                                let _e999 = ((((_e992 * _e111) + _e991) * _e107.words) + _e107.light.word);
+                                let _e986 = phi_1211_;
+                                let _e989 = lt_mask_pattern_step_clamped(_e816.pixel.x, _e986.x, _e926);
+                                let _e990 = lt_mask_pattern_step_clamped(_e816.pixel.y, _e986.y, _e928);
+                                let _e997 = ((((_e990 * _e111) + _e989) * _e107.words) + _e107.light.word);
                                 if (_e107.light.shift > 29u) {
-                                    let _e1003 = (_e999 + 1u);
-                                    if (_e1003 < _e66) {
+                                    let _e1001 = (_e997 + 1u);
+                                    if (_e1001 < _e66) {
                                     } else {
                                         return;
                                     }
-                                    let _e1007 = last_bits.member[(0u + _e1003)];
-                                    phi_1242_ = _e1007;
+                                    let _e1005 = last_bits.member[(0u + _e1001)];
+                                    phi_1238_ = _e1005;
                                 } else {
-                                    phi_1242_ = 0u;
+                                    phi_1238_ = 0u;
                                 }
-                                let _e1009 = phi_1242_;
-                                if (_e999 < _e66) {
+                                let _e1007 = phi_1238_;
+                                if (_e997 < _e66) {
                                 } else {
                                     return;
                                 }
-                                let _e1015 = last_bits.member[(0u + _e999)];
-                                let _e1018 = (_e1015 >> bitcast<u32>((_e107.light.shift & 31u)));
+                                let _e1013 = last_bits.member[(0u + _e997)];
+                                let _e1016 = (_e1013 >> bitcast<u32>((_e107.light.shift & 31u)));
                                 if (_e107.light.shift > 29u) {
-                                    phi_1261_ = (_e1018 | (_e1009 << bitcast<u32>(((32u - _e107.light.shift) & 31u))));
+                                    phi_1257_ = (_e1016 | (_e1007 << bitcast<u32>(((32u - _e107.light.shift) & 31u))));
                                 } else {
-                                    phi_1261_ = _e1018;
+                                    phi_1257_ = _e1016;
                                 }
-                                let _e1026 = phi_1261_;
-                                if ((_e1026 & 2u) == 0u) {
-                                    phi_1269_ = (_e1026 & 1u);
+                                let _e1024 = phi_1257_;
+                                if ((_e1024 & 2u) == 0u) {
+                                    phi_1265_ = (_e1024 & 1u);
                                 } else {
-                                    phi_1269_ = (_e1026 & 7u);
+                                    phi_1265_ = (_e1024 & 7u);
                                 }
-                                let _e1032 = phi_1269_;
-                                if _e906.any_expands {
-                                    phi_1357_ = true;
+                                let _e1030 = phi_1265_;
+                                if _e904.any_expands {
+                                    phi_1353_ = true;
                                 } else {
-                                    if ((_e1032 & 2u) != 0u) {
-                                        let _e1039 = (((_e1032 & 4u) != 0u) != _e274);
-                                        switch bitcast<i32>(_e895) {
+                                    if ((_e1030 & 2u) != 0u) {
+                                        let _e1037 = (((_e1030 & 4u) != 0u) != _e274);
+                                        switch bitcast<i32>(_e893) {
                                             case 1: {
-                                                phi_1297_ = bool();
-                                                phi_1298_ = false;
-                                                phi_1299_ = true;
-                                                phi_1300_ = false;
-                                                phi_1301_ = false;
+                                                phi_1293_ = bool();
+                                                phi_1294_ = false;
+                                                phi_1295_ = true;
+                                                phi_1296_ = false;
+                                                phi_1297_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e1039 {
-                                                    phi_1295_ = (((_e1032 & 4u) != 0u) != ((_e1032 & 1u) != 0u));
-                                                    phi_1296_ = false;
+                                                if _e1037 {
+                                                    phi_1291_ = (((_e1030 & 4u) != 0u) != ((_e1030 & 1u) != 0u));
+                                                    phi_1292_ = false;
                                                 } else {
-                                                    phi_1295_ = bool();
-                                                    phi_1296_ = true;
+                                                    phi_1291_ = bool();
+                                                    phi_1292_ = true;
                                                 }
-                                                let _e1047 = phi_1295_;
-                                                let _e1049 = phi_1296_;
-                                                phi_1297_ = _e1047;
-                                                phi_1298_ = false;
-                                                phi_1299_ = false;
-                                                phi_1300_ = _e1049;
-                                                phi_1301_ = _e1039;
+                                                let _e1045 = phi_1291_;
+                                                let _e1047 = phi_1292_;
+                                                phi_1293_ = _e1045;
+                                                phi_1294_ = false;
+                                                phi_1295_ = false;
+                                                phi_1296_ = _e1047;
+                                                phi_1297_ = _e1037;
                                                 break;
                                             }
                                             default: {
-                                                phi_1297_ = bool();
-                                                phi_1298_ = true;
-                                                phi_1299_ = false;
-                                                phi_1300_ = false;
-                                                phi_1301_ = false;
+                                                phi_1293_ = bool();
+                                                phi_1294_ = true;
+                                                phi_1295_ = false;
+                                                phi_1296_ = false;
+                                                phi_1297_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e1051 = phi_1297_;
-                                        let _e1053 = phi_1298_;
-                                        let _e1055 = phi_1299_;
-                                        let _e1057 = phi_1300_;
-                                        let _e1059 = phi_1301_;
-                                        phi_1309_ = _e1039;
-                                        phi_1310_ = _e1051;
-                                        phi_1311_ = _e1053;
-                                        phi_1312_ = _e1055;
-                                        phi_1313_ = _e1057;
-                                        phi_1314_ = _e1059;
+                                        let _e1049 = phi_1293_;
+                                        let _e1051 = phi_1294_;
+                                        let _e1053 = phi_1295_;
+                                        let _e1055 = phi_1296_;
+                                        let _e1057 = phi_1297_;
+                                        phi_1305_ = _e1037;
+                                        phi_1306_ = _e1049;
+                                        phi_1307_ = _e1051;
+                                        phi_1308_ = _e1053;
+                                        phi_1309_ = _e1055;
+                                        phi_1310_ = _e1057;
                                     } else {
-                                        switch bitcast<i32>(_e895) {
+                                        switch bitcast<i32>(_e893) {
                                             case 1: {
-                                                phi_1306_ = false;
-                                                phi_1307_ = true;
-                                                phi_1308_ = false;
+                                                phi_1302_ = false;
+                                                phi_1303_ = true;
+                                                phi_1304_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1306_ = false;
-                                                phi_1307_ = false;
-                                                phi_1308_ = true;
+                                                phi_1302_ = false;
+                                                phi_1303_ = false;
+                                                phi_1304_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_1306_ = true;
-                                                phi_1307_ = false;
-                                                phi_1308_ = false;
+                                                phi_1302_ = true;
+                                                phi_1303_ = false;
+                                                phi_1304_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e1062 = phi_1306_;
-                                        let _e1064 = phi_1307_;
-                                        let _e1066 = phi_1308_;
-                                        phi_1309_ = false;
-                                        phi_1310_ = bool();
-                                        phi_1311_ = _e1062;
-                                        phi_1312_ = _e1064;
-                                        phi_1313_ = _e1066;
-                                        phi_1314_ = false;
+                                        let _e1060 = phi_1302_;
+                                        let _e1062 = phi_1303_;
+                                        let _e1064 = phi_1304_;
+                                        phi_1305_ = false;
+                                        phi_1306_ = bool();
+                                        phi_1307_ = _e1060;
+                                        phi_1308_ = _e1062;
+                                        phi_1309_ = _e1064;
+                                        phi_1310_ = false;
                                     }
-                                    let _e1068 = phi_1309_;
-                                    let _e1070 = phi_1310_;
-                                    let _e1072 = phi_1311_;
-                                    let _e1074 = phi_1312_;
-                                    let _e1076 = phi_1313_;
-                                    let _e1078 = phi_1314_;
-                                    if _e1072 {
-                                        if ((_e1032 & 2u) != 0u) {
-                                            if (((_e1032 & 4u) != 0u) != _e274) {
-                                                phi_1329_ = false;
+                                    let _e1066 = phi_1305_;
+                                    let _e1068 = phi_1306_;
+                                    let _e1070 = phi_1307_;
+                                    let _e1072 = phi_1308_;
+                                    let _e1074 = phi_1309_;
+                                    let _e1076 = phi_1310_;
+                                    if _e1070 {
+                                        if ((_e1030 & 2u) != 0u) {
+                                            if (((_e1030 & 4u) != 0u) != _e274) {
+                                                phi_1325_ = false;
                                             } else {
-                                                phi_1329_ = true;
+                                                phi_1325_ = true;
                                             }
-                                            let _e1085 = phi_1329_;
-                                            phi_1330_ = _e1085;
+                                            let _e1083 = phi_1325_;
+                                            phi_1326_ = _e1083;
                                         } else {
-                                            phi_1330_ = true;
+                                            phi_1326_ = true;
                                         }
-                                        let _e1087 = phi_1330_;
-                                        if _e1087 {
-                                            phi_1337_ = (((_e1032 & 1u) != 0u) != _e274);
+                                        let _e1085 = phi_1326_;
+                                        if _e1085 {
+                                            phi_1333_ = (((_e1030 & 1u) != 0u) != _e274);
                                         } else {
-                                            phi_1337_ = true;
+                                            phi_1333_ = true;
                                         }
-                                        let _e1092 = phi_1337_;
-                                        phi_1338_ = _e1092;
-                                        phi_1339_ = false;
-                                        phi_1340_ = false;
-                                        phi_1341_ = false;
+                                        let _e1090 = phi_1333_;
+                                        phi_1334_ = _e1090;
+                                        phi_1335_ = false;
+                                        phi_1336_ = false;
+                                        phi_1337_ = false;
                                     } else {
-                                        phi_1338_ = bool();
-                                        phi_1339_ = _e1074;
-                                        phi_1340_ = _e1076;
-                                        phi_1341_ = _e1078;
+                                        phi_1334_ = bool();
+                                        phi_1335_ = _e1072;
+                                        phi_1336_ = _e1074;
+                                        phi_1337_ = _e1076;
                                     }
-                                    let _e1094 = phi_1338_;
-                                    let _e1096 = phi_1339_;
-                                    let _e1098 = phi_1340_;
+                                    let _e1092 = phi_1334_;
+                                    let _e1094 = phi_1335_;
+                                    let _e1096 = phi_1336_;
+                                    let _e1098 = phi_1337_;
+                                    if _e1094 {
+                                        phi_1341_ = _e1066;
+                                        phi_1342_ = false;
+                                        phi_1343_ = false;
+                                    } else {
+                                        phi_1341_ = _e1092;
+                                        phi_1342_ = _e1096;
+                                        phi_1343_ = _e1098;
+                                    }
                                     let _e1100 = phi_1341_;
-                                    if _e1096 {
-                                        phi_1345_ = _e1068;
-                                        phi_1346_ = false;
+                                    let _e1102 = phi_1342_;
+                                    let _e1104 = phi_1343_;
+                                    if _e1102 {
                                         phi_1347_ = false;
+                                        phi_1348_ = true;
                                     } else {
-                                        phi_1345_ = _e1094;
-                                        phi_1346_ = _e1098;
-                                        phi_1347_ = _e1100;
+                                        phi_1347_ = _e1068;
+                                        phi_1348_ = _e1104;
                                     }
-                                    let _e1102 = phi_1345_;
-                                    let _e1104 = phi_1346_;
                                     let _e1106 = phi_1347_;
-                                    if _e1104 {
-                                        phi_1351_ = false;
-                                        phi_1352_ = true;
-                                    } else {
-                                        phi_1351_ = _e1070;
+                                    let _e1108 = phi_1348_;
+                                    if _e1108 {
                                         phi_1352_ = _e1106;
+                                    } else {
+                                        phi_1352_ = _e1100;
                                     }
-                                    let _e1108 = phi_1351_;
                                     let _e1110 = phi_1352_;
-                                    if _e1110 {
-                                        phi_1356_ = _e1108;
-                                    } else {
-                                        phi_1356_ = _e1102;
-                                    }
-                                    let _e1112 = phi_1356_;
-                                    phi_1357_ = _e1112;
+                                    phi_1353_ = _e1110;
                                 }
-                                let _e1114 = phi_1357_;
-                                if _e906.all_remove {
-                                    if (((_e1032 & 1u) != 0u) == _e274) {
-                                        if ((_e1032 & 2u) != 0u) {
-                                            phi_1375_ = (((_e1032 & 4u) != 0u) == _e274);
+                                let _e1112 = phi_1353_;
+                                if _e904.all_remove {
+                                    if (((_e1030 & 1u) != 0u) == _e274) {
+                                        if ((_e1030 & 2u) != 0u) {
+                                            phi_1371_ = (((_e1030 & 4u) != 0u) == _e274);
                                         } else {
-                                            phi_1375_ = true;
+                                            phi_1371_ = true;
                                         }
-                                        let _e1124 = phi_1375_;
-                                        phi_1376_ = _e1124;
+                                        let _e1122 = phi_1371_;
+                                        phi_1372_ = _e1122;
                                     } else {
-                                        phi_1376_ = false;
+                                        phi_1372_ = false;
                                     }
-                                    let _e1126 = phi_1376_;
-                                    phi_1377_ = _e1126;
+                                    let _e1124 = phi_1372_;
+                                    phi_1373_ = _e1124;
                                 } else {
-                                    phi_1377_ = false;
+                                    phi_1373_ = false;
                                 }
-                                let _e1128 = phi_1377_;
-                                phi_1110_ = (_e904 + 1u);
-                                phi_1113_ = lt_mask_Neighbourhood(_e1114, _e1128);
+                                let _e1126 = phi_1373_;
+                                phi_1106_ = (_e902 + 1u);
+                                phi_1109_ = lt_mask_Neighbourhood(_e1112, _e1126);
                             } else {
-                                phi_1110_ = u32();
-                                phi_1113_ = lt_mask_Neighbourhood();
+                                phi_1106_ = u32();
+                                phi_1109_ = lt_mask_Neighbourhood();
                             }
-                            let _e1132 = phi_1110_;
-                            let _e1134 = phi_1113_;
+                            let _e1130 = phi_1106_;
+                            let _e1132 = phi_1109_;
                             continue;
                             continuing {
-                                phi_1109_ = _e1132;
-                                phi_1112_ = _e1134;
-                                break if !(_e918);
+                                phi_1105_ = _e1130;
+                                phi_1108_ = _e1132;
+                                break if !(_e916);
                             }
                         }
-                        let _e1511 = local_1;
-                        phi_1380_ = _e1511;
+                        let _e1508 = local_1;
+                        phi_1376_ = _e1508;
                     }
-                    let _e1137 = phi_1380_;
-                    phi_1381_ = _e1137;
+                    let _e1135 = phi_1376_;
+                    phi_1377_ = _e1135;
                 } else {
-                    phi_1381_ = _e889;
+                    phi_1377_ = _e887;
                 }
-                let _e1139 = phi_1381_;
-                phi_1382_ = _e1139;
+                let _e1137 = phi_1377_;
+                phi_1378_ = _e1137;
             } else {
-                phi_1382_ = _e889;
+                phi_1378_ = _e887;
             }
-            let _e1141 = phi_1382_;
-            let _e1144 = p.member.frame;
-            let _e1146 = p.member.refresh;
-            if (_e1146 == 0u) {
-                phi_1415_ = false;
+            let _e1139 = phi_1378_;
+            let _e1142 = p.member.frame;
+            let _e1144 = p.member.refresh;
+            if (_e1144 == 0u) {
+                phi_1411_ = false;
             } else {
-                if (_e1146 == 0u) {
+                if (_e1144 == 0u) {
                     return;
                 }
-                let _e1155 = ((_e60.x + (_e60.y * (((_e1146 * 5u) / 8u) | 1u))) + (_e1144 % _e1146));
-                if (_e1146 == 0u) {
-                    phi_1414_ = (_e1155 == 0u);
+                let _e1153 = ((_e60.x + (_e60.y * (((_e1144 * 5u) / 8u) | 1u))) + (_e1142 % _e1144));
+                if (_e1144 == 0u) {
+                    phi_1410_ = (_e1153 == 0u);
                 } else {
-                    if (_e1146 == 0u) {
+                    if (_e1144 == 0u) {
                         return;
                     }
-                    phi_1414_ = ((_e1155 % _e1146) == 0u);
+                    phi_1410_ = ((_e1153 % _e1144) == 0u);
                 }
-                let _e1162 = phi_1414_;
-                phi_1415_ = _e1162;
+                let _e1160 = phi_1410_;
+                phi_1411_ = _e1160;
             }
-            let _e1164 = phi_1415_;
-            if _e812 {
-                if _e1164 {
-                    phi_1437_ = bool();
+            let _e1162 = phi_1411_;
+            if _e810 {
+                if _e1162 {
+                    phi_1433_ = bool();
                 } else {
-                    phi_1437_ = ((_e888 & 2u) != 0u);
+                    phi_1433_ = ((_e886 & 2u) != 0u);
                 }
-                let _e1170 = phi_1437_;
-                phi_1438_ = _e1170;
-                phi_1439_ = _e1164;
+                let _e1168 = phi_1433_;
+                phi_1434_ = _e1168;
+                phi_1435_ = _e1162;
             } else {
-                phi_1438_ = bool();
-                phi_1439_ = true;
+                phi_1434_ = bool();
+                phi_1435_ = true;
             }
-            let _e1172 = phi_1438_;
+            let _e1170 = phi_1434_;
+            let _e1172 = phi_1435_;
+            if _e1172 {
+                phi_1439_ = false;
+            } else {
+                phi_1439_ = _e1170;
+            }
             let _e1174 = phi_1439_;
             if _e1174 {
-                phi_1443_ = false;
-            } else {
-                phi_1443_ = _e1172;
-            }
-            let _e1176 = phi_1443_;
-            if _e1176 {
-                phi_1494_ = 7u;
+                phi_1490_ = 7u;
             } else {
                 if (_e116 != 0.5f) {
-                    if _e812 {
-                        if _e1164 {
-                            phi_1491_ = 6u;
+                    if _e810 {
+                        if _e1162 {
+                            phi_1487_ = 6u;
                         } else {
                             if _e278 {
-                                phi_1466_ = true;
+                                phi_1462_ = true;
                             } else {
-                                if _e1141.any_expands {
-                                    phi_1465_ = false;
+                                if _e1139.any_expands {
+                                    phi_1461_ = false;
                                 } else {
-                                    phi_1465_ = true;
+                                    phi_1461_ = true;
                                 }
-                                let _e1178 = phi_1465_;
-                                phi_1466_ = _e1178;
+                                let _e1176 = phi_1461_;
+                                phi_1462_ = _e1176;
                             }
-                            let _e1180 = phi_1466_;
-                            if _e1180 {
+                            let _e1178 = phi_1462_;
+                            if _e1178 {
                                 if _e278 {
-                                    if _e822 {
-                                        if _e1141.all_remove {
-                                            phi_1479_ = false;
+                                    if _e820 {
+                                        if _e1139.all_remove {
+                                            phi_1475_ = false;
                                         } else {
-                                            phi_1479_ = true;
+                                            phi_1475_ = true;
                                         }
-                                        let _e1182 = phi_1479_;
-                                        phi_1480_ = _e1182;
+                                        let _e1180 = phi_1475_;
+                                        phi_1476_ = _e1180;
                                     } else {
-                                        phi_1480_ = true;
+                                        phi_1476_ = true;
                                     }
-                                    let _e1184 = phi_1480_;
-                                    phi_1481_ = _e1184;
+                                    let _e1182 = phi_1476_;
+                                    phi_1477_ = _e1182;
                                 } else {
-                                    phi_1481_ = true;
+                                    phi_1477_ = true;
                                 }
-                                let _e1186 = phi_1481_;
-                                if _e1186 {
+                                let _e1184 = phi_1477_;
+                                if _e1184 {
                                     if _e278 {
-                                        phi_1488_ = 1u;
+                                        phi_1484_ = 1u;
                                     } else {
-                                        phi_1488_ = 0u;
+                                        phi_1484_ = 0u;
                                     }
-                                    let _e1188 = phi_1488_;
-                                    phi_1489_ = _e1188;
+                                    let _e1186 = phi_1484_;
+                                    phi_1485_ = _e1186;
                                 } else {
-                                    phi_1489_ = 5u;
+                                    phi_1485_ = 5u;
                                 }
-                                let _e1190 = phi_1489_;
-                                phi_1490_ = _e1190;
+                                let _e1188 = phi_1485_;
+                                phi_1486_ = _e1188;
                             } else {
-                                phi_1490_ = 4u;
+                                phi_1486_ = 4u;
                             }
-                            let _e1192 = phi_1490_;
-                            phi_1491_ = _e1192;
+                            let _e1190 = phi_1486_;
+                            phi_1487_ = _e1190;
                         }
-                        let _e1194 = phi_1491_;
-                        phi_1492_ = _e1194;
+                        let _e1192 = phi_1487_;
+                        phi_1488_ = _e1192;
                     } else {
-                        phi_1492_ = 3u;
+                        phi_1488_ = 3u;
                     }
-                    let _e1196 = phi_1492_;
-                    phi_1493_ = _e1196;
+                    let _e1194 = phi_1488_;
+                    phi_1489_ = _e1194;
                 } else {
-                    phi_1493_ = 2u;
+                    phi_1489_ = 2u;
                 }
-                let _e1198 = phi_1493_;
-                phi_1494_ = _e1198;
+                let _e1196 = phi_1489_;
+                phi_1490_ = _e1196;
             }
-            let _e1200 = phi_1494_;
-            if !((_e1200 == 0u)) {
-                if !((_e1200 == 5u)) {
-                    phi_1506_ = !(_e1176);
-                    phi_1507_ = false;
+            let _e1198 = phi_1490_;
+            if !((_e1198 == 0u)) {
+                if !((_e1198 == 5u)) {
+                    phi_1502_ = !(_e1174);
+                    phi_1503_ = false;
                 } else {
-                    phi_1506_ = bool();
-                    phi_1507_ = true;
+                    phi_1502_ = bool();
+                    phi_1503_ = true;
                 }
-                let _e1207 = phi_1506_;
-                let _e1209 = phi_1507_;
-                phi_1508_ = _e1207;
+                let _e1205 = phi_1502_;
+                let _e1207 = phi_1503_;
+                phi_1504_ = _e1205;
+                phi_1505_ = _e1207;
+            } else {
+                phi_1504_ = bool();
+                phi_1505_ = true;
+            }
+            let _e1209 = phi_1504_;
+            let _e1211 = phi_1505_;
+            if _e1211 {
+                phi_1509_ = false;
+            } else {
                 phi_1509_ = _e1209;
-            } else {
-                phi_1508_ = bool();
-                phi_1509_ = true;
             }
-            let _e1211 = phi_1508_;
             let _e1213 = phi_1509_;
+            if _e1174 {
+                phi_1515_ = ((_e886 & 4u) != 0u);
+            } else {
+                phi_1515_ = _e274;
+            }
+            let _e1217 = phi_1515_;
             if _e1213 {
-                phi_1513_ = false;
-            } else {
-                phi_1513_ = _e1211;
-            }
-            let _e1215 = phi_1513_;
-            if _e1176 {
-                phi_1519_ = ((_e888 & 4u) != 0u);
-            } else {
-                phi_1519_ = _e274;
-            }
-            let _e1219 = phi_1519_;
-            if _e1215 {
                 if _e274 {
-                    phi_1527_ = (2u | 1u);
+                    phi_1523_ = (2u | 1u);
                 } else {
-                    phi_1527_ = 2u;
+                    phi_1523_ = 2u;
                 }
-                let _e1222 = phi_1527_;
+                let _e1220 = phi_1523_;
                 if false {
-                    phi_1532_ = (_e1222 | 4u);
+                    phi_1528_ = (_e1220 | 4u);
                 } else {
-                    phi_1532_ = _e1222;
+                    phi_1528_ = _e1220;
                 }
-                let _e1225 = phi_1532_;
-                phi_1552_ = _e1225;
+                let _e1223 = phi_1528_;
+                phi_1548_ = _e1223;
             } else {
-                if (_e1200 == 7u) {
+                if (_e1198 == 7u) {
                     if _e274 {
-                        phi_1541_ = (2u | 1u);
+                        phi_1537_ = (2u | 1u);
                     } else {
-                        phi_1541_ = 2u;
+                        phi_1537_ = 2u;
                     }
-                    let _e1229 = phi_1541_;
-                    if _e1219 {
-                        phi_1546_ = (_e1229 | 4u);
+                    let _e1227 = phi_1537_;
+                    if _e1217 {
+                        phi_1542_ = (_e1227 | 4u);
                     } else {
-                        phi_1546_ = _e1229;
+                        phi_1542_ = _e1227;
+                    }
+                    let _e1230 = phi_1542_;
+                    phi_1547_ = _e1230;
+                } else {
+                    if _e274 {
+                        phi_1546_ = 1u;
+                    } else {
+                        phi_1546_ = 0u;
                     }
                     let _e1232 = phi_1546_;
-                    phi_1551_ = _e1232;
-                } else {
-                    if _e274 {
-                        phi_1550_ = 1u;
-                    } else {
-                        phi_1550_ = 0u;
-                    }
-                    let _e1234 = phi_1550_;
-                    phi_1551_ = _e1234;
+                    phi_1547_ = _e1232;
                 }
-                let _e1236 = phi_1551_;
-                phi_1552_ = _e1236;
+                let _e1234 = phi_1547_;
+                phi_1548_ = _e1234;
+            }
+            let _e1236 = phi_1548_;
+            if _e1217 {
+                phi_1552_ = 0f;
+            } else {
+                phi_1552_ = 1f;
             }
             let _e1238 = phi_1552_;
-            if _e1219 {
-                phi_1556_ = 0f;
-            } else {
-                phi_1556_ = 1f;
-            }
-            let _e1240 = phi_1556_;
-            phi_1558_ = mask_Masked(_e1240, _e1238, _e1215);
+            phi_1554_ = mask_Masked(_e1238, _e1236, _e1213);
         }
-        let _e1243 = phi_1558_;
-        visibility.member[_e80.shift] = _e1243.visibility;
-        let _e1248 = p.member.light.number;
-        let _e1249 = (_e1248 * 3u);
-        let _e1251 = (_e1249 % 32u);
-        let _e1253 = p.member.light.mask_words;
-        let _e1255 = ((_e80.shift * _e1253) + (_e1249 / 32u));
-        let _e1257 = bits.member[_e1255];
-        bits.member[_e1255] = ((_e1257 & ~((7u << bitcast<u32>((_e1251 & 31u))))) | (_e1243.bits << bitcast<u32>((_e1251 & 31u))));
-        if (_e1251 > 29u) {
-            let _e1272 = bits.member[(_e1255 + 1u)];
-            let _e1274 = (32u - _e1251);
-            bits.member[(_e1255 + 1u)] = ((_e1272 & ~((7u >> bitcast<u32>((_e1274 & 31u))))) | (_e1243.bits >> bitcast<u32>((_e1274 & 31u))));
+        let _e1241 = phi_1554_;
+        visibility.member[_e80.shift] = _e1241.visibility;
+        let _e1246 = p.member.light.number;
+        let _e1247 = (_e1246 * 3u);
+        let _e1249 = (_e1247 % 32u);
+        let _e1251 = p.member.light.mask_words;
+        let _e1253 = ((_e80.shift * _e1251) + (_e1247 / 32u));
+        let _e1255 = bits.member[_e1253];
+        bits.member[_e1253] = ((_e1255 & ~((7u << bitcast<u32>((_e1249 & 31u))))) | (_e1241.bits << bitcast<u32>((_e1249 & 31u))));
+        if (_e1249 > 29u) {
+            let _e1270 = bits.member[(_e1253 + 1u)];
+            let _e1272 = (32u - _e1249);
+            bits.member[(_e1253 + 1u)] = ((_e1270 & ~((7u >> bitcast<u32>((_e1272 & 31u))))) | (_e1241.bits >> bitcast<u32>((_e1272 & 31u))));
         }
-        let _e1289 = samples.member[_e80.shift].normal[0u];
-        let _e1291 = global[0u];
-        if (_e1289 == _e1291) {
-            let _e1294 = samples.member[_e80.shift].normal[1u];
-            let _e1296 = global[1u];
-            if (_e1294 == _e1296) {
-                let _e1299 = samples.member[_e80.shift].normal[2u];
-                let _e1301 = global[2u];
-                phi_1630_ = (_e1299 == _e1301);
-                phi_1631_ = false;
+        let _e1287 = samples.member[_e80.shift].normal[0u];
+        let _e1289 = global[0u];
+        if (_e1287 == _e1289) {
+            let _e1292 = samples.member[_e80.shift].normal[1u];
+            let _e1294 = global[1u];
+            if (_e1292 == _e1294) {
+                let _e1297 = samples.member[_e80.shift].normal[2u];
+                let _e1299 = global[2u];
+                phi_1626_ = (_e1297 == _e1299);
+                phi_1627_ = false;
             } else {
-                phi_1630_ = bool();
-                phi_1631_ = true;
+                phi_1626_ = bool();
+                phi_1627_ = true;
             }
-            let _e1304 = phi_1630_;
-            let _e1306 = phi_1631_;
-            phi_1632_ = _e1304;
+            let _e1302 = phi_1626_;
+            let _e1304 = phi_1627_;
+            phi_1628_ = _e1302;
+            phi_1629_ = _e1304;
+        } else {
+            phi_1628_ = bool();
+            phi_1629_ = true;
+        }
+        let _e1306 = phi_1628_;
+        let _e1308 = phi_1629_;
+        if _e1308 {
+            phi_1633_ = false;
+        } else {
             phi_1633_ = _e1306;
-        } else {
-            phi_1632_ = bool();
-            phi_1633_ = true;
         }
-        let _e1308 = phi_1632_;
         let _e1310 = phi_1633_;
-        if _e1310 {
-            phi_1637_ = false;
+        if !(_e1310) {
+            let _e1313 = samples.member[_e80.shift].position;
+            let _e1315 = p.member.current.eye;
+            let _e1326 = p.member.current.forward;
+            phi_1661_ = ((((_e1313.x - _e1315.x) * _e1326.x) + ((_e1313.y - _e1315.y) * _e1326.y)) + ((_e1313.z - _e1315.z) * _e1326.z));
         } else {
-            phi_1637_ = _e1308;
+            phi_1661_ = 0f;
         }
-        let _e1312 = phi_1637_;
-        if !(_e1312) {
-            let _e1315 = samples.member[_e80.shift].position;
-            let _e1317 = p.member.current.eye;
-            let _e1328 = p.member.current.forward;
-            phi_1665_ = ((((_e1315.x - _e1317.x) * _e1328.x) + ((_e1315.y - _e1317.y) * _e1328.y)) + ((_e1315.z - _e1317.z) * _e1328.z));
-        } else {
-            phi_1665_ = 0f;
-        }
-        let _e1338 = phi_1665_;
-        depths.member[_e80.shift] = _e1338;
-        phi_1668_ = _e1243.needs_ray;
-        phi_1669_ = _e80.shift;
+        let _e1336 = phi_1661_;
+        depths.member[_e80.shift] = _e1336;
+        phi_1664_ = _e1241.needs_ray;
+        phi_1665_ = _e80.shift;
     } else {
-        phi_1668_ = false;
-        phi_1669_ = 0u;
+        phi_1664_ = false;
+        phi_1665_ = 0u;
     }
-    let _e1342 = phi_1668_;
-    let _e1344 = phi_1669_;
+    let _e1340 = phi_1664_;
+    let _e1342 = phi_1665_;
     if (_e61 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1342 {
-        let _e1348 = atomicAdd((&shared_[0u]), 1u);
-        phi_1680_ = _e1348;
+    if _e1340 {
+        let _e1346 = atomicAdd((&shared_[0u]), 1u);
+        phi_1676_ = _e1346;
     } else {
-        phi_1680_ = 0u;
+        phi_1676_ = 0u;
     }
-    let _e1350 = phi_1680_;
+    let _e1348 = phi_1676_;
     workgroupBarrier();
     if (_e61 == 0u) {
-        let _e1354 = atomicLoad((&shared_[0u]));
-        let _e1355 = atomicAdd((&list.member[3u]), _e1354);
-        atomicStore((&shared_[1u]), _e1355);
+        let _e1352 = atomicLoad((&shared_[0u]));
+        let _e1353 = atomicAdd((&list.member[3u]), _e1352);
+        atomicStore((&shared_[1u]), _e1353);
     }
     workgroupBarrier();
-    if _e1342 {
-        let _e1358 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1358) + _e1350)]), _e1344);
+    if _e1340 {
+        let _e1356 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1356) + _e1348)]), _e1342);
     }
     return;
 }

@@ -298,166 +298,165 @@ fn function_() {
     var phi_514_: bool;
     var phi_515_: bool;
     var phi_519_: bool;
-    var phi_523_: bool;
-    var phi_524_: bool;
-    var phi_735_: f32;
-    var phi_740_: f32;
-    var phi_741_: bool;
-    var phi_742_: f32;
-    var phi_743_: bool;
-    var phi_747_: f32;
-    var phi_768_: f32;
-    var phi_773_: f32;
-    var phi_774_: bool;
-    var phi_775_: f32;
-    var phi_776_: bool;
-    var phi_780_: f32;
-    var phi_801_: bool;
+    var phi_520_: bool;
+    var phi_731_: f32;
+    var phi_736_: f32;
+    var phi_737_: bool;
+    var phi_738_: f32;
+    var phi_739_: bool;
+    var phi_743_: f32;
+    var phi_764_: f32;
+    var phi_769_: f32;
+    var phi_770_: bool;
+    var phi_771_: f32;
+    var phi_772_: bool;
+    var phi_776_: f32;
+    var phi_797_: bool;
+    var phi_816_: vec2<u32>;
+    var phi_817_: bool;
+    var phi_818_: bool;
+    var phi_819_: bool;
     var phi_820_: vec2<u32>;
     var phi_821_: bool;
     var phi_822_: bool;
     var phi_823_: bool;
-    var phi_824_: vec2<u32>;
+    var phi_824_: bool;
     var phi_825_: bool;
     var phi_826_: bool;
-    var phi_827_: bool;
+    var phi_827_: vec2<u32>;
     var phi_828_: bool;
     var phi_829_: bool;
     var phi_830_: bool;
-    var phi_831_: vec2<u32>;
+    var phi_831_: bool;
     var phi_832_: bool;
     var phi_833_: bool;
-    var phi_834_: bool;
+    var phi_834_: vec2<u32>;
     var phi_835_: bool;
     var phi_836_: bool;
     var phi_837_: bool;
-    var phi_838_: vec2<u32>;
-    var phi_839_: bool;
-    var phi_840_: bool;
-    var phi_841_: bool;
-    var phi_842_: bool;
-    var phi_851_: bool;
-    var phi_852_: bool;
-    var phi_853_: bool;
+    var phi_838_: bool;
+    var phi_847_: bool;
+    var phi_848_: bool;
+    var phi_849_: bool;
+    var phi_850_: bool;
     var phi_854_: bool;
-    var phi_858_: bool;
-    var phi_859_: bool;
-    var phi_860_: vec2<u32>;
-    var phi_898_: bool;
-    var phi_900_: lt_mask_Reprojection;
+    var phi_855_: bool;
+    var phi_856_: vec2<u32>;
+    var phi_894_: bool;
+    var phi_896_: lt_mask_Reprojection;
+    var phi_897_: lt_mask_Reprojection;
+    var phi_898_: lt_mask_Reprojection;
+    var phi_899_: bool;
+    var phi_900_: bool;
     var phi_901_: lt_mask_Reprojection;
     var phi_902_: lt_mask_Reprojection;
-    var phi_903_: bool;
+    var phi_903_: lt_mask_Reprojection;
     var phi_904_: bool;
-    var phi_905_: lt_mask_Reprojection;
-    var phi_906_: lt_mask_Reprojection;
-    var phi_907_: lt_mask_Reprojection;
-    var phi_908_: bool;
-    var phi_909_: bool;
-    var phi_964_: bool;
-    var phi_968_: f32;
-    var phi_972_: lt_mask_Reprojection;
-    var phi_973_: bool;
+    var phi_905_: bool;
+    var phi_960_: bool;
+    var phi_964_: f32;
+    var phi_968_: lt_mask_Reprojection;
+    var phi_969_: bool;
+    var phi_981_: bool;
+    var phi_982_: bool;
+    var phi_983_: bool;
+    var phi_984_: lt_mask_Reprojection;
     var phi_985_: bool;
-    var phi_986_: bool;
-    var phi_987_: bool;
-    var phi_988_: lt_mask_Reprojection;
     var phi_989_: bool;
-    var phi_993_: bool;
-    var phi_994_: lt_mask_Reprojection;
-    var phi_1000_: bool;
-    var phi_1022_: u32;
-    var phi_1024_: u32;
-    var phi_1027_: lt_mask_Neighbourhood;
-    var phi_1039_: bool;
-    var phi_1040_: bool;
-    var phi_1049_: u32;
-    var phi_1050_: u32;
-    var phi_1110_: vec2<i32>;
-    var phi_1130_: vec2<i32>;
-    var phi_1157_: u32;
-    var phi_1176_: u32;
-    var phi_1184_: u32;
+    var phi_990_: lt_mask_Reprojection;
+    var phi_996_: bool;
+    var phi_1018_: u32;
+    var phi_1020_: u32;
+    var phi_1023_: lt_mask_Neighbourhood;
+    var phi_1035_: bool;
+    var phi_1036_: bool;
+    var phi_1045_: u32;
+    var phi_1046_: u32;
+    var phi_1106_: vec2<i32>;
+    var phi_1126_: vec2<i32>;
+    var phi_1153_: u32;
+    var phi_1172_: u32;
+    var phi_1180_: u32;
+    var phi_1206_: bool;
+    var phi_1207_: bool;
+    var phi_1208_: bool;
+    var phi_1209_: bool;
     var phi_1210_: bool;
     var phi_1211_: bool;
     var phi_1212_: bool;
-    var phi_1213_: bool;
-    var phi_1214_: bool;
-    var phi_1215_: bool;
-    var phi_1216_: bool;
+    var phi_1217_: bool;
+    var phi_1218_: bool;
+    var phi_1219_: bool;
+    var phi_1220_: bool;
     var phi_1221_: bool;
     var phi_1222_: bool;
     var phi_1223_: bool;
     var phi_1224_: bool;
     var phi_1225_: bool;
-    var phi_1226_: bool;
-    var phi_1227_: bool;
-    var phi_1228_: bool;
-    var phi_1229_: bool;
-    var phi_1244_: bool;
-    var phi_1245_: bool;
+    var phi_1240_: bool;
+    var phi_1241_: bool;
+    var phi_1248_: bool;
+    var phi_1249_: bool;
+    var phi_1250_: bool;
+    var phi_1251_: bool;
     var phi_1252_: bool;
-    var phi_1253_: bool;
-    var phi_1254_: bool;
-    var phi_1255_: bool;
     var phi_1256_: bool;
-    var phi_1260_: bool;
-    var phi_1261_: bool;
+    var phi_1257_: bool;
+    var phi_1258_: bool;
     var phi_1262_: bool;
-    var phi_1266_: bool;
+    var phi_1263_: bool;
     var phi_1267_: bool;
-    var phi_1271_: bool;
-    var phi_1272_: bool;
-    var phi_1290_: bool;
-    var phi_1291_: bool;
-    var phi_1292_: bool;
-    var phi_1025_: u32;
-    var phi_1028_: lt_mask_Neighbourhood;
-    var phi_1295_: lt_mask_Neighbourhood;
-    var phi_1296_: lt_mask_Neighbourhood;
-    var phi_1297_: lt_mask_Neighbourhood;
-    var phi_1329_: bool;
-    var phi_1330_: bool;
-    var phi_1352_: bool;
-    var phi_1353_: bool;
+    var phi_1268_: bool;
+    var phi_1286_: bool;
+    var phi_1287_: bool;
+    var phi_1288_: bool;
+    var phi_1021_: u32;
+    var phi_1024_: lt_mask_Neighbourhood;
+    var phi_1291_: lt_mask_Neighbourhood;
+    var phi_1292_: lt_mask_Neighbourhood;
+    var phi_1293_: lt_mask_Neighbourhood;
+    var phi_1325_: bool;
+    var phi_1326_: bool;
+    var phi_1348_: bool;
+    var phi_1349_: bool;
+    var phi_1350_: bool;
     var phi_1354_: bool;
-    var phi_1358_: bool;
-    var phi_1380_: bool;
-    var phi_1381_: bool;
-    var phi_1394_: bool;
-    var phi_1395_: bool;
-    var phi_1396_: bool;
+    var phi_1376_: bool;
+    var phi_1377_: bool;
+    var phi_1390_: bool;
+    var phi_1391_: bool;
+    var phi_1392_: bool;
+    var phi_1399_: u32;
+    var phi_1400_: u32;
+    var phi_1401_: u32;
+    var phi_1402_: u32;
     var phi_1403_: u32;
     var phi_1404_: u32;
     var phi_1405_: u32;
-    var phi_1406_: u32;
-    var phi_1407_: u32;
-    var phi_1408_: u32;
-    var phi_1409_: u32;
-    var phi_1421_: bool;
-    var phi_1422_: bool;
-    var phi_1423_: bool;
+    var phi_1417_: bool;
+    var phi_1418_: bool;
+    var phi_1419_: bool;
+    var phi_1420_: bool;
     var phi_1424_: bool;
-    var phi_1428_: bool;
-    var phi_1434_: bool;
-    var phi_1442_: u32;
-    var phi_1447_: u32;
-    var phi_1456_: u32;
+    var phi_1430_: bool;
+    var phi_1438_: u32;
+    var phi_1443_: u32;
+    var phi_1452_: u32;
+    var phi_1457_: u32;
     var phi_1461_: u32;
-    var phi_1465_: u32;
-    var phi_1466_: u32;
-    var phi_1467_: u32;
-    var phi_1471_: f32;
-    var phi_1473_: mask_Masked;
-    var phi_1545_: bool;
-    var phi_1546_: bool;
-    var phi_1547_: bool;
+    var phi_1462_: u32;
+    var phi_1463_: u32;
+    var phi_1467_: f32;
+    var phi_1469_: mask_Masked;
+    var phi_1541_: bool;
+    var phi_1542_: bool;
+    var phi_1543_: bool;
+    var phi_1544_: bool;
     var phi_1548_: bool;
-    var phi_1552_: bool;
-    var phi_1580_: f32;
-    var phi_1583_: bool;
-    var phi_1584_: u32;
-    var phi_1595_: u32;
+    var phi_1576_: f32;
+    var phi_1579_: bool;
+    var phi_1580_: u32;
+    var phi_1591_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e60 = id_1;
@@ -568,7 +567,7 @@ fn function_() {
         }
         let _e269 = phi_468_;
         if _e269.unnamed_1 {
-            phi_1473_ = mask_Masked(_e269.unnamed.visibility, 0u, false);
+            phi_1469_ = mask_Masked(_e269.unnamed.visibility, 0u, false);
         } else {
             let _e274 = (_e116 < 0.5f);
             if (_e116 > 0f) {
@@ -582,7 +581,7 @@ fn function_() {
             let _e296 = lt_mask_Reprojection(_e292.pixel, true, _e292.has_moved);
             let _e302 = p.member.flags;
             if ((_e302 & 16u) == 0u) {
-                phi_524_ = true;
+                phi_520_ = false;
             } else {
                 let _e308 = samples.member[_e80.shift].position[0u];
                 if (_e114.x == _e308) {
@@ -611,980 +610,974 @@ fn function_() {
                     phi_519_ = _e323;
                 }
                 let _e327 = phi_519_;
-                if _e327 {
-                    phi_523_ = false;
-                } else {
-                    phi_523_ = true;
-                }
-                let _e329 = phi_523_;
-                phi_524_ = _e329;
+                phi_520_ = _e327;
             }
-            let _e331 = phi_524_;
-            if _e331 {
-                let _e333 = samples.member[_e80.shift].position;
-                let _e337 = p.member.previous.eye;
-                let _e340 = (_e114.x - _e337.x);
-                let _e343 = (_e114.y - _e337.y);
-                let _e346 = (_e114.z - _e337.z);
-                let _e348 = p.member.previous.forward;
-                let _e356 = (((_e340 * _e348.x) + (_e343 * _e348.y)) + (_e346 * _e348.z));
-                let _e358 = p.member.previous.right;
-                let _e368 = p.member.previous.right;
-                let _e383 = p.member.previous.up;
-                let _e393 = p.member.previous.up;
-                let _e408 = p.member.current.eye;
-                let _e411 = (_e333.x - _e408.x);
-                let _e414 = (_e333.y - _e408.y);
-                let _e417 = (_e333.z - _e408.z);
-                let _e419 = p.member.current.forward;
-                let _e427 = (((_e411 * _e419.x) + (_e414 * _e419.y)) + (_e417 * _e419.z));
-                let _e429 = p.member.current.right;
-                let _e439 = p.member.current.right;
-                let _e454 = p.member.current.up;
-                let _e464 = p.member.current.up;
-                let _e483 = p.member.current.size[0u];
-                let _e485 = (((((((_e340 * _e358.x) + (_e343 * _e358.y)) + (_e346 * _e358.z)) / ((((_e368.x * _e368.x) + (_e368.y * _e368.y)) + (_e368.z * _e368.z)) * _e356)) - ((((_e411 * _e429.x) + (_e414 * _e429.y)) + (_e417 * _e429.z)) / ((((_e439.x * _e439.x) + (_e439.y * _e439.y)) + (_e439.z * _e439.z)) * _e427))) * 0.5f) * f32(_e483));
-                let _e489 = p.member.current.size[1u];
-                let _e491 = (((((((_e340 * _e383.x) + (_e343 * _e383.y)) + (_e346 * _e383.z)) / ((((_e393.x * _e393.x) + (_e393.y * _e393.y)) + (_e393.z * _e393.z)) * _e356)) - ((((_e411 * _e454.x) + (_e414 * _e454.y)) + (_e417 * _e454.z)) / ((((_e464.x * _e464.x) + (_e464.y * _e464.y)) + (_e464.z * _e464.z)) * _e427))) * -0.5f) * f32(_e489));
-                let _e495 = p.member.current.grid[0u];
-                let _e497 = p.member.current.grid[1u];
-                let _e517 = p.member.current.size[0u];
-                let _e519 = p.member.current.size[1u];
-                let _e521 = ((f32(_e60.x) + ((f32((_e60.y & (_e497 - 1u))) + 0.5f) / f32(_e497))) + _e485);
-                if (_e521 > -8388608f) {
-                    let _e533 = f32(select(0i, select(select(i32(_e521), i32(-2147483648), (_e521 < bitcast<f32>(3472883712u))), 2147483647i, (_e521 > bitcast<f32>(1325400063u))), (_e521 == _e521)));
-                    if (_e533 > _e521) {
-                        phi_735_ = 1f;
-                    } else {
-                        phi_735_ = 0f;
-                    }
-                    let _e536 = phi_735_;
-                    if (_e521 < 8388608f) {
-                        phi_740_ = (_e533 - _e536);
-                        phi_741_ = false;
-                    } else {
-                        phi_740_ = f32();
-                        phi_741_ = true;
-                    }
-                    let _e539 = phi_740_;
-                    let _e541 = phi_741_;
-                    phi_742_ = _e539;
-                    phi_743_ = _e541;
-                } else {
-                    phi_742_ = f32();
-                    phi_743_ = true;
-                }
-                let _e543 = phi_742_;
-                let _e545 = phi_743_;
-                if _e545 {
-                    phi_747_ = _e521;
-                } else {
-                    phi_747_ = _e543;
-                }
-                let _e547 = phi_747_;
-                let _e548 = ((f32(_e60.y) + ((f32((_e60.x & (_e495 - 1u))) + 0.5f) / f32(_e495))) + _e491);
-                if (_e548 > -8388608f) {
-                    let _e560 = f32(select(0i, select(select(i32(_e548), i32(-2147483648), (_e548 < bitcast<f32>(3472883712u))), 2147483647i, (_e548 > bitcast<f32>(1325400063u))), (_e548 == _e548)));
-                    if (_e560 > _e548) {
-                        phi_768_ = 1f;
-                    } else {
-                        phi_768_ = 0f;
-                    }
-                    let _e563 = phi_768_;
-                    if (_e548 < 8388608f) {
-                        phi_773_ = (_e560 - _e563);
-                        phi_774_ = false;
-                    } else {
-                        phi_773_ = f32();
-                        phi_774_ = true;
-                    }
-                    let _e566 = phi_773_;
-                    let _e568 = phi_774_;
-                    phi_775_ = _e566;
-                    phi_776_ = _e568;
-                } else {
-                    phi_775_ = f32();
-                    phi_776_ = true;
-                }
-                let _e570 = phi_775_;
-                let _e572 = phi_776_;
-                if _e572 {
-                    phi_780_ = _e548;
-                } else {
-                    phi_780_ = _e570;
-                }
-                let _e574 = phi_780_;
-                if (_e547 >= 0f) {
-                    if (_e574 >= 0f) {
-                        if (_e547 < f32(_e517)) {
-                            let _e580 = (_e574 < f32(_e519));
-                            if (_e485 == 0f) {
-                                phi_801_ = (_e491 == 0f);
-                            } else {
-                                phi_801_ = false;
-                            }
-                            let _e584 = phi_801_;
-                            if _e580 {
-                                phi_820_ = vec2<u32>(select(select(u32(_e547), 0u, (_e547 < bitcast<f32>(0u))), 4294967295u, (_e547 > bitcast<f32>(1333788671u))), select(select(u32(_e574), 0u, (_e574 < bitcast<f32>(0u))), 4294967295u, (_e574 > bitcast<f32>(1333788671u))));
-                                phi_821_ = false;
-                            } else {
-                                phi_820_ = vec2<u32>();
-                                phi_821_ = true;
-                            }
-                            let _e601 = phi_820_;
-                            let _e603 = phi_821_;
-                            phi_822_ = _e584;
-                            phi_823_ = _e580;
-                            phi_824_ = _e601;
-                            phi_825_ = _e584;
-                            phi_826_ = _e580;
-                            phi_827_ = false;
-                            phi_828_ = _e603;
-                        } else {
-                            phi_822_ = bool();
-                            phi_823_ = bool();
-                            phi_824_ = vec2<u32>();
-                            phi_825_ = bool();
-                            phi_826_ = bool();
-                            phi_827_ = true;
-                            phi_828_ = false;
-                        }
-                        let _e605 = phi_822_;
-                        let _e607 = phi_823_;
-                        let _e609 = phi_824_;
-                        let _e611 = phi_825_;
-                        let _e613 = phi_826_;
-                        let _e615 = phi_827_;
-                        let _e617 = phi_828_;
-                        phi_829_ = _e605;
-                        phi_830_ = _e607;
-                        phi_831_ = _e609;
-                        phi_832_ = _e611;
-                        phi_833_ = _e613;
-                        phi_834_ = _e615;
-                        phi_835_ = _e617;
-                    } else {
-                        phi_829_ = bool();
-                        phi_830_ = bool();
-                        phi_831_ = vec2<u32>();
-                        phi_832_ = bool();
-                        phi_833_ = bool();
-                        phi_834_ = true;
-                        phi_835_ = false;
-                    }
-                    let _e619 = phi_829_;
-                    let _e621 = phi_830_;
-                    let _e623 = phi_831_;
-                    let _e625 = phi_832_;
-                    let _e627 = phi_833_;
-                    let _e629 = phi_834_;
-                    let _e631 = phi_835_;
-                    phi_836_ = _e619;
-                    phi_837_ = _e621;
-                    phi_838_ = _e623;
-                    phi_839_ = _e625;
-                    phi_840_ = _e627;
-                    phi_841_ = _e629;
-                    phi_842_ = _e631;
-                } else {
-                    phi_836_ = bool();
-                    phi_837_ = bool();
-                    phi_838_ = vec2<u32>();
-                    phi_839_ = bool();
-                    phi_840_ = bool();
-                    phi_841_ = true;
-                    phi_842_ = false;
-                }
-                let _e633 = phi_836_;
-                let _e635 = phi_837_;
-                let _e637 = phi_838_;
-                let _e639 = phi_839_;
-                let _e641 = phi_840_;
-                let _e643 = phi_841_;
-                let _e645 = phi_842_;
-                if _e643 {
-                    if (_e485 == 0f) {
-                        phi_851_ = (_e491 == 0f);
-                    } else {
-                        phi_851_ = false;
-                    }
-                    let _e649 = phi_851_;
-                    phi_852_ = _e649;
-                    phi_853_ = false;
-                    phi_854_ = true;
-                } else {
-                    phi_852_ = _e639;
-                    phi_853_ = _e641;
-                    phi_854_ = _e645;
-                }
-                let _e651 = phi_852_;
-                let _e653 = phi_853_;
-                let _e655 = phi_854_;
-                if _e655 {
-                    phi_858_ = _e651;
-                    phi_859_ = _e653;
-                    phi_860_ = vec2<u32>(_e60.x, _e60.y);
-                } else {
-                    phi_858_ = _e633;
-                    phi_859_ = _e635;
-                    phi_860_ = _e637;
-                }
-                let _e657 = phi_858_;
-                let _e659 = phi_859_;
-                let _e661 = phi_860_;
-                let _e671 = lt_mask_Reprojection(vec2<u32>(_e661.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e678 = lt_mask_Reprojection(vec2<u32>(_e671.pixel.x, _e661.y), _e671.is_valid, _e671.has_moved);
-                let _e682 = lt_mask_Reprojection(_e678.pixel, _e659, _e678.has_moved);
-                let _e686 = lt_mask_Reprojection(_e682.pixel, _e682.is_valid, !(_e657));
-                if _e659 {
-                    let _e689 = p.member.previous.eye;
-                    let _e700 = p.member.previous.forward;
-                    let _e709 = (((((_e114.x - _e689.x) * _e700.x) + ((_e114.y - _e689.y) * _e700.y)) + ((_e114.z - _e689.z) * _e700.z)) > 0f);
-                    let _e713 = lt_mask_Reprojection(_e686.pixel, _e709, _e686.has_moved);
-                    if _e709 {
-                        phi_898_ = false;
-                    } else {
-                        phi_898_ = true;
-                    }
-                    let _e715 = phi_898_;
-                    phi_900_ = _e713;
-                    phi_901_ = _e713;
-                    phi_902_ = lt_mask_Reprojection();
-                    phi_903_ = _e709;
-                    phi_904_ = _e715;
-                } else {
-                    phi_900_ = lt_mask_Reprojection();
-                    phi_901_ = lt_mask_Reprojection();
-                    phi_902_ = lt_mask_Reprojection(_e686.pixel, false, _e686.has_moved);
-                    phi_903_ = false;
-                    phi_904_ = false;
-                }
-                let _e721 = phi_900_;
-                let _e723 = phi_901_;
-                let _e725 = phi_902_;
-                let _e727 = phi_903_;
-                let _e729 = phi_904_;
-                phi_905_ = _e721;
-                phi_906_ = _e723;
-                phi_907_ = _e725;
-                phi_908_ = _e727;
-                phi_909_ = _e729;
+            let _e329 = phi_520_;
+            if _e329 {
+                phi_901_ = lt_mask_Reprojection(_e296.pixel, _e296.is_valid, false);
+                phi_902_ = lt_mask_Reprojection();
+                phi_903_ = lt_mask_Reprojection();
+                phi_904_ = true;
+                phi_905_ = false;
             } else {
-                phi_905_ = lt_mask_Reprojection(_e296.pixel, _e296.is_valid, false);
-                phi_906_ = lt_mask_Reprojection();
-                phi_907_ = lt_mask_Reprojection();
-                phi_908_ = true;
-                phi_909_ = false;
+                let _e331 = samples.member[_e80.shift].position;
+                let _e335 = p.member.previous.eye;
+                let _e338 = (_e114.x - _e335.x);
+                let _e341 = (_e114.y - _e335.y);
+                let _e344 = (_e114.z - _e335.z);
+                let _e346 = p.member.previous.forward;
+                let _e354 = (((_e338 * _e346.x) + (_e341 * _e346.y)) + (_e344 * _e346.z));
+                let _e356 = p.member.previous.right;
+                let _e366 = p.member.previous.right;
+                let _e381 = p.member.previous.up;
+                let _e391 = p.member.previous.up;
+                let _e406 = p.member.current.eye;
+                let _e409 = (_e331.x - _e406.x);
+                let _e412 = (_e331.y - _e406.y);
+                let _e415 = (_e331.z - _e406.z);
+                let _e417 = p.member.current.forward;
+                let _e425 = (((_e409 * _e417.x) + (_e412 * _e417.y)) + (_e415 * _e417.z));
+                let _e427 = p.member.current.right;
+                let _e437 = p.member.current.right;
+                let _e452 = p.member.current.up;
+                let _e462 = p.member.current.up;
+                let _e481 = p.member.current.size[0u];
+                let _e483 = (((((((_e338 * _e356.x) + (_e341 * _e356.y)) + (_e344 * _e356.z)) / ((((_e366.x * _e366.x) + (_e366.y * _e366.y)) + (_e366.z * _e366.z)) * _e354)) - ((((_e409 * _e427.x) + (_e412 * _e427.y)) + (_e415 * _e427.z)) / ((((_e437.x * _e437.x) + (_e437.y * _e437.y)) + (_e437.z * _e437.z)) * _e425))) * 0.5f) * f32(_e481));
+                let _e487 = p.member.current.size[1u];
+                let _e489 = (((((((_e338 * _e381.x) + (_e341 * _e381.y)) + (_e344 * _e381.z)) / ((((_e391.x * _e391.x) + (_e391.y * _e391.y)) + (_e391.z * _e391.z)) * _e354)) - ((((_e409 * _e452.x) + (_e412 * _e452.y)) + (_e415 * _e452.z)) / ((((_e462.x * _e462.x) + (_e462.y * _e462.y)) + (_e462.z * _e462.z)) * _e425))) * -0.5f) * f32(_e487));
+                let _e493 = p.member.current.grid[0u];
+                let _e495 = p.member.current.grid[1u];
+                let _e515 = p.member.current.size[0u];
+                let _e517 = p.member.current.size[1u];
+                let _e519 = ((f32(_e60.x) + ((f32((_e60.y & (_e495 - 1u))) + 0.5f) / f32(_e495))) + _e483);
+                if (_e519 > -8388608f) {
+                    let _e531 = f32(select(0i, select(select(i32(_e519), i32(-2147483648), (_e519 < bitcast<f32>(3472883712u))), 2147483647i, (_e519 > bitcast<f32>(1325400063u))), (_e519 == _e519)));
+                    if (_e531 > _e519) {
+                        phi_731_ = 1f;
+                    } else {
+                        phi_731_ = 0f;
+                    }
+                    let _e534 = phi_731_;
+                    if (_e519 < 8388608f) {
+                        phi_736_ = (_e531 - _e534);
+                        phi_737_ = false;
+                    } else {
+                        phi_736_ = f32();
+                        phi_737_ = true;
+                    }
+                    let _e537 = phi_736_;
+                    let _e539 = phi_737_;
+                    phi_738_ = _e537;
+                    phi_739_ = _e539;
+                } else {
+                    phi_738_ = f32();
+                    phi_739_ = true;
+                }
+                let _e541 = phi_738_;
+                let _e543 = phi_739_;
+                if _e543 {
+                    phi_743_ = _e519;
+                } else {
+                    phi_743_ = _e541;
+                }
+                let _e545 = phi_743_;
+                let _e546 = ((f32(_e60.y) + ((f32((_e60.x & (_e493 - 1u))) + 0.5f) / f32(_e493))) + _e489);
+                if (_e546 > -8388608f) {
+                    let _e558 = f32(select(0i, select(select(i32(_e546), i32(-2147483648), (_e546 < bitcast<f32>(3472883712u))), 2147483647i, (_e546 > bitcast<f32>(1325400063u))), (_e546 == _e546)));
+                    if (_e558 > _e546) {
+                        phi_764_ = 1f;
+                    } else {
+                        phi_764_ = 0f;
+                    }
+                    let _e561 = phi_764_;
+                    if (_e546 < 8388608f) {
+                        phi_769_ = (_e558 - _e561);
+                        phi_770_ = false;
+                    } else {
+                        phi_769_ = f32();
+                        phi_770_ = true;
+                    }
+                    let _e564 = phi_769_;
+                    let _e566 = phi_770_;
+                    phi_771_ = _e564;
+                    phi_772_ = _e566;
+                } else {
+                    phi_771_ = f32();
+                    phi_772_ = true;
+                }
+                let _e568 = phi_771_;
+                let _e570 = phi_772_;
+                if _e570 {
+                    phi_776_ = _e546;
+                } else {
+                    phi_776_ = _e568;
+                }
+                let _e572 = phi_776_;
+                if (_e545 >= 0f) {
+                    if (_e572 >= 0f) {
+                        if (_e545 < f32(_e515)) {
+                            let _e578 = (_e572 < f32(_e517));
+                            if (_e483 == 0f) {
+                                phi_797_ = (_e489 == 0f);
+                            } else {
+                                phi_797_ = false;
+                            }
+                            let _e582 = phi_797_;
+                            if _e578 {
+                                phi_816_ = vec2<u32>(select(select(u32(_e545), 0u, (_e545 < bitcast<f32>(0u))), 4294967295u, (_e545 > bitcast<f32>(1333788671u))), select(select(u32(_e572), 0u, (_e572 < bitcast<f32>(0u))), 4294967295u, (_e572 > bitcast<f32>(1333788671u))));
+                                phi_817_ = false;
+                            } else {
+                                phi_816_ = vec2<u32>();
+                                phi_817_ = true;
+                            }
+                            let _e599 = phi_816_;
+                            let _e601 = phi_817_;
+                            phi_818_ = _e582;
+                            phi_819_ = _e578;
+                            phi_820_ = _e599;
+                            phi_821_ = _e582;
+                            phi_822_ = _e578;
+                            phi_823_ = false;
+                            phi_824_ = _e601;
+                        } else {
+                            phi_818_ = bool();
+                            phi_819_ = bool();
+                            phi_820_ = vec2<u32>();
+                            phi_821_ = bool();
+                            phi_822_ = bool();
+                            phi_823_ = true;
+                            phi_824_ = false;
+                        }
+                        let _e603 = phi_818_;
+                        let _e605 = phi_819_;
+                        let _e607 = phi_820_;
+                        let _e609 = phi_821_;
+                        let _e611 = phi_822_;
+                        let _e613 = phi_823_;
+                        let _e615 = phi_824_;
+                        phi_825_ = _e603;
+                        phi_826_ = _e605;
+                        phi_827_ = _e607;
+                        phi_828_ = _e609;
+                        phi_829_ = _e611;
+                        phi_830_ = _e613;
+                        phi_831_ = _e615;
+                    } else {
+                        phi_825_ = bool();
+                        phi_826_ = bool();
+                        phi_827_ = vec2<u32>();
+                        phi_828_ = bool();
+                        phi_829_ = bool();
+                        phi_830_ = true;
+                        phi_831_ = false;
+                    }
+                    let _e617 = phi_825_;
+                    let _e619 = phi_826_;
+                    let _e621 = phi_827_;
+                    let _e623 = phi_828_;
+                    let _e625 = phi_829_;
+                    let _e627 = phi_830_;
+                    let _e629 = phi_831_;
+                    phi_832_ = _e617;
+                    phi_833_ = _e619;
+                    phi_834_ = _e621;
+                    phi_835_ = _e623;
+                    phi_836_ = _e625;
+                    phi_837_ = _e627;
+                    phi_838_ = _e629;
+                } else {
+                    phi_832_ = bool();
+                    phi_833_ = bool();
+                    phi_834_ = vec2<u32>();
+                    phi_835_ = bool();
+                    phi_836_ = bool();
+                    phi_837_ = true;
+                    phi_838_ = false;
+                }
+                let _e631 = phi_832_;
+                let _e633 = phi_833_;
+                let _e635 = phi_834_;
+                let _e637 = phi_835_;
+                let _e639 = phi_836_;
+                let _e641 = phi_837_;
+                let _e643 = phi_838_;
+                if _e641 {
+                    if (_e483 == 0f) {
+                        phi_847_ = (_e489 == 0f);
+                    } else {
+                        phi_847_ = false;
+                    }
+                    let _e647 = phi_847_;
+                    phi_848_ = _e647;
+                    phi_849_ = false;
+                    phi_850_ = true;
+                } else {
+                    phi_848_ = _e637;
+                    phi_849_ = _e639;
+                    phi_850_ = _e643;
+                }
+                let _e649 = phi_848_;
+                let _e651 = phi_849_;
+                let _e653 = phi_850_;
+                if _e653 {
+                    phi_854_ = _e649;
+                    phi_855_ = _e651;
+                    phi_856_ = vec2<u32>(_e60.x, _e60.y);
+                } else {
+                    phi_854_ = _e631;
+                    phi_855_ = _e633;
+                    phi_856_ = _e635;
+                }
+                let _e655 = phi_854_;
+                let _e657 = phi_855_;
+                let _e659 = phi_856_;
+                let _e669 = lt_mask_Reprojection(vec2<u32>(_e659.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e676 = lt_mask_Reprojection(vec2<u32>(_e669.pixel.x, _e659.y), _e669.is_valid, _e669.has_moved);
+                let _e680 = lt_mask_Reprojection(_e676.pixel, _e657, _e676.has_moved);
+                let _e684 = lt_mask_Reprojection(_e680.pixel, _e680.is_valid, !(_e655));
+                if _e657 {
+                    let _e687 = p.member.previous.eye;
+                    let _e698 = p.member.previous.forward;
+                    let _e707 = (((((_e114.x - _e687.x) * _e698.x) + ((_e114.y - _e687.y) * _e698.y)) + ((_e114.z - _e687.z) * _e698.z)) > 0f);
+                    let _e711 = lt_mask_Reprojection(_e684.pixel, _e707, _e684.has_moved);
+                    if _e707 {
+                        phi_894_ = false;
+                    } else {
+                        phi_894_ = true;
+                    }
+                    let _e713 = phi_894_;
+                    phi_896_ = _e711;
+                    phi_897_ = _e711;
+                    phi_898_ = lt_mask_Reprojection();
+                    phi_899_ = _e707;
+                    phi_900_ = _e713;
+                } else {
+                    phi_896_ = lt_mask_Reprojection();
+                    phi_897_ = lt_mask_Reprojection();
+                    phi_898_ = lt_mask_Reprojection(_e684.pixel, false, _e684.has_moved);
+                    phi_899_ = false;
+                    phi_900_ = false;
+                }
+                let _e719 = phi_896_;
+                let _e721 = phi_897_;
+                let _e723 = phi_898_;
+                let _e725 = phi_899_;
+                let _e727 = phi_900_;
+                phi_901_ = _e719;
+                phi_902_ = _e721;
+                phi_903_ = _e723;
+                phi_904_ = _e725;
+                phi_905_ = _e727;
             }
-            let _e731 = phi_905_;
-            let _e733 = phi_906_;
-            let _e735 = phi_907_;
-            let _e737 = phi_908_;
-            let _e739 = phi_909_;
-            if _e737 {
-                let _e742 = p.member.previous.eye;
-                let _e753 = p.member.previous.forward;
-                let _e761 = ((((_e114.x - _e742.x) * _e753.x) + ((_e114.y - _e742.y) * _e753.y)) + ((_e114.z - _e742.z) * _e753.z));
-                let _e767 = ((_e731.pixel.y * _e111) + _e731.pixel.x);
-                if (_e767 < arrayLength((&last_depths.member))) {
+            let _e729 = phi_901_;
+            let _e731 = phi_902_;
+            let _e733 = phi_903_;
+            let _e735 = phi_904_;
+            let _e737 = phi_905_;
+            if _e735 {
+                let _e740 = p.member.previous.eye;
+                let _e751 = p.member.previous.forward;
+                let _e759 = ((((_e114.x - _e740.x) * _e751.x) + ((_e114.y - _e740.y) * _e751.y)) + ((_e114.z - _e740.z) * _e751.z));
+                let _e765 = ((_e729.pixel.y * _e111) + _e729.pixel.x);
+                if (_e765 < arrayLength((&last_depths.member))) {
                 } else {
                     return;
                 }
-                let _e771 = last_depths.member[(0u + _e767)];
-                let _e773 = p.member.depth_tolerance;
-                let _e776 = abs(_e761);
-                let _e777 = abs(_e771);
-                if ((bitcast<u32>(_e777) & 2147483647u) > 2139095040u) {
-                    phi_964_ = true;
+                let _e769 = last_depths.member[(0u + _e765)];
+                let _e771 = p.member.depth_tolerance;
+                let _e774 = abs(_e759);
+                let _e775 = abs(_e769);
+                if ((bitcast<u32>(_e775) & 2147483647u) > 2139095040u) {
+                    phi_960_ = true;
                 } else {
-                    let _e781 = (_e777 > _e776);
-                    if _e781 {
+                    let _e779 = (_e775 > _e774);
+                    if _e779 {
                     }
-                    phi_964_ = _e781;
+                    phi_960_ = _e779;
+                }
+                let _e781 = phi_960_;
+                if _e781 {
+                    phi_964_ = _e775;
+                } else {
+                    phi_964_ = _e774;
                 }
                 let _e783 = phi_964_;
-                if _e783 {
-                    phi_968_ = _e777;
-                } else {
-                    phi_968_ = _e776;
-                }
-                let _e785 = phi_968_;
-                phi_972_ = lt_mask_Reprojection(_e731.pixel, (abs((_e761 - _e771)) <= (_e773 * _e785)), _e731.has_moved);
-                phi_973_ = true;
+                phi_968_ = lt_mask_Reprojection(_e729.pixel, (abs((_e759 - _e769)) <= (_e771 * _e783)), _e729.has_moved);
+                phi_969_ = true;
             } else {
-                phi_972_ = _e733;
-                phi_973_ = _e739;
+                phi_968_ = _e731;
+                phi_969_ = _e737;
             }
-            let _e793 = phi_972_;
-            let _e795 = phi_973_;
-            if _e795 {
-                if _e793.is_valid {
-                    let _e798 = p.member.flags;
-                    phi_985_ = ((_e798 & 1u) != 0u);
-                    phi_986_ = false;
+            let _e791 = phi_968_;
+            let _e793 = phi_969_;
+            if _e793 {
+                if _e791.is_valid {
+                    let _e796 = p.member.flags;
+                    phi_981_ = ((_e796 & 1u) != 0u);
+                    phi_982_ = false;
                 } else {
-                    phi_985_ = bool();
-                    phi_986_ = true;
+                    phi_981_ = bool();
+                    phi_982_ = true;
                 }
-                let _e802 = phi_985_;
-                let _e804 = phi_986_;
-                phi_987_ = _e802;
-                phi_988_ = _e793;
+                let _e800 = phi_981_;
+                let _e802 = phi_982_;
+                phi_983_ = _e800;
+                phi_984_ = _e791;
+                phi_985_ = _e802;
+            } else {
+                phi_983_ = bool();
+                phi_984_ = _e733;
+                phi_985_ = true;
+            }
+            let _e804 = phi_983_;
+            let _e806 = phi_984_;
+            let _e808 = phi_985_;
+            if _e808 {
+                phi_989_ = false;
+                phi_990_ = _e806;
+            } else {
                 phi_989_ = _e804;
-            } else {
-                phi_987_ = bool();
-                phi_988_ = _e735;
-                phi_989_ = true;
+                phi_990_ = _e791;
             }
-            let _e806 = phi_987_;
-            let _e808 = phi_988_;
             let _e810 = phi_989_;
-            if _e810 {
-                phi_993_ = false;
-                phi_994_ = _e808;
-            } else {
-                phi_993_ = _e806;
-                phi_994_ = _e793;
-            }
-            let _e812 = phi_993_;
-            let _e814 = phi_994_;
-            let _e818 = lt_mask_Reprojection(_e814.pixel, _e812, _e814.has_moved);
-            let _e819 = lt_mask_Neighbourhood(false, true);
+            let _e812 = phi_990_;
+            let _e816 = lt_mask_Reprojection(_e812.pixel, _e810, _e812.has_moved);
+            let _e817 = lt_mask_Neighbourhood(false, true);
             if _e278 {
-                phi_1000_ = false;
+                phi_996_ = false;
             } else {
-                phi_1000_ = true;
+                phi_996_ = true;
             }
-            let _e821 = phi_1000_;
-            if _e821 {
-                if _e812 {
+            let _e819 = phi_996_;
+            if _e819 {
+                if _e810 {
                     if ((0u & 2u) != 0u) {
-                        phi_1295_ = _e819;
+                        phi_1291_ = _e817;
                     } else {
-                        let _e825 = p.member.expansion;
-                        if _e818.has_moved {
-                            let _e828 = p.member.moving_pattern;
-                            phi_1022_ = _e828;
+                        let _e823 = p.member.expansion;
+                        if _e816.has_moved {
+                            let _e826 = p.member.moving_pattern;
+                            phi_1018_ = _e826;
                         } else {
-                            let _e830 = p.member.still_pattern;
-                            phi_1022_ = _e830;
+                            let _e828 = p.member.still_pattern;
+                            phi_1018_ = _e828;
                         }
-                        let _e832 = phi_1022_;
-                        phi_1024_ = 0u;
-                        phi_1027_ = _e819;
+                        let _e830 = phi_1018_;
+                        phi_1020_ = 0u;
+                        phi_1023_ = _e817;
                         loop {
-                            let _e834 = phi_1024_;
-                            let _e836 = phi_1027_;
-                            local_1 = _e836;
-                            if (1u <= _e832) {
-                                if (_e832 <= 4u) {
-                                    phi_1039_ = false;
+                            let _e832 = phi_1020_;
+                            let _e834 = phi_1023_;
+                            local_1 = _e834;
+                            if (1u <= _e830) {
+                                if (_e830 <= 4u) {
+                                    phi_1035_ = false;
                                 } else {
-                                    phi_1039_ = true;
+                                    phi_1035_ = true;
                                 }
-                                let _e840 = phi_1039_;
-                                phi_1040_ = _e840;
+                                let _e838 = phi_1035_;
+                                phi_1036_ = _e838;
                             } else {
-                                phi_1040_ = true;
+                                phi_1036_ = true;
                             }
-                            let _e842 = phi_1040_;
-                            if _e842 {
-                                switch bitcast<i32>(_e832) {
+                            let _e840 = phi_1036_;
+                            if _e840 {
+                                switch bitcast<i32>(_e830) {
                                     case 5: {
-                                        phi_1049_ = 4u;
+                                        phi_1045_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_1049_ = 25u;
+                                        phi_1045_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_1049_ = 13u;
+                                        phi_1045_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_1049_ = 9u;
+                                        phi_1045_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e845 = phi_1049_;
-                                phi_1050_ = _e845;
+                                let _e843 = phi_1045_;
+                                phi_1046_ = _e843;
                             } else {
-                                phi_1050_ = 5u;
+                                phi_1046_ = 5u;
                             }
-                            let _e847 = phi_1050_;
-                            let _e848 = (_e834 < _e847);
-                            if _e848 {
-                                let _e854 = p.member.frame;
-                                let _e858 = p.member.current.size[0u];
-                                let _e860 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e832) {
+                            let _e845 = phi_1046_;
+                            let _e846 = (_e832 < _e845);
+                            if _e846 {
+                                let _e852 = p.member.frame;
+                                let _e856 = p.member.current.size[0u];
+                                let _e858 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e830) {
                                     case 1: {
-                                        let _e870 = lt_mask_pattern_plus(_e834);
-                                        phi_1130_ = vec2<i32>(_e870.x, _e870.y);
+                                        let _e868 = lt_mask_pattern_plus(_e832);
+                                        phi_1126_ = vec2<i32>(_e868.x, _e868.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e874 = lt_mask_pattern_cross(_e834);
-                                        phi_1130_ = vec2<i32>(_e874.x, _e874.y);
+                                        let _e872 = lt_mask_pattern_cross(_e832);
+                                        phi_1126_ = vec2<i32>(_e872.x, _e872.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e880 = lt_mask_pattern_plus_or_cross(_e834, ((_e818.pixel.x + _e818.pixel.y) & 1u));
-                                        phi_1130_ = vec2<i32>(_e880.x, _e880.y);
+                                        let _e878 = lt_mask_pattern_plus_or_cross(_e832, ((_e816.pixel.x + _e816.pixel.y) & 1u));
+                                        phi_1126_ = vec2<i32>(_e878.x, _e878.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e885 = lt_mask_pattern_plus_or_cross(_e834, (_e854 & 1u));
-                                        phi_1130_ = vec2<i32>(_e885.x, _e885.y);
+                                        let _e883 = lt_mask_pattern_plus_or_cross(_e832, (_e852 & 1u));
+                                        phi_1126_ = vec2<i32>(_e883.x, _e883.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e854 & 3u)) {
+                                        switch bitcast<i32>((_e852 & 3u)) {
                                             case 0: {
-                                                phi_1110_ = vec2(-1i);
+                                                phi_1106_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1110_ = vec2(0i);
+                                                phi_1106_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1110_ = vec2<i32>(0i, -1i);
+                                                phi_1106_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1110_ = vec2<i32>(-1i, 0i);
+                                                phi_1106_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e896 = phi_1110_;
-                                        phi_1130_ = (_e896 + vec2<i32>(bitcast<i32>((_e834 & 1u)), bitcast<i32>(((_e834 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e894 = phi_1106_;
+                                        phi_1126_ = (_e894 + vec2<i32>(bitcast<i32>((_e832 & 1u)), bitcast<i32>(((_e832 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1130_ = vec2<i32>((bitcast<i32>((_e834 % 5u)) - 2i), (bitcast<i32>(((_e834 / 5u) % 5u)) - 2i));
+                                        phi_1126_ = vec2<i32>((bitcast<i32>((_e832 % 5u)) - 2i), (bitcast<i32>(((_e832 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e913 = lt_mask_pattern_diamond(_e834);
-                                        phi_1130_ = vec2<i32>(_e913.x, _e913.y);
+                                        let _e911 = lt_mask_pattern_diamond(_e832);
+                                        phi_1126_ = vec2<i32>(_e911.x, _e911.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1130_ = vec2<i32>((bitcast<i32>((_e834 % 3u)) - 1i), (bitcast<i32>(((_e834 / 3u) % 3u)) - 1i));
+                                        phi_1126_ = vec2<i32>((bitcast<i32>((_e832 % 3u)) - 1i), (bitcast<i32>(((_e832 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e918 = phi_1130_;
-                                let _e921 = lt_mask_pattern_step_clamped(_e818.pixel.x, _e918.x, _e858);
-                                let _e922 = lt_mask_pattern_step_clamped(_e818.pixel.y, _e918.y, _e860);
-                                let _e929 = ((((_e922 * _e111) + _e921) * _e107.words) + _e107.light.word);
+                                let _e916 = phi_1126_;
+                                let _e919 = lt_mask_pattern_step_clamped(_e816.pixel.x, _e916.x, _e856);
+                                let _e920 = lt_mask_pattern_step_clamped(_e816.pixel.y, _e916.y, _e858);
+                                let _e927 = ((((_e920 * _e111) + _e919) * _e107.words) + _e107.light.word);
                                 if (_e107.light.shift > 29u) {
-                                    let _e933 = (_e929 + 1u);
-                                    if (_e933 < _e66) {
+                                    let _e931 = (_e927 + 1u);
+                                    if (_e931 < _e66) {
                                     } else {
                                         return;
                                     }
-                                    let _e937 = last_bits.member[(0u + _e933)];
-                                    phi_1157_ = _e937;
+                                    let _e935 = last_bits.member[(0u + _e931)];
+                                    phi_1153_ = _e935;
                                 } else {
-                                    phi_1157_ = 0u;
+                                    phi_1153_ = 0u;
                                 }
-                                let _e939 = phi_1157_;
-                                if (_e929 < _e66) {
+                                let _e937 = phi_1153_;
+                                if (_e927 < _e66) {
                                 } else {
                                     return;
                                 }
-                                let _e945 = last_bits.member[(0u + _e929)];
-                                let _e948 = (_e945 >> bitcast<u32>((_e107.light.shift & 31u)));
+                                let _e943 = last_bits.member[(0u + _e927)];
+                                let _e946 = (_e943 >> bitcast<u32>((_e107.light.shift & 31u)));
                                 if (_e107.light.shift > 29u) {
-                                    phi_1176_ = (_e948 | (_e939 << bitcast<u32>(((32u - _e107.light.shift) & 31u))));
+                                    phi_1172_ = (_e946 | (_e937 << bitcast<u32>(((32u - _e107.light.shift) & 31u))));
                                 } else {
-                                    phi_1176_ = _e948;
+                                    phi_1172_ = _e946;
                                 }
-                                let _e956 = phi_1176_;
-                                if ((_e956 & 2u) == 0u) {
-                                    phi_1184_ = (_e956 & 1u);
+                                let _e954 = phi_1172_;
+                                if ((_e954 & 2u) == 0u) {
+                                    phi_1180_ = (_e954 & 1u);
                                 } else {
-                                    phi_1184_ = (_e956 & 7u);
+                                    phi_1180_ = (_e954 & 7u);
                                 }
-                                let _e962 = phi_1184_;
-                                if _e836.any_expands {
-                                    phi_1272_ = true;
+                                let _e960 = phi_1180_;
+                                if _e834.any_expands {
+                                    phi_1268_ = true;
                                 } else {
-                                    if ((_e962 & 2u) != 0u) {
-                                        let _e969 = (((_e962 & 4u) != 0u) != _e274);
-                                        switch bitcast<i32>(_e825) {
+                                    if ((_e960 & 2u) != 0u) {
+                                        let _e967 = (((_e960 & 4u) != 0u) != _e274);
+                                        switch bitcast<i32>(_e823) {
                                             case 1: {
-                                                phi_1212_ = bool();
-                                                phi_1213_ = false;
-                                                phi_1214_ = true;
-                                                phi_1215_ = false;
-                                                phi_1216_ = false;
+                                                phi_1208_ = bool();
+                                                phi_1209_ = false;
+                                                phi_1210_ = true;
+                                                phi_1211_ = false;
+                                                phi_1212_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e969 {
-                                                    phi_1210_ = (((_e962 & 4u) != 0u) != ((_e962 & 1u) != 0u));
-                                                    phi_1211_ = false;
+                                                if _e967 {
+                                                    phi_1206_ = (((_e960 & 4u) != 0u) != ((_e960 & 1u) != 0u));
+                                                    phi_1207_ = false;
                                                 } else {
-                                                    phi_1210_ = bool();
-                                                    phi_1211_ = true;
+                                                    phi_1206_ = bool();
+                                                    phi_1207_ = true;
                                                 }
-                                                let _e977 = phi_1210_;
-                                                let _e979 = phi_1211_;
-                                                phi_1212_ = _e977;
-                                                phi_1213_ = false;
-                                                phi_1214_ = false;
-                                                phi_1215_ = _e979;
-                                                phi_1216_ = _e969;
+                                                let _e975 = phi_1206_;
+                                                let _e977 = phi_1207_;
+                                                phi_1208_ = _e975;
+                                                phi_1209_ = false;
+                                                phi_1210_ = false;
+                                                phi_1211_ = _e977;
+                                                phi_1212_ = _e967;
                                                 break;
                                             }
                                             default: {
-                                                phi_1212_ = bool();
-                                                phi_1213_ = true;
-                                                phi_1214_ = false;
-                                                phi_1215_ = false;
-                                                phi_1216_ = false;
+                                                phi_1208_ = bool();
+                                                phi_1209_ = true;
+                                                phi_1210_ = false;
+                                                phi_1211_ = false;
+                                                phi_1212_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e981 = phi_1212_;
-                                        let _e983 = phi_1213_;
-                                        let _e985 = phi_1214_;
-                                        let _e987 = phi_1215_;
-                                        let _e989 = phi_1216_;
-                                        phi_1224_ = _e969;
-                                        phi_1225_ = _e981;
-                                        phi_1226_ = _e983;
-                                        phi_1227_ = _e985;
-                                        phi_1228_ = _e987;
-                                        phi_1229_ = _e989;
+                                        let _e979 = phi_1208_;
+                                        let _e981 = phi_1209_;
+                                        let _e983 = phi_1210_;
+                                        let _e985 = phi_1211_;
+                                        let _e987 = phi_1212_;
+                                        phi_1220_ = _e967;
+                                        phi_1221_ = _e979;
+                                        phi_1222_ = _e981;
+                                        phi_1223_ = _e983;
+                                        phi_1224_ = _e985;
+                                        phi_1225_ = _e987;
                                     } else {
-                                        switch bitcast<i32>(_e825) {
+                                        switch bitcast<i32>(_e823) {
                                             case 1: {
-                                                phi_1221_ = false;
-                                                phi_1222_ = true;
-                                                phi_1223_ = false;
+                                                phi_1217_ = false;
+                                                phi_1218_ = true;
+                                                phi_1219_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1221_ = false;
-                                                phi_1222_ = false;
-                                                phi_1223_ = true;
+                                                phi_1217_ = false;
+                                                phi_1218_ = false;
+                                                phi_1219_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_1221_ = true;
-                                                phi_1222_ = false;
-                                                phi_1223_ = false;
+                                                phi_1217_ = true;
+                                                phi_1218_ = false;
+                                                phi_1219_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e992 = phi_1221_;
-                                        let _e994 = phi_1222_;
-                                        let _e996 = phi_1223_;
-                                        phi_1224_ = false;
-                                        phi_1225_ = bool();
-                                        phi_1226_ = _e992;
-                                        phi_1227_ = _e994;
-                                        phi_1228_ = _e996;
-                                        phi_1229_ = false;
+                                        let _e990 = phi_1217_;
+                                        let _e992 = phi_1218_;
+                                        let _e994 = phi_1219_;
+                                        phi_1220_ = false;
+                                        phi_1221_ = bool();
+                                        phi_1222_ = _e990;
+                                        phi_1223_ = _e992;
+                                        phi_1224_ = _e994;
+                                        phi_1225_ = false;
                                     }
-                                    let _e998 = phi_1224_;
-                                    let _e1000 = phi_1225_;
-                                    let _e1002 = phi_1226_;
-                                    let _e1004 = phi_1227_;
-                                    let _e1006 = phi_1228_;
-                                    let _e1008 = phi_1229_;
-                                    if _e1002 {
-                                        if ((_e962 & 2u) != 0u) {
-                                            if (((_e962 & 4u) != 0u) != _e274) {
-                                                phi_1244_ = false;
+                                    let _e996 = phi_1220_;
+                                    let _e998 = phi_1221_;
+                                    let _e1000 = phi_1222_;
+                                    let _e1002 = phi_1223_;
+                                    let _e1004 = phi_1224_;
+                                    let _e1006 = phi_1225_;
+                                    if _e1000 {
+                                        if ((_e960 & 2u) != 0u) {
+                                            if (((_e960 & 4u) != 0u) != _e274) {
+                                                phi_1240_ = false;
                                             } else {
-                                                phi_1244_ = true;
+                                                phi_1240_ = true;
                                             }
-                                            let _e1015 = phi_1244_;
-                                            phi_1245_ = _e1015;
+                                            let _e1013 = phi_1240_;
+                                            phi_1241_ = _e1013;
                                         } else {
-                                            phi_1245_ = true;
+                                            phi_1241_ = true;
                                         }
-                                        let _e1017 = phi_1245_;
-                                        if _e1017 {
-                                            phi_1252_ = (((_e962 & 1u) != 0u) != _e274);
+                                        let _e1015 = phi_1241_;
+                                        if _e1015 {
+                                            phi_1248_ = (((_e960 & 1u) != 0u) != _e274);
                                         } else {
-                                            phi_1252_ = true;
+                                            phi_1248_ = true;
                                         }
-                                        let _e1022 = phi_1252_;
-                                        phi_1253_ = _e1022;
-                                        phi_1254_ = false;
-                                        phi_1255_ = false;
-                                        phi_1256_ = false;
+                                        let _e1020 = phi_1248_;
+                                        phi_1249_ = _e1020;
+                                        phi_1250_ = false;
+                                        phi_1251_ = false;
+                                        phi_1252_ = false;
                                     } else {
-                                        phi_1253_ = bool();
-                                        phi_1254_ = _e1004;
-                                        phi_1255_ = _e1006;
-                                        phi_1256_ = _e1008;
+                                        phi_1249_ = bool();
+                                        phi_1250_ = _e1002;
+                                        phi_1251_ = _e1004;
+                                        phi_1252_ = _e1006;
                                     }
-                                    let _e1024 = phi_1253_;
-                                    let _e1026 = phi_1254_;
-                                    let _e1028 = phi_1255_;
+                                    let _e1022 = phi_1249_;
+                                    let _e1024 = phi_1250_;
+                                    let _e1026 = phi_1251_;
+                                    let _e1028 = phi_1252_;
+                                    if _e1024 {
+                                        phi_1256_ = _e996;
+                                        phi_1257_ = false;
+                                        phi_1258_ = false;
+                                    } else {
+                                        phi_1256_ = _e1022;
+                                        phi_1257_ = _e1026;
+                                        phi_1258_ = _e1028;
+                                    }
                                     let _e1030 = phi_1256_;
-                                    if _e1026 {
-                                        phi_1260_ = _e998;
-                                        phi_1261_ = false;
+                                    let _e1032 = phi_1257_;
+                                    let _e1034 = phi_1258_;
+                                    if _e1032 {
                                         phi_1262_ = false;
+                                        phi_1263_ = true;
                                     } else {
-                                        phi_1260_ = _e1024;
-                                        phi_1261_ = _e1028;
-                                        phi_1262_ = _e1030;
+                                        phi_1262_ = _e998;
+                                        phi_1263_ = _e1034;
                                     }
-                                    let _e1032 = phi_1260_;
-                                    let _e1034 = phi_1261_;
                                     let _e1036 = phi_1262_;
-                                    if _e1034 {
-                                        phi_1266_ = false;
-                                        phi_1267_ = true;
-                                    } else {
-                                        phi_1266_ = _e1000;
+                                    let _e1038 = phi_1263_;
+                                    if _e1038 {
                                         phi_1267_ = _e1036;
+                                    } else {
+                                        phi_1267_ = _e1030;
                                     }
-                                    let _e1038 = phi_1266_;
                                     let _e1040 = phi_1267_;
-                                    if _e1040 {
-                                        phi_1271_ = _e1038;
-                                    } else {
-                                        phi_1271_ = _e1032;
-                                    }
-                                    let _e1042 = phi_1271_;
-                                    phi_1272_ = _e1042;
+                                    phi_1268_ = _e1040;
                                 }
-                                let _e1044 = phi_1272_;
-                                if _e836.all_remove {
-                                    if (((_e962 & 1u) != 0u) == _e274) {
-                                        if ((_e962 & 2u) != 0u) {
-                                            phi_1290_ = (((_e962 & 4u) != 0u) == _e274);
+                                let _e1042 = phi_1268_;
+                                if _e834.all_remove {
+                                    if (((_e960 & 1u) != 0u) == _e274) {
+                                        if ((_e960 & 2u) != 0u) {
+                                            phi_1286_ = (((_e960 & 4u) != 0u) == _e274);
                                         } else {
-                                            phi_1290_ = true;
+                                            phi_1286_ = true;
                                         }
-                                        let _e1054 = phi_1290_;
-                                        phi_1291_ = _e1054;
+                                        let _e1052 = phi_1286_;
+                                        phi_1287_ = _e1052;
                                     } else {
-                                        phi_1291_ = false;
+                                        phi_1287_ = false;
                                     }
-                                    let _e1056 = phi_1291_;
-                                    phi_1292_ = _e1056;
+                                    let _e1054 = phi_1287_;
+                                    phi_1288_ = _e1054;
                                 } else {
-                                    phi_1292_ = false;
+                                    phi_1288_ = false;
                                 }
-                                let _e1058 = phi_1292_;
-                                phi_1025_ = (_e834 + 1u);
-                                phi_1028_ = lt_mask_Neighbourhood(_e1044, _e1058);
+                                let _e1056 = phi_1288_;
+                                phi_1021_ = (_e832 + 1u);
+                                phi_1024_ = lt_mask_Neighbourhood(_e1042, _e1056);
                             } else {
-                                phi_1025_ = u32();
-                                phi_1028_ = lt_mask_Neighbourhood();
+                                phi_1021_ = u32();
+                                phi_1024_ = lt_mask_Neighbourhood();
                             }
-                            let _e1062 = phi_1025_;
-                            let _e1064 = phi_1028_;
+                            let _e1060 = phi_1021_;
+                            let _e1062 = phi_1024_;
                             continue;
                             continuing {
-                                phi_1024_ = _e1062;
-                                phi_1027_ = _e1064;
-                                break if !(_e848);
+                                phi_1020_ = _e1060;
+                                phi_1023_ = _e1062;
+                                break if !(_e846);
                             }
                         }
-                        let _e1428 = local_1;
-                        phi_1295_ = _e1428;
+                        let _e1425 = local_1;
+                        phi_1291_ = _e1425;
                     }
-                    let _e1067 = phi_1295_;
-                    phi_1296_ = _e1067;
+                    let _e1065 = phi_1291_;
+                    phi_1292_ = _e1065;
                 } else {
-                    phi_1296_ = _e819;
+                    phi_1292_ = _e817;
                 }
-                let _e1069 = phi_1296_;
-                phi_1297_ = _e1069;
+                let _e1067 = phi_1292_;
+                phi_1293_ = _e1067;
             } else {
-                phi_1297_ = _e819;
+                phi_1293_ = _e817;
             }
-            let _e1071 = phi_1297_;
-            let _e1074 = p.member.frame;
-            let _e1076 = p.member.refresh;
-            if (_e1076 == 0u) {
-                phi_1330_ = false;
+            let _e1069 = phi_1293_;
+            let _e1072 = p.member.frame;
+            let _e1074 = p.member.refresh;
+            if (_e1074 == 0u) {
+                phi_1326_ = false;
             } else {
-                if (_e1076 == 0u) {
+                if (_e1074 == 0u) {
                     return;
                 }
-                let _e1085 = ((_e60.x + (_e60.y * (((_e1076 * 5u) / 8u) | 1u))) + (_e1074 % _e1076));
-                if (_e1076 == 0u) {
-                    phi_1329_ = (_e1085 == 0u);
+                let _e1083 = ((_e60.x + (_e60.y * (((_e1074 * 5u) / 8u) | 1u))) + (_e1072 % _e1074));
+                if (_e1074 == 0u) {
+                    phi_1325_ = (_e1083 == 0u);
                 } else {
-                    if (_e1076 == 0u) {
+                    if (_e1074 == 0u) {
                         return;
                     }
-                    phi_1329_ = ((_e1085 % _e1076) == 0u);
+                    phi_1325_ = ((_e1083 % _e1074) == 0u);
                 }
-                let _e1092 = phi_1329_;
-                phi_1330_ = _e1092;
+                let _e1090 = phi_1325_;
+                phi_1326_ = _e1090;
             }
-            let _e1094 = phi_1330_;
-            if _e812 {
-                if _e1094 {
-                    phi_1352_ = bool();
+            let _e1092 = phi_1326_;
+            if _e810 {
+                if _e1092 {
+                    phi_1348_ = bool();
                 } else {
-                    phi_1352_ = ((0u & 2u) != 0u);
+                    phi_1348_ = ((0u & 2u) != 0u);
                 }
-                let _e1100 = phi_1352_;
-                phi_1353_ = _e1100;
-                phi_1354_ = _e1094;
+                let _e1098 = phi_1348_;
+                phi_1349_ = _e1098;
+                phi_1350_ = _e1092;
             } else {
-                phi_1353_ = bool();
-                phi_1354_ = true;
+                phi_1349_ = bool();
+                phi_1350_ = true;
             }
-            let _e1102 = phi_1353_;
+            let _e1100 = phi_1349_;
+            let _e1102 = phi_1350_;
+            if _e1102 {
+                phi_1354_ = false;
+            } else {
+                phi_1354_ = _e1100;
+            }
             let _e1104 = phi_1354_;
             if _e1104 {
-                phi_1358_ = false;
-            } else {
-                phi_1358_ = _e1102;
-            }
-            let _e1106 = phi_1358_;
-            if _e1106 {
-                phi_1409_ = 7u;
+                phi_1405_ = 7u;
             } else {
                 if (_e116 != 0.5f) {
-                    if _e812 {
-                        if _e1094 {
-                            phi_1406_ = 6u;
+                    if _e810 {
+                        if _e1092 {
+                            phi_1402_ = 6u;
                         } else {
                             if _e278 {
-                                phi_1381_ = true;
+                                phi_1377_ = true;
                             } else {
-                                if _e1071.any_expands {
-                                    phi_1380_ = false;
+                                if _e1069.any_expands {
+                                    phi_1376_ = false;
                                 } else {
-                                    phi_1380_ = true;
+                                    phi_1376_ = true;
                                 }
-                                let _e1108 = phi_1380_;
-                                phi_1381_ = _e1108;
+                                let _e1106 = phi_1376_;
+                                phi_1377_ = _e1106;
                             }
-                            let _e1110 = phi_1381_;
-                            if _e1110 {
+                            let _e1108 = phi_1377_;
+                            if _e1108 {
                                 if _e278 {
                                     if false {
-                                        if _e1071.all_remove {
-                                            phi_1394_ = false;
+                                        if _e1069.all_remove {
+                                            phi_1390_ = false;
                                         } else {
-                                            phi_1394_ = true;
+                                            phi_1390_ = true;
                                         }
-                                        let _e1112 = phi_1394_;
-                                        phi_1395_ = _e1112;
+                                        let _e1110 = phi_1390_;
+                                        phi_1391_ = _e1110;
                                     } else {
-                                        phi_1395_ = true;
+                                        phi_1391_ = true;
                                     }
-                                    let _e1114 = phi_1395_;
-                                    phi_1396_ = _e1114;
+                                    let _e1112 = phi_1391_;
+                                    phi_1392_ = _e1112;
                                 } else {
-                                    phi_1396_ = true;
+                                    phi_1392_ = true;
                                 }
-                                let _e1116 = phi_1396_;
-                                if _e1116 {
+                                let _e1114 = phi_1392_;
+                                if _e1114 {
                                     if _e278 {
-                                        phi_1403_ = 1u;
+                                        phi_1399_ = 1u;
                                     } else {
-                                        phi_1403_ = 0u;
+                                        phi_1399_ = 0u;
                                     }
-                                    let _e1118 = phi_1403_;
-                                    phi_1404_ = _e1118;
+                                    let _e1116 = phi_1399_;
+                                    phi_1400_ = _e1116;
                                 } else {
-                                    phi_1404_ = 5u;
+                                    phi_1400_ = 5u;
                                 }
-                                let _e1120 = phi_1404_;
-                                phi_1405_ = _e1120;
+                                let _e1118 = phi_1400_;
+                                phi_1401_ = _e1118;
                             } else {
-                                phi_1405_ = 4u;
+                                phi_1401_ = 4u;
                             }
-                            let _e1122 = phi_1405_;
-                            phi_1406_ = _e1122;
+                            let _e1120 = phi_1401_;
+                            phi_1402_ = _e1120;
                         }
-                        let _e1124 = phi_1406_;
-                        phi_1407_ = _e1124;
+                        let _e1122 = phi_1402_;
+                        phi_1403_ = _e1122;
                     } else {
-                        phi_1407_ = 3u;
+                        phi_1403_ = 3u;
                     }
-                    let _e1126 = phi_1407_;
-                    phi_1408_ = _e1126;
+                    let _e1124 = phi_1403_;
+                    phi_1404_ = _e1124;
                 } else {
-                    phi_1408_ = 2u;
+                    phi_1404_ = 2u;
                 }
-                let _e1128 = phi_1408_;
-                phi_1409_ = _e1128;
+                let _e1126 = phi_1404_;
+                phi_1405_ = _e1126;
             }
-            let _e1130 = phi_1409_;
-            if !((_e1130 == 0u)) {
-                if !((_e1130 == 5u)) {
-                    phi_1421_ = !(_e1106);
-                    phi_1422_ = false;
+            let _e1128 = phi_1405_;
+            if !((_e1128 == 0u)) {
+                if !((_e1128 == 5u)) {
+                    phi_1417_ = !(_e1104);
+                    phi_1418_ = false;
                 } else {
-                    phi_1421_ = bool();
-                    phi_1422_ = true;
+                    phi_1417_ = bool();
+                    phi_1418_ = true;
                 }
-                let _e1137 = phi_1421_;
-                let _e1139 = phi_1422_;
-                phi_1423_ = _e1137;
+                let _e1135 = phi_1417_;
+                let _e1137 = phi_1418_;
+                phi_1419_ = _e1135;
+                phi_1420_ = _e1137;
+            } else {
+                phi_1419_ = bool();
+                phi_1420_ = true;
+            }
+            let _e1139 = phi_1419_;
+            let _e1141 = phi_1420_;
+            if _e1141 {
+                phi_1424_ = false;
+            } else {
                 phi_1424_ = _e1139;
-            } else {
-                phi_1423_ = bool();
-                phi_1424_ = true;
             }
-            let _e1141 = phi_1423_;
             let _e1143 = phi_1424_;
+            if _e1104 {
+                phi_1430_ = ((0u & 4u) != 0u);
+            } else {
+                phi_1430_ = _e274;
+            }
+            let _e1147 = phi_1430_;
             if _e1143 {
-                phi_1428_ = false;
-            } else {
-                phi_1428_ = _e1141;
-            }
-            let _e1145 = phi_1428_;
-            if _e1106 {
-                phi_1434_ = ((0u & 4u) != 0u);
-            } else {
-                phi_1434_ = _e274;
-            }
-            let _e1149 = phi_1434_;
-            if _e1145 {
                 if _e274 {
-                    phi_1442_ = (2u | 1u);
+                    phi_1438_ = (2u | 1u);
                 } else {
-                    phi_1442_ = 2u;
+                    phi_1438_ = 2u;
                 }
-                let _e1152 = phi_1442_;
+                let _e1150 = phi_1438_;
                 if false {
-                    phi_1447_ = (_e1152 | 4u);
+                    phi_1443_ = (_e1150 | 4u);
                 } else {
-                    phi_1447_ = _e1152;
+                    phi_1443_ = _e1150;
                 }
-                let _e1155 = phi_1447_;
-                phi_1467_ = _e1155;
+                let _e1153 = phi_1443_;
+                phi_1463_ = _e1153;
             } else {
-                if (_e1130 == 7u) {
+                if (_e1128 == 7u) {
                     if _e274 {
-                        phi_1456_ = (2u | 1u);
+                        phi_1452_ = (2u | 1u);
                     } else {
-                        phi_1456_ = 2u;
+                        phi_1452_ = 2u;
                     }
-                    let _e1159 = phi_1456_;
-                    if _e1149 {
-                        phi_1461_ = (_e1159 | 4u);
+                    let _e1157 = phi_1452_;
+                    if _e1147 {
+                        phi_1457_ = (_e1157 | 4u);
                     } else {
-                        phi_1461_ = _e1159;
+                        phi_1457_ = _e1157;
+                    }
+                    let _e1160 = phi_1457_;
+                    phi_1462_ = _e1160;
+                } else {
+                    if _e274 {
+                        phi_1461_ = 1u;
+                    } else {
+                        phi_1461_ = 0u;
                     }
                     let _e1162 = phi_1461_;
-                    phi_1466_ = _e1162;
-                } else {
-                    if _e274 {
-                        phi_1465_ = 1u;
-                    } else {
-                        phi_1465_ = 0u;
-                    }
-                    let _e1164 = phi_1465_;
-                    phi_1466_ = _e1164;
+                    phi_1462_ = _e1162;
                 }
-                let _e1166 = phi_1466_;
-                phi_1467_ = _e1166;
+                let _e1164 = phi_1462_;
+                phi_1463_ = _e1164;
+            }
+            let _e1166 = phi_1463_;
+            if _e1147 {
+                phi_1467_ = 0f;
+            } else {
+                phi_1467_ = 1f;
             }
             let _e1168 = phi_1467_;
-            if _e1149 {
-                phi_1471_ = 0f;
-            } else {
-                phi_1471_ = 1f;
-            }
-            let _e1170 = phi_1471_;
-            phi_1473_ = mask_Masked(_e1170, _e1168, _e1145);
+            phi_1469_ = mask_Masked(_e1168, _e1166, _e1143);
         }
-        let _e1173 = phi_1473_;
-        visibility.member[_e80.shift] = _e1173.visibility;
-        let _e1178 = p.member.light.number;
-        let _e1179 = (_e1178 * 3u);
-        let _e1181 = (_e1179 % 32u);
-        let _e1183 = p.member.light.mask_words;
-        let _e1185 = ((_e80.shift * _e1183) + (_e1179 / 32u));
-        let _e1187 = bits.member[_e1185];
-        bits.member[_e1185] = ((_e1187 & ~((7u << bitcast<u32>((_e1181 & 31u))))) | (_e1173.bits << bitcast<u32>((_e1181 & 31u))));
-        if (_e1181 > 29u) {
-            let _e1202 = bits.member[(_e1185 + 1u)];
-            let _e1204 = (32u - _e1181);
-            bits.member[(_e1185 + 1u)] = ((_e1202 & ~((7u >> bitcast<u32>((_e1204 & 31u))))) | (_e1173.bits >> bitcast<u32>((_e1204 & 31u))));
+        let _e1171 = phi_1469_;
+        visibility.member[_e80.shift] = _e1171.visibility;
+        let _e1176 = p.member.light.number;
+        let _e1177 = (_e1176 * 3u);
+        let _e1179 = (_e1177 % 32u);
+        let _e1181 = p.member.light.mask_words;
+        let _e1183 = ((_e80.shift * _e1181) + (_e1177 / 32u));
+        let _e1185 = bits.member[_e1183];
+        bits.member[_e1183] = ((_e1185 & ~((7u << bitcast<u32>((_e1179 & 31u))))) | (_e1171.bits << bitcast<u32>((_e1179 & 31u))));
+        if (_e1179 > 29u) {
+            let _e1200 = bits.member[(_e1183 + 1u)];
+            let _e1202 = (32u - _e1179);
+            bits.member[(_e1183 + 1u)] = ((_e1200 & ~((7u >> bitcast<u32>((_e1202 & 31u))))) | (_e1171.bits >> bitcast<u32>((_e1202 & 31u))));
         }
-        let _e1219 = samples.member[_e80.shift].normal[0u];
-        let _e1221 = global[0u];
-        if (_e1219 == _e1221) {
-            let _e1224 = samples.member[_e80.shift].normal[1u];
-            let _e1226 = global[1u];
-            if (_e1224 == _e1226) {
-                let _e1229 = samples.member[_e80.shift].normal[2u];
-                let _e1231 = global[2u];
-                phi_1545_ = (_e1229 == _e1231);
-                phi_1546_ = false;
+        let _e1217 = samples.member[_e80.shift].normal[0u];
+        let _e1219 = global[0u];
+        if (_e1217 == _e1219) {
+            let _e1222 = samples.member[_e80.shift].normal[1u];
+            let _e1224 = global[1u];
+            if (_e1222 == _e1224) {
+                let _e1227 = samples.member[_e80.shift].normal[2u];
+                let _e1229 = global[2u];
+                phi_1541_ = (_e1227 == _e1229);
+                phi_1542_ = false;
             } else {
-                phi_1545_ = bool();
-                phi_1546_ = true;
+                phi_1541_ = bool();
+                phi_1542_ = true;
             }
-            let _e1234 = phi_1545_;
-            let _e1236 = phi_1546_;
-            phi_1547_ = _e1234;
+            let _e1232 = phi_1541_;
+            let _e1234 = phi_1542_;
+            phi_1543_ = _e1232;
+            phi_1544_ = _e1234;
+        } else {
+            phi_1543_ = bool();
+            phi_1544_ = true;
+        }
+        let _e1236 = phi_1543_;
+        let _e1238 = phi_1544_;
+        if _e1238 {
+            phi_1548_ = false;
+        } else {
             phi_1548_ = _e1236;
-        } else {
-            phi_1547_ = bool();
-            phi_1548_ = true;
         }
-        let _e1238 = phi_1547_;
         let _e1240 = phi_1548_;
-        if _e1240 {
-            phi_1552_ = false;
+        if !(_e1240) {
+            let _e1243 = samples.member[_e80.shift].position;
+            let _e1245 = p.member.current.eye;
+            let _e1256 = p.member.current.forward;
+            phi_1576_ = ((((_e1243.x - _e1245.x) * _e1256.x) + ((_e1243.y - _e1245.y) * _e1256.y)) + ((_e1243.z - _e1245.z) * _e1256.z));
         } else {
-            phi_1552_ = _e1238;
+            phi_1576_ = 0f;
         }
-        let _e1242 = phi_1552_;
-        if !(_e1242) {
-            let _e1245 = samples.member[_e80.shift].position;
-            let _e1247 = p.member.current.eye;
-            let _e1258 = p.member.current.forward;
-            phi_1580_ = ((((_e1245.x - _e1247.x) * _e1258.x) + ((_e1245.y - _e1247.y) * _e1258.y)) + ((_e1245.z - _e1247.z) * _e1258.z));
-        } else {
-            phi_1580_ = 0f;
-        }
-        let _e1268 = phi_1580_;
-        depths.member[_e80.shift] = _e1268;
-        phi_1583_ = _e1173.needs_ray;
-        phi_1584_ = _e80.shift;
+        let _e1266 = phi_1576_;
+        depths.member[_e80.shift] = _e1266;
+        phi_1579_ = _e1171.needs_ray;
+        phi_1580_ = _e80.shift;
     } else {
-        phi_1583_ = false;
-        phi_1584_ = 0u;
+        phi_1579_ = false;
+        phi_1580_ = 0u;
     }
-    let _e1272 = phi_1583_;
-    let _e1274 = phi_1584_;
+    let _e1270 = phi_1579_;
+    let _e1272 = phi_1580_;
     if (_e61 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1272 {
-        let _e1278 = atomicAdd((&shared_[0u]), 1u);
-        phi_1595_ = _e1278;
+    if _e1270 {
+        let _e1276 = atomicAdd((&shared_[0u]), 1u);
+        phi_1591_ = _e1276;
     } else {
-        phi_1595_ = 0u;
+        phi_1591_ = 0u;
     }
-    let _e1280 = phi_1595_;
+    let _e1278 = phi_1591_;
     workgroupBarrier();
     if (_e61 == 0u) {
-        let _e1284 = atomicLoad((&shared_[0u]));
-        let _e1285 = atomicAdd((&list.member[3u]), _e1284);
-        atomicStore((&shared_[1u]), _e1285);
+        let _e1282 = atomicLoad((&shared_[0u]));
+        let _e1283 = atomicAdd((&list.member[3u]), _e1282);
+        atomicStore((&shared_[1u]), _e1283);
     }
     workgroupBarrier();
-    if _e1272 {
-        let _e1288 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1288) + _e1280)]), _e1274);
+    if _e1270 {
+        let _e1286 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1286) + _e1278)]), _e1272);
     }
     return;
 }

@@ -289,148 +289,147 @@ fn function_() {
     var phi_503_: bool;
     var phi_504_: bool;
     var phi_508_: bool;
-    var phi_512_: bool;
-    var phi_513_: bool;
-    var phi_724_: f32;
-    var phi_729_: f32;
-    var phi_730_: bool;
-    var phi_731_: f32;
-    var phi_732_: bool;
-    var phi_736_: f32;
-    var phi_757_: f32;
-    var phi_762_: f32;
-    var phi_763_: bool;
-    var phi_764_: f32;
-    var phi_765_: bool;
-    var phi_769_: f32;
-    var phi_790_: bool;
+    var phi_509_: bool;
+    var phi_720_: f32;
+    var phi_725_: f32;
+    var phi_726_: bool;
+    var phi_727_: f32;
+    var phi_728_: bool;
+    var phi_732_: f32;
+    var phi_753_: f32;
+    var phi_758_: f32;
+    var phi_759_: bool;
+    var phi_760_: f32;
+    var phi_761_: bool;
+    var phi_765_: f32;
+    var phi_786_: bool;
+    var phi_805_: vec2<u32>;
+    var phi_806_: bool;
+    var phi_807_: bool;
+    var phi_808_: bool;
     var phi_809_: vec2<u32>;
     var phi_810_: bool;
     var phi_811_: bool;
     var phi_812_: bool;
-    var phi_813_: vec2<u32>;
+    var phi_813_: bool;
     var phi_814_: bool;
     var phi_815_: bool;
-    var phi_816_: bool;
+    var phi_816_: vec2<u32>;
     var phi_817_: bool;
     var phi_818_: bool;
     var phi_819_: bool;
-    var phi_820_: vec2<u32>;
+    var phi_820_: bool;
     var phi_821_: bool;
     var phi_822_: bool;
-    var phi_823_: bool;
+    var phi_823_: vec2<u32>;
     var phi_824_: bool;
     var phi_825_: bool;
     var phi_826_: bool;
-    var phi_827_: vec2<u32>;
-    var phi_828_: bool;
-    var phi_829_: bool;
-    var phi_830_: bool;
-    var phi_831_: bool;
-    var phi_840_: bool;
-    var phi_841_: bool;
-    var phi_842_: bool;
+    var phi_827_: bool;
+    var phi_836_: bool;
+    var phi_837_: bool;
+    var phi_838_: bool;
+    var phi_839_: bool;
     var phi_843_: bool;
-    var phi_847_: bool;
-    var phi_848_: bool;
-    var phi_849_: vec2<u32>;
+    var phi_844_: bool;
+    var phi_845_: vec2<u32>;
+    var phi_883_: bool;
+    var phi_885_: lt_mask_Reprojection;
+    var phi_886_: lt_mask_Reprojection;
     var phi_887_: bool;
-    var phi_889_: lt_mask_Reprojection;
-    var phi_890_: lt_mask_Reprojection;
     var phi_891_: bool;
-    var phi_895_: bool;
-    var phi_896_: lt_mask_Reprojection;
-    var phi_897_: lt_mask_Reprojection;
-    var phi_898_: bool;
-    var phi_906_: bool;
-    var phi_907_: lt_mask_Reprojection;
-    var phi_913_: bool;
-    var phi_935_: u32;
-    var phi_937_: u32;
-    var phi_940_: lt_mask_Neighbourhood;
-    var phi_952_: bool;
-    var phi_953_: bool;
-    var phi_962_: u32;
-    var phi_963_: u32;
-    var phi_1023_: vec2<i32>;
-    var phi_1043_: vec2<i32>;
-    var phi_1068_: u32;
-    var phi_1087_: u32;
-    var phi_1095_: u32;
+    var phi_892_: lt_mask_Reprojection;
+    var phi_893_: lt_mask_Reprojection;
+    var phi_894_: bool;
+    var phi_902_: bool;
+    var phi_903_: lt_mask_Reprojection;
+    var phi_909_: bool;
+    var phi_931_: u32;
+    var phi_933_: u32;
+    var phi_936_: lt_mask_Neighbourhood;
+    var phi_948_: bool;
+    var phi_949_: bool;
+    var phi_958_: u32;
+    var phi_959_: u32;
+    var phi_1019_: vec2<i32>;
+    var phi_1039_: vec2<i32>;
+    var phi_1064_: u32;
+    var phi_1083_: u32;
+    var phi_1091_: u32;
+    var phi_1117_: bool;
+    var phi_1118_: bool;
+    var phi_1119_: bool;
+    var phi_1120_: bool;
     var phi_1121_: bool;
     var phi_1122_: bool;
     var phi_1123_: bool;
-    var phi_1124_: bool;
-    var phi_1125_: bool;
-    var phi_1126_: bool;
-    var phi_1127_: bool;
+    var phi_1128_: bool;
+    var phi_1129_: bool;
+    var phi_1130_: bool;
+    var phi_1131_: bool;
     var phi_1132_: bool;
     var phi_1133_: bool;
     var phi_1134_: bool;
     var phi_1135_: bool;
     var phi_1136_: bool;
-    var phi_1137_: bool;
-    var phi_1138_: bool;
-    var phi_1139_: bool;
-    var phi_1140_: bool;
-    var phi_1155_: bool;
-    var phi_1156_: bool;
+    var phi_1151_: bool;
+    var phi_1152_: bool;
+    var phi_1159_: bool;
+    var phi_1160_: bool;
+    var phi_1161_: bool;
+    var phi_1162_: bool;
     var phi_1163_: bool;
-    var phi_1164_: bool;
-    var phi_1165_: bool;
-    var phi_1166_: bool;
     var phi_1167_: bool;
-    var phi_1171_: bool;
-    var phi_1172_: bool;
+    var phi_1168_: bool;
+    var phi_1169_: bool;
     var phi_1173_: bool;
-    var phi_1177_: bool;
+    var phi_1174_: bool;
     var phi_1178_: bool;
-    var phi_1182_: bool;
-    var phi_1183_: bool;
-    var phi_1201_: bool;
-    var phi_1202_: bool;
-    var phi_1203_: bool;
-    var phi_938_: u32;
-    var phi_941_: lt_mask_Neighbourhood;
-    var phi_1206_: lt_mask_Neighbourhood;
-    var phi_1207_: lt_mask_Neighbourhood;
-    var phi_1208_: lt_mask_Neighbourhood;
-    var phi_1240_: bool;
-    var phi_1241_: bool;
-    var phi_1263_: bool;
-    var phi_1264_: bool;
+    var phi_1179_: bool;
+    var phi_1197_: bool;
+    var phi_1198_: bool;
+    var phi_1199_: bool;
+    var phi_934_: u32;
+    var phi_937_: lt_mask_Neighbourhood;
+    var phi_1202_: lt_mask_Neighbourhood;
+    var phi_1203_: lt_mask_Neighbourhood;
+    var phi_1204_: lt_mask_Neighbourhood;
+    var phi_1236_: bool;
+    var phi_1237_: bool;
+    var phi_1259_: bool;
+    var phi_1260_: bool;
+    var phi_1261_: bool;
     var phi_1265_: bool;
-    var phi_1269_: bool;
-    var phi_1291_: bool;
-    var phi_1292_: bool;
-    var phi_1305_: bool;
-    var phi_1306_: bool;
-    var phi_1307_: bool;
+    var phi_1287_: bool;
+    var phi_1288_: bool;
+    var phi_1301_: bool;
+    var phi_1302_: bool;
+    var phi_1303_: bool;
+    var phi_1310_: u32;
+    var phi_1311_: u32;
+    var phi_1312_: u32;
+    var phi_1313_: u32;
     var phi_1314_: u32;
     var phi_1315_: u32;
     var phi_1316_: u32;
-    var phi_1317_: u32;
-    var phi_1318_: u32;
-    var phi_1319_: u32;
-    var phi_1320_: u32;
-    var phi_1332_: bool;
-    var phi_1333_: bool;
-    var phi_1334_: bool;
+    var phi_1328_: bool;
+    var phi_1329_: bool;
+    var phi_1330_: bool;
+    var phi_1331_: bool;
     var phi_1335_: bool;
-    var phi_1339_: bool;
-    var phi_1345_: bool;
-    var phi_1353_: u32;
-    var phi_1358_: u32;
-    var phi_1367_: u32;
+    var phi_1341_: bool;
+    var phi_1349_: u32;
+    var phi_1354_: u32;
+    var phi_1363_: u32;
+    var phi_1368_: u32;
     var phi_1372_: u32;
-    var phi_1376_: u32;
-    var phi_1377_: u32;
-    var phi_1378_: u32;
-    var phi_1382_: f32;
-    var phi_1384_: mask_Masked;
-    var phi_1434_: bool;
-    var phi_1435_: u32;
-    var phi_1446_: u32;
+    var phi_1373_: u32;
+    var phi_1374_: u32;
+    var phi_1378_: f32;
+    var phi_1380_: mask_Masked;
+    var phi_1430_: bool;
+    var phi_1431_: u32;
+    var phi_1442_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e55 = id_1;
@@ -539,7 +538,7 @@ fn function_() {
         }
         let _e245 = phi_457_;
         if _e245.unnamed_1 {
-            phi_1384_ = mask_Masked(_e245.unnamed.visibility, 0u, false);
+            phi_1380_ = mask_Masked(_e245.unnamed.visibility, 0u, false);
         } else {
             let _e250 = (_e92 < 0.5f);
             if (_e92 > 0f) {
@@ -553,7 +552,7 @@ fn function_() {
             let _e272 = lt_mask_Reprojection(_e268.pixel, true, _e268.has_moved);
             let _e278 = p.member.flags;
             if ((_e278 & 16u) == 0u) {
-                phi_513_ = true;
+                phi_509_ = false;
             } else {
                 let _e284 = samples.member[_e71.shift].position[0u];
                 if (_e90.x == _e284) {
@@ -582,877 +581,871 @@ fn function_() {
                     phi_508_ = _e299;
                 }
                 let _e303 = phi_508_;
-                if _e303 {
-                    phi_512_ = false;
-                } else {
-                    phi_512_ = true;
-                }
-                let _e305 = phi_512_;
-                phi_513_ = _e305;
+                phi_509_ = _e303;
             }
-            let _e307 = phi_513_;
-            if _e307 {
-                let _e309 = samples.member[_e71.shift].position;
-                let _e313 = p.member.previous.eye;
-                let _e316 = (_e90.x - _e313.x);
-                let _e319 = (_e90.y - _e313.y);
-                let _e322 = (_e90.z - _e313.z);
-                let _e324 = p.member.previous.forward;
-                let _e332 = (((_e316 * _e324.x) + (_e319 * _e324.y)) + (_e322 * _e324.z));
-                let _e334 = p.member.previous.right;
-                let _e344 = p.member.previous.right;
-                let _e359 = p.member.previous.up;
-                let _e369 = p.member.previous.up;
-                let _e384 = p.member.current.eye;
-                let _e387 = (_e309.x - _e384.x);
-                let _e390 = (_e309.y - _e384.y);
-                let _e393 = (_e309.z - _e384.z);
-                let _e395 = p.member.current.forward;
-                let _e403 = (((_e387 * _e395.x) + (_e390 * _e395.y)) + (_e393 * _e395.z));
-                let _e405 = p.member.current.right;
-                let _e415 = p.member.current.right;
-                let _e430 = p.member.current.up;
-                let _e440 = p.member.current.up;
-                let _e459 = p.member.current.size[0u];
-                let _e461 = (((((((_e316 * _e334.x) + (_e319 * _e334.y)) + (_e322 * _e334.z)) / ((((_e344.x * _e344.x) + (_e344.y * _e344.y)) + (_e344.z * _e344.z)) * _e332)) - ((((_e387 * _e405.x) + (_e390 * _e405.y)) + (_e393 * _e405.z)) / ((((_e415.x * _e415.x) + (_e415.y * _e415.y)) + (_e415.z * _e415.z)) * _e403))) * 0.5f) * f32(_e459));
-                let _e465 = p.member.current.size[1u];
-                let _e467 = (((((((_e316 * _e359.x) + (_e319 * _e359.y)) + (_e322 * _e359.z)) / ((((_e369.x * _e369.x) + (_e369.y * _e369.y)) + (_e369.z * _e369.z)) * _e332)) - ((((_e387 * _e430.x) + (_e390 * _e430.y)) + (_e393 * _e430.z)) / ((((_e440.x * _e440.x) + (_e440.y * _e440.y)) + (_e440.z * _e440.z)) * _e403))) * -0.5f) * f32(_e465));
-                let _e471 = p.member.current.grid[0u];
-                let _e473 = p.member.current.grid[1u];
-                let _e493 = p.member.current.size[0u];
-                let _e495 = p.member.current.size[1u];
-                let _e497 = ((f32(_e55.x) + ((f32((_e55.y & (_e473 - 1u))) + 0.5f) / f32(_e473))) + _e461);
-                if (_e497 > -8388608f) {
-                    let _e509 = f32(select(0i, select(select(i32(_e497), i32(-2147483648), (_e497 < bitcast<f32>(3472883712u))), 2147483647i, (_e497 > bitcast<f32>(1325400063u))), (_e497 == _e497)));
-                    if (_e509 > _e497) {
-                        phi_724_ = 1f;
+            let _e305 = phi_509_;
+            if _e305 {
+                phi_892_ = lt_mask_Reprojection(_e272.pixel, _e272.is_valid, false);
+                phi_893_ = lt_mask_Reprojection();
+                phi_894_ = true;
+            } else {
+                let _e307 = samples.member[_e71.shift].position;
+                let _e311 = p.member.previous.eye;
+                let _e314 = (_e90.x - _e311.x);
+                let _e317 = (_e90.y - _e311.y);
+                let _e320 = (_e90.z - _e311.z);
+                let _e322 = p.member.previous.forward;
+                let _e330 = (((_e314 * _e322.x) + (_e317 * _e322.y)) + (_e320 * _e322.z));
+                let _e332 = p.member.previous.right;
+                let _e342 = p.member.previous.right;
+                let _e357 = p.member.previous.up;
+                let _e367 = p.member.previous.up;
+                let _e382 = p.member.current.eye;
+                let _e385 = (_e307.x - _e382.x);
+                let _e388 = (_e307.y - _e382.y);
+                let _e391 = (_e307.z - _e382.z);
+                let _e393 = p.member.current.forward;
+                let _e401 = (((_e385 * _e393.x) + (_e388 * _e393.y)) + (_e391 * _e393.z));
+                let _e403 = p.member.current.right;
+                let _e413 = p.member.current.right;
+                let _e428 = p.member.current.up;
+                let _e438 = p.member.current.up;
+                let _e457 = p.member.current.size[0u];
+                let _e459 = (((((((_e314 * _e332.x) + (_e317 * _e332.y)) + (_e320 * _e332.z)) / ((((_e342.x * _e342.x) + (_e342.y * _e342.y)) + (_e342.z * _e342.z)) * _e330)) - ((((_e385 * _e403.x) + (_e388 * _e403.y)) + (_e391 * _e403.z)) / ((((_e413.x * _e413.x) + (_e413.y * _e413.y)) + (_e413.z * _e413.z)) * _e401))) * 0.5f) * f32(_e457));
+                let _e463 = p.member.current.size[1u];
+                let _e465 = (((((((_e314 * _e357.x) + (_e317 * _e357.y)) + (_e320 * _e357.z)) / ((((_e367.x * _e367.x) + (_e367.y * _e367.y)) + (_e367.z * _e367.z)) * _e330)) - ((((_e385 * _e428.x) + (_e388 * _e428.y)) + (_e391 * _e428.z)) / ((((_e438.x * _e438.x) + (_e438.y * _e438.y)) + (_e438.z * _e438.z)) * _e401))) * -0.5f) * f32(_e463));
+                let _e469 = p.member.current.grid[0u];
+                let _e471 = p.member.current.grid[1u];
+                let _e491 = p.member.current.size[0u];
+                let _e493 = p.member.current.size[1u];
+                let _e495 = ((f32(_e55.x) + ((f32((_e55.y & (_e471 - 1u))) + 0.5f) / f32(_e471))) + _e459);
+                if (_e495 > -8388608f) {
+                    let _e507 = f32(select(0i, select(select(i32(_e495), i32(-2147483648), (_e495 < bitcast<f32>(3472883712u))), 2147483647i, (_e495 > bitcast<f32>(1325400063u))), (_e495 == _e495)));
+                    if (_e507 > _e495) {
+                        phi_720_ = 1f;
                     } else {
-                        phi_724_ = 0f;
+                        phi_720_ = 0f;
                     }
-                    let _e512 = phi_724_;
-                    if (_e497 < 8388608f) {
-                        phi_729_ = (_e509 - _e512);
-                        phi_730_ = false;
+                    let _e510 = phi_720_;
+                    if (_e495 < 8388608f) {
+                        phi_725_ = (_e507 - _e510);
+                        phi_726_ = false;
                     } else {
-                        phi_729_ = f32();
-                        phi_730_ = true;
+                        phi_725_ = f32();
+                        phi_726_ = true;
                     }
-                    let _e515 = phi_729_;
-                    let _e517 = phi_730_;
-                    phi_731_ = _e515;
+                    let _e513 = phi_725_;
+                    let _e515 = phi_726_;
+                    phi_727_ = _e513;
+                    phi_728_ = _e515;
+                } else {
+                    phi_727_ = f32();
+                    phi_728_ = true;
+                }
+                let _e517 = phi_727_;
+                let _e519 = phi_728_;
+                if _e519 {
+                    phi_732_ = _e495;
+                } else {
                     phi_732_ = _e517;
-                } else {
-                    phi_731_ = f32();
-                    phi_732_ = true;
                 }
-                let _e519 = phi_731_;
                 let _e521 = phi_732_;
-                if _e521 {
-                    phi_736_ = _e497;
+                let _e522 = ((f32(_e55.y) + ((f32((_e55.x & (_e469 - 1u))) + 0.5f) / f32(_e469))) + _e465);
+                if (_e522 > -8388608f) {
+                    let _e534 = f32(select(0i, select(select(i32(_e522), i32(-2147483648), (_e522 < bitcast<f32>(3472883712u))), 2147483647i, (_e522 > bitcast<f32>(1325400063u))), (_e522 == _e522)));
+                    if (_e534 > _e522) {
+                        phi_753_ = 1f;
+                    } else {
+                        phi_753_ = 0f;
+                    }
+                    let _e537 = phi_753_;
+                    if (_e522 < 8388608f) {
+                        phi_758_ = (_e534 - _e537);
+                        phi_759_ = false;
+                    } else {
+                        phi_758_ = f32();
+                        phi_759_ = true;
+                    }
+                    let _e540 = phi_758_;
+                    let _e542 = phi_759_;
+                    phi_760_ = _e540;
+                    phi_761_ = _e542;
                 } else {
-                    phi_736_ = _e519;
+                    phi_760_ = f32();
+                    phi_761_ = true;
                 }
-                let _e523 = phi_736_;
-                let _e524 = ((f32(_e55.y) + ((f32((_e55.x & (_e471 - 1u))) + 0.5f) / f32(_e471))) + _e467);
-                if (_e524 > -8388608f) {
-                    let _e536 = f32(select(0i, select(select(i32(_e524), i32(-2147483648), (_e524 < bitcast<f32>(3472883712u))), 2147483647i, (_e524 > bitcast<f32>(1325400063u))), (_e524 == _e524)));
-                    if (_e536 > _e524) {
-                        phi_757_ = 1f;
-                    } else {
-                        phi_757_ = 0f;
-                    }
-                    let _e539 = phi_757_;
-                    if (_e524 < 8388608f) {
-                        phi_762_ = (_e536 - _e539);
-                        phi_763_ = false;
-                    } else {
-                        phi_762_ = f32();
-                        phi_763_ = true;
-                    }
-                    let _e542 = phi_762_;
-                    let _e544 = phi_763_;
-                    phi_764_ = _e542;
+                let _e544 = phi_760_;
+                let _e546 = phi_761_;
+                if _e546 {
+                    phi_765_ = _e522;
+                } else {
                     phi_765_ = _e544;
-                } else {
-                    phi_764_ = f32();
-                    phi_765_ = true;
                 }
-                let _e546 = phi_764_;
                 let _e548 = phi_765_;
-                if _e548 {
-                    phi_769_ = _e524;
-                } else {
-                    phi_769_ = _e546;
-                }
-                let _e550 = phi_769_;
-                if (_e523 >= 0f) {
-                    if (_e550 >= 0f) {
-                        if (_e523 < f32(_e493)) {
-                            let _e556 = (_e550 < f32(_e495));
-                            if (_e461 == 0f) {
-                                phi_790_ = (_e467 == 0f);
+                if (_e521 >= 0f) {
+                    if (_e548 >= 0f) {
+                        if (_e521 < f32(_e491)) {
+                            let _e554 = (_e548 < f32(_e493));
+                            if (_e459 == 0f) {
+                                phi_786_ = (_e465 == 0f);
                             } else {
-                                phi_790_ = false;
+                                phi_786_ = false;
                             }
-                            let _e560 = phi_790_;
-                            if _e556 {
-                                phi_809_ = vec2<u32>(select(select(u32(_e523), 0u, (_e523 < bitcast<f32>(0u))), 4294967295u, (_e523 > bitcast<f32>(1333788671u))), select(select(u32(_e550), 0u, (_e550 < bitcast<f32>(0u))), 4294967295u, (_e550 > bitcast<f32>(1333788671u))));
-                                phi_810_ = false;
+                            let _e558 = phi_786_;
+                            if _e554 {
+                                phi_805_ = vec2<u32>(select(select(u32(_e521), 0u, (_e521 < bitcast<f32>(0u))), 4294967295u, (_e521 > bitcast<f32>(1333788671u))), select(select(u32(_e548), 0u, (_e548 < bitcast<f32>(0u))), 4294967295u, (_e548 > bitcast<f32>(1333788671u))));
+                                phi_806_ = false;
                             } else {
-                                phi_809_ = vec2<u32>();
-                                phi_810_ = true;
+                                phi_805_ = vec2<u32>();
+                                phi_806_ = true;
                             }
-                            let _e577 = phi_809_;
-                            let _e579 = phi_810_;
-                            phi_811_ = _e560;
-                            phi_812_ = _e556;
+                            let _e575 = phi_805_;
+                            let _e577 = phi_806_;
+                            phi_807_ = _e558;
+                            phi_808_ = _e554;
+                            phi_809_ = _e575;
+                            phi_810_ = _e558;
+                            phi_811_ = _e554;
+                            phi_812_ = false;
                             phi_813_ = _e577;
-                            phi_814_ = _e560;
-                            phi_815_ = _e556;
-                            phi_816_ = false;
-                            phi_817_ = _e579;
                         } else {
+                            phi_807_ = bool();
+                            phi_808_ = bool();
+                            phi_809_ = vec2<u32>();
+                            phi_810_ = bool();
                             phi_811_ = bool();
-                            phi_812_ = bool();
-                            phi_813_ = vec2<u32>();
-                            phi_814_ = bool();
-                            phi_815_ = bool();
-                            phi_816_ = true;
-                            phi_817_ = false;
+                            phi_812_ = true;
+                            phi_813_ = false;
                         }
-                        let _e581 = phi_811_;
-                        let _e583 = phi_812_;
-                        let _e585 = phi_813_;
-                        let _e587 = phi_814_;
-                        let _e589 = phi_815_;
-                        let _e591 = phi_816_;
-                        let _e593 = phi_817_;
-                        phi_818_ = _e581;
-                        phi_819_ = _e583;
-                        phi_820_ = _e585;
-                        phi_821_ = _e587;
-                        phi_822_ = _e589;
-                        phi_823_ = _e591;
-                        phi_824_ = _e593;
+                        let _e579 = phi_807_;
+                        let _e581 = phi_808_;
+                        let _e583 = phi_809_;
+                        let _e585 = phi_810_;
+                        let _e587 = phi_811_;
+                        let _e589 = phi_812_;
+                        let _e591 = phi_813_;
+                        phi_814_ = _e579;
+                        phi_815_ = _e581;
+                        phi_816_ = _e583;
+                        phi_817_ = _e585;
+                        phi_818_ = _e587;
+                        phi_819_ = _e589;
+                        phi_820_ = _e591;
                     } else {
+                        phi_814_ = bool();
+                        phi_815_ = bool();
+                        phi_816_ = vec2<u32>();
+                        phi_817_ = bool();
                         phi_818_ = bool();
-                        phi_819_ = bool();
-                        phi_820_ = vec2<u32>();
-                        phi_821_ = bool();
-                        phi_822_ = bool();
-                        phi_823_ = true;
-                        phi_824_ = false;
+                        phi_819_ = true;
+                        phi_820_ = false;
                     }
-                    let _e595 = phi_818_;
-                    let _e597 = phi_819_;
-                    let _e599 = phi_820_;
-                    let _e601 = phi_821_;
-                    let _e603 = phi_822_;
-                    let _e605 = phi_823_;
-                    let _e607 = phi_824_;
-                    phi_825_ = _e595;
-                    phi_826_ = _e597;
-                    phi_827_ = _e599;
-                    phi_828_ = _e601;
-                    phi_829_ = _e603;
-                    phi_830_ = _e605;
-                    phi_831_ = _e607;
+                    let _e593 = phi_814_;
+                    let _e595 = phi_815_;
+                    let _e597 = phi_816_;
+                    let _e599 = phi_817_;
+                    let _e601 = phi_818_;
+                    let _e603 = phi_819_;
+                    let _e605 = phi_820_;
+                    phi_821_ = _e593;
+                    phi_822_ = _e595;
+                    phi_823_ = _e597;
+                    phi_824_ = _e599;
+                    phi_825_ = _e601;
+                    phi_826_ = _e603;
+                    phi_827_ = _e605;
                 } else {
+                    phi_821_ = bool();
+                    phi_822_ = bool();
+                    phi_823_ = vec2<u32>();
+                    phi_824_ = bool();
                     phi_825_ = bool();
-                    phi_826_ = bool();
-                    phi_827_ = vec2<u32>();
-                    phi_828_ = bool();
-                    phi_829_ = bool();
-                    phi_830_ = true;
-                    phi_831_ = false;
+                    phi_826_ = true;
+                    phi_827_ = false;
                 }
-                let _e609 = phi_825_;
-                let _e611 = phi_826_;
-                let _e613 = phi_827_;
-                let _e615 = phi_828_;
-                let _e617 = phi_829_;
-                let _e619 = phi_830_;
-                let _e621 = phi_831_;
-                if _e619 {
-                    if (_e461 == 0f) {
-                        phi_840_ = (_e467 == 0f);
+                let _e607 = phi_821_;
+                let _e609 = phi_822_;
+                let _e611 = phi_823_;
+                let _e613 = phi_824_;
+                let _e615 = phi_825_;
+                let _e617 = phi_826_;
+                let _e619 = phi_827_;
+                if _e617 {
+                    if (_e459 == 0f) {
+                        phi_836_ = (_e465 == 0f);
                     } else {
-                        phi_840_ = false;
+                        phi_836_ = false;
                     }
-                    let _e625 = phi_840_;
-                    phi_841_ = _e625;
-                    phi_842_ = false;
-                    phi_843_ = true;
+                    let _e623 = phi_836_;
+                    phi_837_ = _e623;
+                    phi_838_ = false;
+                    phi_839_ = true;
                 } else {
-                    phi_841_ = _e615;
-                    phi_842_ = _e617;
-                    phi_843_ = _e621;
+                    phi_837_ = _e613;
+                    phi_838_ = _e615;
+                    phi_839_ = _e619;
                 }
-                let _e627 = phi_841_;
-                let _e629 = phi_842_;
+                let _e625 = phi_837_;
+                let _e627 = phi_838_;
+                let _e629 = phi_839_;
+                if _e629 {
+                    phi_843_ = _e625;
+                    phi_844_ = _e627;
+                    phi_845_ = vec2<u32>(_e55.x, _e55.y);
+                } else {
+                    phi_843_ = _e607;
+                    phi_844_ = _e609;
+                    phi_845_ = _e611;
+                }
                 let _e631 = phi_843_;
-                if _e631 {
-                    phi_847_ = _e627;
-                    phi_848_ = _e629;
-                    phi_849_ = vec2<u32>(_e55.x, _e55.y);
-                } else {
-                    phi_847_ = _e609;
-                    phi_848_ = _e611;
-                    phi_849_ = _e613;
-                }
-                let _e633 = phi_847_;
-                let _e635 = phi_848_;
-                let _e637 = phi_849_;
-                let _e647 = lt_mask_Reprojection(vec2<u32>(_e637.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e654 = lt_mask_Reprojection(vec2<u32>(_e647.pixel.x, _e637.y), _e647.is_valid, _e647.has_moved);
-                let _e658 = lt_mask_Reprojection(_e654.pixel, _e635, _e654.has_moved);
-                let _e662 = lt_mask_Reprojection(_e658.pixel, _e658.is_valid, !(_e633));
-                if _e635 {
-                    let _e665 = p.member.previous.eye;
-                    let _e676 = p.member.previous.forward;
-                    let _e685 = (((((_e90.x - _e665.x) * _e676.x) + ((_e90.y - _e665.y) * _e676.y)) + ((_e90.z - _e665.z) * _e676.z)) > 0f);
-                    let _e689 = lt_mask_Reprojection(_e662.pixel, _e685, _e662.has_moved);
-                    if _e685 {
-                        phi_887_ = false;
+                let _e633 = phi_844_;
+                let _e635 = phi_845_;
+                let _e645 = lt_mask_Reprojection(vec2<u32>(_e635.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e652 = lt_mask_Reprojection(vec2<u32>(_e645.pixel.x, _e635.y), _e645.is_valid, _e645.has_moved);
+                let _e656 = lt_mask_Reprojection(_e652.pixel, _e633, _e652.has_moved);
+                let _e660 = lt_mask_Reprojection(_e656.pixel, _e656.is_valid, !(_e631));
+                if _e633 {
+                    let _e663 = p.member.previous.eye;
+                    let _e674 = p.member.previous.forward;
+                    let _e683 = (((((_e90.x - _e663.x) * _e674.x) + ((_e90.y - _e663.y) * _e674.y)) + ((_e90.z - _e663.z) * _e674.z)) > 0f);
+                    let _e687 = lt_mask_Reprojection(_e660.pixel, _e683, _e660.has_moved);
+                    if _e683 {
+                        phi_883_ = false;
                     } else {
-                        phi_887_ = true;
+                        phi_883_ = true;
                     }
-                    let _e691 = phi_887_;
-                    phi_889_ = _e689;
-                    phi_890_ = _e689;
-                    phi_891_ = _e691;
+                    let _e689 = phi_883_;
+                    phi_885_ = _e687;
+                    phi_886_ = _e687;
+                    phi_887_ = _e689;
                 } else {
-                    phi_889_ = lt_mask_Reprojection();
-                    phi_890_ = lt_mask_Reprojection(_e662.pixel, false, _e662.has_moved);
+                    phi_885_ = lt_mask_Reprojection();
+                    phi_886_ = lt_mask_Reprojection(_e660.pixel, false, _e660.has_moved);
+                    phi_887_ = true;
+                }
+                let _e695 = phi_885_;
+                let _e697 = phi_886_;
+                let _e699 = phi_887_;
+                if _e699 {
+                    phi_891_ = false;
+                } else {
                     phi_891_ = true;
                 }
-                let _e697 = phi_889_;
-                let _e699 = phi_890_;
                 let _e701 = phi_891_;
-                if _e701 {
-                    phi_895_ = false;
-                } else {
-                    phi_895_ = true;
-                }
-                let _e703 = phi_895_;
-                phi_896_ = _e699;
-                phi_897_ = _e697;
-                phi_898_ = _e703;
-            } else {
-                phi_896_ = lt_mask_Reprojection();
-                phi_897_ = lt_mask_Reprojection(_e272.pixel, _e272.is_valid, false);
-                phi_898_ = true;
+                phi_892_ = _e695;
+                phi_893_ = _e697;
+                phi_894_ = _e701;
             }
-            let _e705 = phi_896_;
-            let _e707 = phi_897_;
-            let _e709 = phi_898_;
-            if _e709 {
-                let _e711 = p.member.flags;
-                phi_906_ = ((_e711 & 1u) != 0u);
-                phi_907_ = _e707;
+            let _e703 = phi_892_;
+            let _e705 = phi_893_;
+            let _e707 = phi_894_;
+            if _e707 {
+                let _e709 = p.member.flags;
+                phi_902_ = ((_e709 & 1u) != 0u);
+                phi_903_ = _e703;
             } else {
-                phi_906_ = false;
-                phi_907_ = _e705;
+                phi_902_ = false;
+                phi_903_ = _e705;
             }
-            let _e715 = phi_906_;
-            let _e717 = phi_907_;
-            let _e721 = lt_mask_Reprojection(_e717.pixel, _e715, _e717.has_moved);
-            let _e722 = lt_mask_Neighbourhood(false, true);
+            let _e713 = phi_902_;
+            let _e715 = phi_903_;
+            let _e719 = lt_mask_Reprojection(_e715.pixel, _e713, _e715.has_moved);
+            let _e720 = lt_mask_Neighbourhood(false, true);
             if _e254 {
-                phi_913_ = false;
+                phi_909_ = false;
             } else {
-                phi_913_ = true;
+                phi_909_ = true;
             }
-            let _e724 = phi_913_;
-            if _e724 {
-                if _e715 {
+            let _e722 = phi_909_;
+            if _e722 {
+                if _e713 {
                     if ((0u & 2u) != 0u) {
-                        phi_1206_ = _e722;
+                        phi_1202_ = _e720;
                     } else {
-                        let _e728 = p.member.expansion;
-                        if _e721.has_moved {
-                            let _e731 = p.member.moving_pattern;
-                            phi_935_ = _e731;
+                        let _e726 = p.member.expansion;
+                        if _e719.has_moved {
+                            let _e729 = p.member.moving_pattern;
+                            phi_931_ = _e729;
                         } else {
-                            let _e733 = p.member.still_pattern;
-                            phi_935_ = _e733;
+                            let _e731 = p.member.still_pattern;
+                            phi_931_ = _e731;
                         }
-                        let _e735 = phi_935_;
-                        phi_937_ = 0u;
-                        phi_940_ = _e722;
+                        let _e733 = phi_931_;
+                        phi_933_ = 0u;
+                        phi_936_ = _e720;
                         loop {
-                            let _e737 = phi_937_;
-                            let _e739 = phi_940_;
-                            local_1 = _e739;
-                            if (1u <= _e735) {
-                                if (_e735 <= 4u) {
-                                    phi_952_ = false;
+                            let _e735 = phi_933_;
+                            let _e737 = phi_936_;
+                            local_1 = _e737;
+                            if (1u <= _e733) {
+                                if (_e733 <= 4u) {
+                                    phi_948_ = false;
                                 } else {
-                                    phi_952_ = true;
+                                    phi_948_ = true;
                                 }
-                                let _e743 = phi_952_;
-                                phi_953_ = _e743;
+                                let _e741 = phi_948_;
+                                phi_949_ = _e741;
                             } else {
-                                phi_953_ = true;
+                                phi_949_ = true;
                             }
-                            let _e745 = phi_953_;
-                            if _e745 {
-                                switch bitcast<i32>(_e735) {
+                            let _e743 = phi_949_;
+                            if _e743 {
+                                switch bitcast<i32>(_e733) {
                                     case 5: {
-                                        phi_962_ = 4u;
+                                        phi_958_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_962_ = 25u;
+                                        phi_958_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_962_ = 13u;
+                                        phi_958_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_962_ = 9u;
+                                        phi_958_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e748 = phi_962_;
-                                phi_963_ = _e748;
+                                let _e746 = phi_958_;
+                                phi_959_ = _e746;
                             } else {
-                                phi_963_ = 5u;
+                                phi_959_ = 5u;
                             }
-                            let _e750 = phi_963_;
-                            let _e751 = (_e737 < _e750);
-                            if _e751 {
-                                let _e757 = p.member.frame;
-                                let _e761 = p.member.current.size[0u];
-                                let _e763 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e735) {
+                            let _e748 = phi_959_;
+                            let _e749 = (_e735 < _e748);
+                            if _e749 {
+                                let _e755 = p.member.frame;
+                                let _e759 = p.member.current.size[0u];
+                                let _e761 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e733) {
                                     case 1: {
-                                        let _e773 = lt_mask_pattern_plus(_e737);
-                                        phi_1043_ = vec2<i32>(_e773.x, _e773.y);
+                                        let _e771 = lt_mask_pattern_plus(_e735);
+                                        phi_1039_ = vec2<i32>(_e771.x, _e771.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e777 = lt_mask_pattern_cross(_e737);
-                                        phi_1043_ = vec2<i32>(_e777.x, _e777.y);
+                                        let _e775 = lt_mask_pattern_cross(_e735);
+                                        phi_1039_ = vec2<i32>(_e775.x, _e775.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e783 = lt_mask_pattern_plus_or_cross(_e737, ((_e721.pixel.x + _e721.pixel.y) & 1u));
-                                        phi_1043_ = vec2<i32>(_e783.x, _e783.y);
+                                        let _e781 = lt_mask_pattern_plus_or_cross(_e735, ((_e719.pixel.x + _e719.pixel.y) & 1u));
+                                        phi_1039_ = vec2<i32>(_e781.x, _e781.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e788 = lt_mask_pattern_plus_or_cross(_e737, (_e757 & 1u));
-                                        phi_1043_ = vec2<i32>(_e788.x, _e788.y);
+                                        let _e786 = lt_mask_pattern_plus_or_cross(_e735, (_e755 & 1u));
+                                        phi_1039_ = vec2<i32>(_e786.x, _e786.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e757 & 3u)) {
+                                        switch bitcast<i32>((_e755 & 3u)) {
                                             case 0: {
-                                                phi_1023_ = vec2(-1i);
+                                                phi_1019_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1023_ = vec2(0i);
+                                                phi_1019_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1023_ = vec2<i32>(0i, -1i);
+                                                phi_1019_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1023_ = vec2<i32>(-1i, 0i);
+                                                phi_1019_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e799 = phi_1023_;
-                                        phi_1043_ = (_e799 + vec2<i32>(bitcast<i32>((_e737 & 1u)), bitcast<i32>(((_e737 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e797 = phi_1019_;
+                                        phi_1039_ = (_e797 + vec2<i32>(bitcast<i32>((_e735 & 1u)), bitcast<i32>(((_e735 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1043_ = vec2<i32>((bitcast<i32>((_e737 % 5u)) - 2i), (bitcast<i32>(((_e737 / 5u) % 5u)) - 2i));
+                                        phi_1039_ = vec2<i32>((bitcast<i32>((_e735 % 5u)) - 2i), (bitcast<i32>(((_e735 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e816 = lt_mask_pattern_diamond(_e737);
-                                        phi_1043_ = vec2<i32>(_e816.x, _e816.y);
+                                        let _e814 = lt_mask_pattern_diamond(_e735);
+                                        phi_1039_ = vec2<i32>(_e814.x, _e814.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1043_ = vec2<i32>((bitcast<i32>((_e737 % 3u)) - 1i), (bitcast<i32>(((_e737 / 3u) % 3u)) - 1i));
+                                        phi_1039_ = vec2<i32>((bitcast<i32>((_e735 % 3u)) - 1i), (bitcast<i32>(((_e735 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e821 = phi_1043_;
-                                let _e824 = lt_mask_pattern_step_clamped(_e721.pixel.x, _e821.x, _e761);
-                                let _e825 = lt_mask_pattern_step_clamped(_e721.pixel.y, _e821.y, _e763);
-                                let _e829 = ((((_e825 * _e87) + _e824) * _e83) + (_e79 / 32u));
+                                let _e819 = phi_1039_;
+                                let _e822 = lt_mask_pattern_step_clamped(_e719.pixel.x, _e819.x, _e759);
+                                let _e823 = lt_mask_pattern_step_clamped(_e719.pixel.y, _e819.y, _e761);
+                                let _e827 = ((((_e823 * _e87) + _e822) * _e83) + (_e79 / 32u));
                                 if (_e81 > 29u) {
-                                    let _e831 = (_e829 + 1u);
-                                    if (_e831 < _e61) {
+                                    let _e829 = (_e827 + 1u);
+                                    if (_e829 < _e61) {
                                     } else {
                                         return;
                                     }
-                                    let _e835 = last_bits.member[(0u + _e831)];
-                                    phi_1068_ = _e835;
+                                    let _e833 = last_bits.member[(0u + _e829)];
+                                    phi_1064_ = _e833;
                                 } else {
-                                    phi_1068_ = 0u;
+                                    phi_1064_ = 0u;
                                 }
-                                let _e837 = phi_1068_;
-                                if (_e829 < _e61) {
+                                let _e835 = phi_1064_;
+                                if (_e827 < _e61) {
                                 } else {
                                     return;
                                 }
-                                let _e841 = last_bits.member[(0u + _e829)];
-                                let _e844 = (_e841 >> bitcast<u32>((_e81 & 31u)));
+                                let _e839 = last_bits.member[(0u + _e827)];
+                                let _e842 = (_e839 >> bitcast<u32>((_e81 & 31u)));
                                 if (_e81 > 29u) {
-                                    phi_1087_ = (_e844 | (_e837 << bitcast<u32>(((32u - _e81) & 31u))));
+                                    phi_1083_ = (_e842 | (_e835 << bitcast<u32>(((32u - _e81) & 31u))));
                                 } else {
-                                    phi_1087_ = _e844;
+                                    phi_1083_ = _e842;
                                 }
-                                let _e852 = phi_1087_;
-                                if ((_e852 & 2u) == 0u) {
-                                    phi_1095_ = (_e852 & 1u);
+                                let _e850 = phi_1083_;
+                                if ((_e850 & 2u) == 0u) {
+                                    phi_1091_ = (_e850 & 1u);
                                 } else {
-                                    phi_1095_ = (_e852 & 7u);
+                                    phi_1091_ = (_e850 & 7u);
                                 }
-                                let _e858 = phi_1095_;
-                                if _e739.any_expands {
-                                    phi_1183_ = true;
+                                let _e856 = phi_1091_;
+                                if _e737.any_expands {
+                                    phi_1179_ = true;
                                 } else {
-                                    if ((_e858 & 2u) != 0u) {
-                                        let _e865 = (((_e858 & 4u) != 0u) != _e250);
-                                        switch bitcast<i32>(_e728) {
+                                    if ((_e856 & 2u) != 0u) {
+                                        let _e863 = (((_e856 & 4u) != 0u) != _e250);
+                                        switch bitcast<i32>(_e726) {
                                             case 1: {
-                                                phi_1123_ = bool();
-                                                phi_1124_ = false;
-                                                phi_1125_ = true;
-                                                phi_1126_ = false;
-                                                phi_1127_ = false;
+                                                phi_1119_ = bool();
+                                                phi_1120_ = false;
+                                                phi_1121_ = true;
+                                                phi_1122_ = false;
+                                                phi_1123_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e865 {
-                                                    phi_1121_ = (((_e858 & 4u) != 0u) != ((_e858 & 1u) != 0u));
-                                                    phi_1122_ = false;
+                                                if _e863 {
+                                                    phi_1117_ = (((_e856 & 4u) != 0u) != ((_e856 & 1u) != 0u));
+                                                    phi_1118_ = false;
                                                 } else {
-                                                    phi_1121_ = bool();
-                                                    phi_1122_ = true;
+                                                    phi_1117_ = bool();
+                                                    phi_1118_ = true;
                                                 }
-                                                let _e873 = phi_1121_;
-                                                let _e875 = phi_1122_;
-                                                phi_1123_ = _e873;
-                                                phi_1124_ = false;
-                                                phi_1125_ = false;
-                                                phi_1126_ = _e875;
-                                                phi_1127_ = _e865;
+                                                let _e871 = phi_1117_;
+                                                let _e873 = phi_1118_;
+                                                phi_1119_ = _e871;
+                                                phi_1120_ = false;
+                                                phi_1121_ = false;
+                                                phi_1122_ = _e873;
+                                                phi_1123_ = _e863;
                                                 break;
                                             }
                                             default: {
-                                                phi_1123_ = bool();
-                                                phi_1124_ = true;
-                                                phi_1125_ = false;
-                                                phi_1126_ = false;
-                                                phi_1127_ = false;
+                                                phi_1119_ = bool();
+                                                phi_1120_ = true;
+                                                phi_1121_ = false;
+                                                phi_1122_ = false;
+                                                phi_1123_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e877 = phi_1123_;
-                                        let _e879 = phi_1124_;
-                                        let _e881 = phi_1125_;
-                                        let _e883 = phi_1126_;
-                                        let _e885 = phi_1127_;
-                                        phi_1135_ = _e865;
-                                        phi_1136_ = _e877;
-                                        phi_1137_ = _e879;
-                                        phi_1138_ = _e881;
-                                        phi_1139_ = _e883;
-                                        phi_1140_ = _e885;
+                                        let _e875 = phi_1119_;
+                                        let _e877 = phi_1120_;
+                                        let _e879 = phi_1121_;
+                                        let _e881 = phi_1122_;
+                                        let _e883 = phi_1123_;
+                                        phi_1131_ = _e863;
+                                        phi_1132_ = _e875;
+                                        phi_1133_ = _e877;
+                                        phi_1134_ = _e879;
+                                        phi_1135_ = _e881;
+                                        phi_1136_ = _e883;
                                     } else {
-                                        switch bitcast<i32>(_e728) {
+                                        switch bitcast<i32>(_e726) {
                                             case 1: {
-                                                phi_1132_ = false;
-                                                phi_1133_ = true;
-                                                phi_1134_ = false;
+                                                phi_1128_ = false;
+                                                phi_1129_ = true;
+                                                phi_1130_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1132_ = false;
-                                                phi_1133_ = false;
-                                                phi_1134_ = true;
+                                                phi_1128_ = false;
+                                                phi_1129_ = false;
+                                                phi_1130_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_1132_ = true;
-                                                phi_1133_ = false;
-                                                phi_1134_ = false;
+                                                phi_1128_ = true;
+                                                phi_1129_ = false;
+                                                phi_1130_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e888 = phi_1132_;
-                                        let _e890 = phi_1133_;
-                                        let _e892 = phi_1134_;
-                                        phi_1135_ = false;
-                                        phi_1136_ = bool();
-                                        phi_1137_ = _e888;
-                                        phi_1138_ = _e890;
-                                        phi_1139_ = _e892;
-                                        phi_1140_ = false;
+                                        let _e886 = phi_1128_;
+                                        let _e888 = phi_1129_;
+                                        let _e890 = phi_1130_;
+                                        phi_1131_ = false;
+                                        phi_1132_ = bool();
+                                        phi_1133_ = _e886;
+                                        phi_1134_ = _e888;
+                                        phi_1135_ = _e890;
+                                        phi_1136_ = false;
                                     }
-                                    let _e894 = phi_1135_;
-                                    let _e896 = phi_1136_;
-                                    let _e898 = phi_1137_;
-                                    let _e900 = phi_1138_;
-                                    let _e902 = phi_1139_;
-                                    let _e904 = phi_1140_;
-                                    if _e898 {
-                                        if ((_e858 & 2u) != 0u) {
-                                            if (((_e858 & 4u) != 0u) != _e250) {
-                                                phi_1155_ = false;
+                                    let _e892 = phi_1131_;
+                                    let _e894 = phi_1132_;
+                                    let _e896 = phi_1133_;
+                                    let _e898 = phi_1134_;
+                                    let _e900 = phi_1135_;
+                                    let _e902 = phi_1136_;
+                                    if _e896 {
+                                        if ((_e856 & 2u) != 0u) {
+                                            if (((_e856 & 4u) != 0u) != _e250) {
+                                                phi_1151_ = false;
                                             } else {
-                                                phi_1155_ = true;
+                                                phi_1151_ = true;
                                             }
-                                            let _e911 = phi_1155_;
-                                            phi_1156_ = _e911;
+                                            let _e909 = phi_1151_;
+                                            phi_1152_ = _e909;
                                         } else {
-                                            phi_1156_ = true;
+                                            phi_1152_ = true;
                                         }
-                                        let _e913 = phi_1156_;
-                                        if _e913 {
-                                            phi_1163_ = (((_e858 & 1u) != 0u) != _e250);
+                                        let _e911 = phi_1152_;
+                                        if _e911 {
+                                            phi_1159_ = (((_e856 & 1u) != 0u) != _e250);
                                         } else {
-                                            phi_1163_ = true;
+                                            phi_1159_ = true;
                                         }
-                                        let _e918 = phi_1163_;
-                                        phi_1164_ = _e918;
-                                        phi_1165_ = false;
-                                        phi_1166_ = false;
-                                        phi_1167_ = false;
+                                        let _e916 = phi_1159_;
+                                        phi_1160_ = _e916;
+                                        phi_1161_ = false;
+                                        phi_1162_ = false;
+                                        phi_1163_ = false;
                                     } else {
-                                        phi_1164_ = bool();
-                                        phi_1165_ = _e900;
-                                        phi_1166_ = _e902;
-                                        phi_1167_ = _e904;
+                                        phi_1160_ = bool();
+                                        phi_1161_ = _e898;
+                                        phi_1162_ = _e900;
+                                        phi_1163_ = _e902;
                                     }
-                                    let _e920 = phi_1164_;
-                                    let _e922 = phi_1165_;
-                                    let _e924 = phi_1166_;
+                                    let _e918 = phi_1160_;
+                                    let _e920 = phi_1161_;
+                                    let _e922 = phi_1162_;
+                                    let _e924 = phi_1163_;
+                                    if _e920 {
+                                        phi_1167_ = _e892;
+                                        phi_1168_ = false;
+                                        phi_1169_ = false;
+                                    } else {
+                                        phi_1167_ = _e918;
+                                        phi_1168_ = _e922;
+                                        phi_1169_ = _e924;
+                                    }
                                     let _e926 = phi_1167_;
-                                    if _e922 {
-                                        phi_1171_ = _e894;
-                                        phi_1172_ = false;
+                                    let _e928 = phi_1168_;
+                                    let _e930 = phi_1169_;
+                                    if _e928 {
                                         phi_1173_ = false;
+                                        phi_1174_ = true;
                                     } else {
-                                        phi_1171_ = _e920;
-                                        phi_1172_ = _e924;
-                                        phi_1173_ = _e926;
+                                        phi_1173_ = _e894;
+                                        phi_1174_ = _e930;
                                     }
-                                    let _e928 = phi_1171_;
-                                    let _e930 = phi_1172_;
                                     let _e932 = phi_1173_;
-                                    if _e930 {
-                                        phi_1177_ = false;
-                                        phi_1178_ = true;
-                                    } else {
-                                        phi_1177_ = _e896;
+                                    let _e934 = phi_1174_;
+                                    if _e934 {
                                         phi_1178_ = _e932;
+                                    } else {
+                                        phi_1178_ = _e926;
                                     }
-                                    let _e934 = phi_1177_;
                                     let _e936 = phi_1178_;
-                                    if _e936 {
-                                        phi_1182_ = _e934;
-                                    } else {
-                                        phi_1182_ = _e928;
-                                    }
-                                    let _e938 = phi_1182_;
-                                    phi_1183_ = _e938;
+                                    phi_1179_ = _e936;
                                 }
-                                let _e940 = phi_1183_;
-                                if _e739.all_remove {
-                                    if (((_e858 & 1u) != 0u) == _e250) {
-                                        if ((_e858 & 2u) != 0u) {
-                                            phi_1201_ = (((_e858 & 4u) != 0u) == _e250);
+                                let _e938 = phi_1179_;
+                                if _e737.all_remove {
+                                    if (((_e856 & 1u) != 0u) == _e250) {
+                                        if ((_e856 & 2u) != 0u) {
+                                            phi_1197_ = (((_e856 & 4u) != 0u) == _e250);
                                         } else {
-                                            phi_1201_ = true;
+                                            phi_1197_ = true;
                                         }
-                                        let _e950 = phi_1201_;
-                                        phi_1202_ = _e950;
+                                        let _e948 = phi_1197_;
+                                        phi_1198_ = _e948;
                                     } else {
-                                        phi_1202_ = false;
+                                        phi_1198_ = false;
                                     }
-                                    let _e952 = phi_1202_;
-                                    phi_1203_ = _e952;
+                                    let _e950 = phi_1198_;
+                                    phi_1199_ = _e950;
                                 } else {
-                                    phi_1203_ = false;
+                                    phi_1199_ = false;
                                 }
-                                let _e954 = phi_1203_;
-                                phi_938_ = (_e737 + 1u);
-                                phi_941_ = lt_mask_Neighbourhood(_e940, _e954);
+                                let _e952 = phi_1199_;
+                                phi_934_ = (_e735 + 1u);
+                                phi_937_ = lt_mask_Neighbourhood(_e938, _e952);
                             } else {
-                                phi_938_ = u32();
-                                phi_941_ = lt_mask_Neighbourhood();
+                                phi_934_ = u32();
+                                phi_937_ = lt_mask_Neighbourhood();
                             }
-                            let _e958 = phi_938_;
-                            let _e960 = phi_941_;
+                            let _e956 = phi_934_;
+                            let _e958 = phi_937_;
                             continue;
                             continuing {
-                                phi_937_ = _e958;
-                                phi_940_ = _e960;
-                                break if !(_e751);
+                                phi_933_ = _e956;
+                                phi_936_ = _e958;
+                                break if !(_e749);
                             }
                         }
-                        let _e1258 = local_1;
-                        phi_1206_ = _e1258;
+                        let _e1255 = local_1;
+                        phi_1202_ = _e1255;
                     }
-                    let _e963 = phi_1206_;
-                    phi_1207_ = _e963;
+                    let _e961 = phi_1202_;
+                    phi_1203_ = _e961;
                 } else {
-                    phi_1207_ = _e722;
+                    phi_1203_ = _e720;
                 }
-                let _e965 = phi_1207_;
-                phi_1208_ = _e965;
+                let _e963 = phi_1203_;
+                phi_1204_ = _e963;
             } else {
-                phi_1208_ = _e722;
+                phi_1204_ = _e720;
             }
-            let _e967 = phi_1208_;
-            let _e970 = p.member.frame;
-            let _e972 = p.member.refresh;
-            if (_e972 == 0u) {
-                phi_1241_ = false;
+            let _e965 = phi_1204_;
+            let _e968 = p.member.frame;
+            let _e970 = p.member.refresh;
+            if (_e970 == 0u) {
+                phi_1237_ = false;
             } else {
-                if (_e972 == 0u) {
+                if (_e970 == 0u) {
                     return;
                 }
-                let _e981 = ((_e55.x + (_e55.y * (((_e972 * 5u) / 8u) | 1u))) + (_e970 % _e972));
-                if (_e972 == 0u) {
-                    phi_1240_ = (_e981 == 0u);
+                let _e979 = ((_e55.x + (_e55.y * (((_e970 * 5u) / 8u) | 1u))) + (_e968 % _e970));
+                if (_e970 == 0u) {
+                    phi_1236_ = (_e979 == 0u);
                 } else {
-                    if (_e972 == 0u) {
+                    if (_e970 == 0u) {
                         return;
                     }
-                    phi_1240_ = ((_e981 % _e972) == 0u);
+                    phi_1236_ = ((_e979 % _e970) == 0u);
                 }
-                let _e988 = phi_1240_;
-                phi_1241_ = _e988;
+                let _e986 = phi_1236_;
+                phi_1237_ = _e986;
             }
-            let _e990 = phi_1241_;
-            if _e715 {
-                if _e990 {
-                    phi_1263_ = bool();
+            let _e988 = phi_1237_;
+            if _e713 {
+                if _e988 {
+                    phi_1259_ = bool();
                 } else {
-                    phi_1263_ = ((0u & 2u) != 0u);
+                    phi_1259_ = ((0u & 2u) != 0u);
                 }
-                let _e996 = phi_1263_;
-                phi_1264_ = _e996;
-                phi_1265_ = _e990;
+                let _e994 = phi_1259_;
+                phi_1260_ = _e994;
+                phi_1261_ = _e988;
             } else {
-                phi_1264_ = bool();
-                phi_1265_ = true;
+                phi_1260_ = bool();
+                phi_1261_ = true;
             }
-            let _e998 = phi_1264_;
+            let _e996 = phi_1260_;
+            let _e998 = phi_1261_;
+            if _e998 {
+                phi_1265_ = false;
+            } else {
+                phi_1265_ = _e996;
+            }
             let _e1000 = phi_1265_;
             if _e1000 {
-                phi_1269_ = false;
-            } else {
-                phi_1269_ = _e998;
-            }
-            let _e1002 = phi_1269_;
-            if _e1002 {
-                phi_1320_ = 7u;
+                phi_1316_ = 7u;
             } else {
                 if (_e92 != 0.5f) {
-                    if _e715 {
-                        if _e990 {
-                            phi_1317_ = 6u;
+                    if _e713 {
+                        if _e988 {
+                            phi_1313_ = 6u;
                         } else {
                             if _e254 {
-                                phi_1292_ = true;
+                                phi_1288_ = true;
                             } else {
-                                if _e967.any_expands {
-                                    phi_1291_ = false;
+                                if _e965.any_expands {
+                                    phi_1287_ = false;
                                 } else {
-                                    phi_1291_ = true;
+                                    phi_1287_ = true;
                                 }
-                                let _e1004 = phi_1291_;
-                                phi_1292_ = _e1004;
+                                let _e1002 = phi_1287_;
+                                phi_1288_ = _e1002;
                             }
-                            let _e1006 = phi_1292_;
-                            if _e1006 {
+                            let _e1004 = phi_1288_;
+                            if _e1004 {
                                 if _e254 {
                                     if false {
-                                        if _e967.all_remove {
-                                            phi_1305_ = false;
+                                        if _e965.all_remove {
+                                            phi_1301_ = false;
                                         } else {
-                                            phi_1305_ = true;
+                                            phi_1301_ = true;
                                         }
-                                        let _e1008 = phi_1305_;
-                                        phi_1306_ = _e1008;
+                                        let _e1006 = phi_1301_;
+                                        phi_1302_ = _e1006;
                                     } else {
-                                        phi_1306_ = true;
+                                        phi_1302_ = true;
                                     }
-                                    let _e1010 = phi_1306_;
-                                    phi_1307_ = _e1010;
+                                    let _e1008 = phi_1302_;
+                                    phi_1303_ = _e1008;
                                 } else {
-                                    phi_1307_ = true;
+                                    phi_1303_ = true;
                                 }
-                                let _e1012 = phi_1307_;
-                                if _e1012 {
+                                let _e1010 = phi_1303_;
+                                if _e1010 {
                                     if _e254 {
-                                        phi_1314_ = 1u;
+                                        phi_1310_ = 1u;
                                     } else {
-                                        phi_1314_ = 0u;
+                                        phi_1310_ = 0u;
                                     }
-                                    let _e1014 = phi_1314_;
-                                    phi_1315_ = _e1014;
+                                    let _e1012 = phi_1310_;
+                                    phi_1311_ = _e1012;
                                 } else {
-                                    phi_1315_ = 5u;
+                                    phi_1311_ = 5u;
                                 }
-                                let _e1016 = phi_1315_;
-                                phi_1316_ = _e1016;
+                                let _e1014 = phi_1311_;
+                                phi_1312_ = _e1014;
                             } else {
-                                phi_1316_ = 4u;
+                                phi_1312_ = 4u;
                             }
-                            let _e1018 = phi_1316_;
-                            phi_1317_ = _e1018;
+                            let _e1016 = phi_1312_;
+                            phi_1313_ = _e1016;
                         }
-                        let _e1020 = phi_1317_;
-                        phi_1318_ = _e1020;
+                        let _e1018 = phi_1313_;
+                        phi_1314_ = _e1018;
                     } else {
-                        phi_1318_ = 3u;
+                        phi_1314_ = 3u;
                     }
-                    let _e1022 = phi_1318_;
-                    phi_1319_ = _e1022;
+                    let _e1020 = phi_1314_;
+                    phi_1315_ = _e1020;
                 } else {
-                    phi_1319_ = 2u;
+                    phi_1315_ = 2u;
                 }
-                let _e1024 = phi_1319_;
-                phi_1320_ = _e1024;
+                let _e1022 = phi_1315_;
+                phi_1316_ = _e1022;
             }
-            let _e1026 = phi_1320_;
-            if !((_e1026 == 0u)) {
-                if !((_e1026 == 5u)) {
-                    phi_1332_ = !(_e1002);
-                    phi_1333_ = false;
+            let _e1024 = phi_1316_;
+            if !((_e1024 == 0u)) {
+                if !((_e1024 == 5u)) {
+                    phi_1328_ = !(_e1000);
+                    phi_1329_ = false;
                 } else {
-                    phi_1332_ = bool();
-                    phi_1333_ = true;
+                    phi_1328_ = bool();
+                    phi_1329_ = true;
                 }
-                let _e1033 = phi_1332_;
-                let _e1035 = phi_1333_;
-                phi_1334_ = _e1033;
+                let _e1031 = phi_1328_;
+                let _e1033 = phi_1329_;
+                phi_1330_ = _e1031;
+                phi_1331_ = _e1033;
+            } else {
+                phi_1330_ = bool();
+                phi_1331_ = true;
+            }
+            let _e1035 = phi_1330_;
+            let _e1037 = phi_1331_;
+            if _e1037 {
+                phi_1335_ = false;
+            } else {
                 phi_1335_ = _e1035;
-            } else {
-                phi_1334_ = bool();
-                phi_1335_ = true;
             }
-            let _e1037 = phi_1334_;
             let _e1039 = phi_1335_;
+            if _e1000 {
+                phi_1341_ = ((0u & 4u) != 0u);
+            } else {
+                phi_1341_ = _e250;
+            }
+            let _e1043 = phi_1341_;
             if _e1039 {
-                phi_1339_ = false;
-            } else {
-                phi_1339_ = _e1037;
-            }
-            let _e1041 = phi_1339_;
-            if _e1002 {
-                phi_1345_ = ((0u & 4u) != 0u);
-            } else {
-                phi_1345_ = _e250;
-            }
-            let _e1045 = phi_1345_;
-            if _e1041 {
                 if _e250 {
-                    phi_1353_ = (2u | 1u);
+                    phi_1349_ = (2u | 1u);
                 } else {
-                    phi_1353_ = 2u;
+                    phi_1349_ = 2u;
                 }
-                let _e1048 = phi_1353_;
+                let _e1046 = phi_1349_;
                 if false {
-                    phi_1358_ = (_e1048 | 4u);
+                    phi_1354_ = (_e1046 | 4u);
                 } else {
-                    phi_1358_ = _e1048;
+                    phi_1354_ = _e1046;
                 }
-                let _e1051 = phi_1358_;
-                phi_1378_ = _e1051;
+                let _e1049 = phi_1354_;
+                phi_1374_ = _e1049;
             } else {
-                if (_e1026 == 7u) {
+                if (_e1024 == 7u) {
                     if _e250 {
-                        phi_1367_ = (2u | 1u);
+                        phi_1363_ = (2u | 1u);
                     } else {
-                        phi_1367_ = 2u;
+                        phi_1363_ = 2u;
                     }
-                    let _e1055 = phi_1367_;
-                    if _e1045 {
-                        phi_1372_ = (_e1055 | 4u);
+                    let _e1053 = phi_1363_;
+                    if _e1043 {
+                        phi_1368_ = (_e1053 | 4u);
                     } else {
-                        phi_1372_ = _e1055;
+                        phi_1368_ = _e1053;
+                    }
+                    let _e1056 = phi_1368_;
+                    phi_1373_ = _e1056;
+                } else {
+                    if _e250 {
+                        phi_1372_ = 1u;
+                    } else {
+                        phi_1372_ = 0u;
                     }
                     let _e1058 = phi_1372_;
-                    phi_1377_ = _e1058;
-                } else {
-                    if _e250 {
-                        phi_1376_ = 1u;
-                    } else {
-                        phi_1376_ = 0u;
-                    }
-                    let _e1060 = phi_1376_;
-                    phi_1377_ = _e1060;
+                    phi_1373_ = _e1058;
                 }
-                let _e1062 = phi_1377_;
-                phi_1378_ = _e1062;
+                let _e1060 = phi_1373_;
+                phi_1374_ = _e1060;
+            }
+            let _e1062 = phi_1374_;
+            if _e1043 {
+                phi_1378_ = 0f;
+            } else {
+                phi_1378_ = 1f;
             }
             let _e1064 = phi_1378_;
-            if _e1045 {
-                phi_1382_ = 0f;
-            } else {
-                phi_1382_ = 1f;
-            }
-            let _e1066 = phi_1382_;
-            phi_1384_ = mask_Masked(_e1066, _e1064, _e1041);
+            phi_1380_ = mask_Masked(_e1064, _e1062, _e1039);
         }
-        let _e1069 = phi_1384_;
-        visibility.member[_e71.shift] = _e1069.visibility;
-        let _e1074 = p.member.light.number;
-        let _e1075 = (_e1074 * 3u);
-        let _e1077 = (_e1075 % 32u);
-        let _e1079 = p.member.light.mask_words;
-        let _e1081 = ((_e71.shift * _e1079) + (_e1075 / 32u));
-        let _e1083 = bits.member[_e1081];
-        bits.member[_e1081] = ((_e1083 & ~((7u << bitcast<u32>((_e1077 & 31u))))) | (_e1069.bits << bitcast<u32>((_e1077 & 31u))));
-        if (_e1077 > 29u) {
-            let _e1098 = bits.member[(_e1081 + 1u)];
-            let _e1100 = (32u - _e1077);
-            bits.member[(_e1081 + 1u)] = ((_e1098 & ~((7u >> bitcast<u32>((_e1100 & 31u))))) | (_e1069.bits >> bitcast<u32>((_e1100 & 31u))));
+        let _e1067 = phi_1380_;
+        visibility.member[_e71.shift] = _e1067.visibility;
+        let _e1072 = p.member.light.number;
+        let _e1073 = (_e1072 * 3u);
+        let _e1075 = (_e1073 % 32u);
+        let _e1077 = p.member.light.mask_words;
+        let _e1079 = ((_e71.shift * _e1077) + (_e1073 / 32u));
+        let _e1081 = bits.member[_e1079];
+        bits.member[_e1079] = ((_e1081 & ~((7u << bitcast<u32>((_e1075 & 31u))))) | (_e1067.bits << bitcast<u32>((_e1075 & 31u))));
+        if (_e1075 > 29u) {
+            let _e1096 = bits.member[(_e1079 + 1u)];
+            let _e1098 = (32u - _e1075);
+            bits.member[(_e1079 + 1u)] = ((_e1096 & ~((7u >> bitcast<u32>((_e1098 & 31u))))) | (_e1067.bits >> bitcast<u32>((_e1098 & 31u))));
         }
-        phi_1434_ = _e1069.needs_ray;
-        phi_1435_ = _e71.shift;
+        phi_1430_ = _e1067.needs_ray;
+        phi_1431_ = _e71.shift;
     } else {
-        phi_1434_ = false;
-        phi_1435_ = 0u;
+        phi_1430_ = false;
+        phi_1431_ = 0u;
     }
-    let _e1114 = phi_1434_;
-    let _e1116 = phi_1435_;
+    let _e1112 = phi_1430_;
+    let _e1114 = phi_1431_;
     if (_e56 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1114 {
-        let _e1120 = atomicAdd((&shared_[0u]), 1u);
-        phi_1446_ = _e1120;
+    if _e1112 {
+        let _e1118 = atomicAdd((&shared_[0u]), 1u);
+        phi_1442_ = _e1118;
     } else {
-        phi_1446_ = 0u;
+        phi_1442_ = 0u;
     }
-    let _e1122 = phi_1446_;
+    let _e1120 = phi_1442_;
     workgroupBarrier();
     if (_e56 == 0u) {
-        let _e1126 = atomicLoad((&shared_[0u]));
-        let _e1127 = atomicAdd((&list.member[3u]), _e1126);
-        atomicStore((&shared_[1u]), _e1127);
+        let _e1124 = atomicLoad((&shared_[0u]));
+        let _e1125 = atomicAdd((&list.member[3u]), _e1124);
+        atomicStore((&shared_[1u]), _e1125);
     }
     workgroupBarrier();
-    if _e1114 {
-        let _e1130 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1130) + _e1122)]), _e1116);
+    if _e1112 {
+        let _e1128 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1128) + _e1120)]), _e1114);
     }
     return;
 }

@@ -289,161 +289,160 @@ fn function_() {
     var phi_503_: bool;
     var phi_504_: bool;
     var phi_508_: bool;
-    var phi_512_: bool;
-    var phi_513_: bool;
-    var phi_724_: f32;
-    var phi_729_: f32;
-    var phi_730_: bool;
-    var phi_731_: f32;
-    var phi_732_: bool;
-    var phi_736_: f32;
-    var phi_757_: f32;
-    var phi_762_: f32;
-    var phi_763_: bool;
-    var phi_764_: f32;
-    var phi_765_: bool;
-    var phi_769_: f32;
-    var phi_790_: bool;
+    var phi_509_: bool;
+    var phi_720_: f32;
+    var phi_725_: f32;
+    var phi_726_: bool;
+    var phi_727_: f32;
+    var phi_728_: bool;
+    var phi_732_: f32;
+    var phi_753_: f32;
+    var phi_758_: f32;
+    var phi_759_: bool;
+    var phi_760_: f32;
+    var phi_761_: bool;
+    var phi_765_: f32;
+    var phi_786_: bool;
+    var phi_805_: vec2<u32>;
+    var phi_806_: bool;
+    var phi_807_: bool;
+    var phi_808_: bool;
     var phi_809_: vec2<u32>;
     var phi_810_: bool;
     var phi_811_: bool;
     var phi_812_: bool;
-    var phi_813_: vec2<u32>;
+    var phi_813_: bool;
     var phi_814_: bool;
     var phi_815_: bool;
-    var phi_816_: bool;
+    var phi_816_: vec2<u32>;
     var phi_817_: bool;
     var phi_818_: bool;
     var phi_819_: bool;
-    var phi_820_: vec2<u32>;
+    var phi_820_: bool;
     var phi_821_: bool;
     var phi_822_: bool;
-    var phi_823_: bool;
+    var phi_823_: vec2<u32>;
     var phi_824_: bool;
     var phi_825_: bool;
     var phi_826_: bool;
-    var phi_827_: vec2<u32>;
-    var phi_828_: bool;
-    var phi_829_: bool;
-    var phi_830_: bool;
-    var phi_831_: bool;
-    var phi_840_: bool;
-    var phi_841_: bool;
-    var phi_842_: bool;
+    var phi_827_: bool;
+    var phi_836_: bool;
+    var phi_837_: bool;
+    var phi_838_: bool;
+    var phi_839_: bool;
     var phi_843_: bool;
-    var phi_847_: bool;
-    var phi_848_: bool;
-    var phi_849_: vec2<u32>;
+    var phi_844_: bool;
+    var phi_845_: vec2<u32>;
+    var phi_883_: bool;
+    var phi_885_: lt_mask_Reprojection;
+    var phi_886_: lt_mask_Reprojection;
     var phi_887_: bool;
-    var phi_889_: lt_mask_Reprojection;
-    var phi_890_: lt_mask_Reprojection;
     var phi_891_: bool;
-    var phi_895_: bool;
-    var phi_896_: lt_mask_Reprojection;
-    var phi_897_: lt_mask_Reprojection;
-    var phi_898_: bool;
-    var phi_906_: bool;
-    var phi_907_: lt_mask_Reprojection;
-    var phi_948_: u32;
-    var phi_967_: u32;
-    var phi_975_: u32;
-    var phi_976_: u32;
-    var phi_977_: bool;
-    var phi_978_: u32;
+    var phi_892_: lt_mask_Reprojection;
+    var phi_893_: lt_mask_Reprojection;
+    var phi_894_: bool;
+    var phi_902_: bool;
+    var phi_903_: lt_mask_Reprojection;
+    var phi_944_: u32;
+    var phi_963_: u32;
+    var phi_971_: u32;
+    var phi_972_: u32;
+    var phi_973_: bool;
+    var phi_974_: u32;
+    var phi_975_: bool;
+    var phi_976_: bool;
+    var phi_977_: u32;
+    var phi_978_: bool;
     var phi_979_: bool;
-    var phi_980_: bool;
-    var phi_981_: u32;
-    var phi_982_: bool;
     var phi_983_: bool;
-    var phi_987_: bool;
-    var phi_991_: u32;
-    var phi_996_: bool;
-    var phi_1018_: u32;
-    var phi_1020_: u32;
-    var phi_1023_: lt_mask_Neighbourhood;
-    var phi_1035_: bool;
-    var phi_1036_: bool;
-    var phi_1045_: u32;
-    var phi_1046_: u32;
-    var phi_1106_: vec2<i32>;
-    var phi_1126_: vec2<i32>;
-    var phi_1151_: u32;
-    var phi_1170_: u32;
-    var phi_1178_: u32;
+    var phi_987_: u32;
+    var phi_992_: bool;
+    var phi_1014_: u32;
+    var phi_1016_: u32;
+    var phi_1019_: lt_mask_Neighbourhood;
+    var phi_1031_: bool;
+    var phi_1032_: bool;
+    var phi_1041_: u32;
+    var phi_1042_: u32;
+    var phi_1102_: vec2<i32>;
+    var phi_1122_: vec2<i32>;
+    var phi_1147_: u32;
+    var phi_1166_: u32;
+    var phi_1174_: u32;
+    var phi_1200_: bool;
+    var phi_1201_: bool;
+    var phi_1202_: bool;
+    var phi_1203_: bool;
     var phi_1204_: bool;
     var phi_1205_: bool;
     var phi_1206_: bool;
-    var phi_1207_: bool;
-    var phi_1208_: bool;
-    var phi_1209_: bool;
-    var phi_1210_: bool;
+    var phi_1211_: bool;
+    var phi_1212_: bool;
+    var phi_1213_: bool;
+    var phi_1214_: bool;
     var phi_1215_: bool;
     var phi_1216_: bool;
     var phi_1217_: bool;
     var phi_1218_: bool;
     var phi_1219_: bool;
-    var phi_1220_: bool;
-    var phi_1221_: bool;
-    var phi_1222_: bool;
-    var phi_1223_: bool;
-    var phi_1238_: bool;
-    var phi_1239_: bool;
+    var phi_1234_: bool;
+    var phi_1235_: bool;
+    var phi_1242_: bool;
+    var phi_1243_: bool;
+    var phi_1244_: bool;
+    var phi_1245_: bool;
     var phi_1246_: bool;
-    var phi_1247_: bool;
-    var phi_1248_: bool;
-    var phi_1249_: bool;
     var phi_1250_: bool;
-    var phi_1254_: bool;
-    var phi_1255_: bool;
+    var phi_1251_: bool;
+    var phi_1252_: bool;
     var phi_1256_: bool;
-    var phi_1260_: bool;
+    var phi_1257_: bool;
     var phi_1261_: bool;
-    var phi_1265_: bool;
-    var phi_1266_: bool;
-    var phi_1284_: bool;
-    var phi_1285_: bool;
-    var phi_1286_: bool;
-    var phi_1021_: u32;
-    var phi_1024_: lt_mask_Neighbourhood;
-    var phi_1289_: lt_mask_Neighbourhood;
-    var phi_1290_: lt_mask_Neighbourhood;
-    var phi_1291_: lt_mask_Neighbourhood;
-    var phi_1323_: bool;
-    var phi_1324_: bool;
-    var phi_1346_: bool;
-    var phi_1347_: bool;
+    var phi_1262_: bool;
+    var phi_1280_: bool;
+    var phi_1281_: bool;
+    var phi_1282_: bool;
+    var phi_1017_: u32;
+    var phi_1020_: lt_mask_Neighbourhood;
+    var phi_1285_: lt_mask_Neighbourhood;
+    var phi_1286_: lt_mask_Neighbourhood;
+    var phi_1287_: lt_mask_Neighbourhood;
+    var phi_1319_: bool;
+    var phi_1320_: bool;
+    var phi_1342_: bool;
+    var phi_1343_: bool;
+    var phi_1344_: bool;
     var phi_1348_: bool;
-    var phi_1352_: bool;
-    var phi_1374_: bool;
-    var phi_1375_: bool;
-    var phi_1388_: bool;
-    var phi_1389_: bool;
-    var phi_1390_: bool;
+    var phi_1370_: bool;
+    var phi_1371_: bool;
+    var phi_1384_: bool;
+    var phi_1385_: bool;
+    var phi_1386_: bool;
+    var phi_1393_: u32;
+    var phi_1394_: u32;
+    var phi_1395_: u32;
+    var phi_1396_: u32;
     var phi_1397_: u32;
     var phi_1398_: u32;
     var phi_1399_: u32;
-    var phi_1400_: u32;
-    var phi_1401_: u32;
-    var phi_1402_: u32;
-    var phi_1403_: u32;
-    var phi_1415_: bool;
-    var phi_1416_: bool;
-    var phi_1417_: bool;
+    var phi_1411_: bool;
+    var phi_1412_: bool;
+    var phi_1413_: bool;
+    var phi_1414_: bool;
     var phi_1418_: bool;
-    var phi_1422_: bool;
-    var phi_1428_: bool;
-    var phi_1436_: u32;
-    var phi_1441_: u32;
-    var phi_1450_: u32;
+    var phi_1424_: bool;
+    var phi_1432_: u32;
+    var phi_1437_: u32;
+    var phi_1446_: u32;
+    var phi_1451_: u32;
     var phi_1455_: u32;
-    var phi_1459_: u32;
-    var phi_1460_: u32;
-    var phi_1461_: u32;
-    var phi_1465_: f32;
-    var phi_1467_: mask_Masked;
-    var phi_1517_: bool;
-    var phi_1518_: u32;
-    var phi_1529_: u32;
+    var phi_1456_: u32;
+    var phi_1457_: u32;
+    var phi_1461_: f32;
+    var phi_1463_: mask_Masked;
+    var phi_1513_: bool;
+    var phi_1514_: u32;
+    var phi_1525_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e55 = id_1;
@@ -553,7 +552,7 @@ fn function_() {
         }
         let _e245 = phi_457_;
         if _e245.unnamed_1 {
-            phi_1467_ = mask_Masked(_e245.unnamed.visibility, 0u, false);
+            phi_1463_ = mask_Masked(_e245.unnamed.visibility, 0u, false);
         } else {
             let _e250 = (_e92 < 0.5f);
             if (_e92 > 0f) {
@@ -567,7 +566,7 @@ fn function_() {
             let _e272 = lt_mask_Reprojection(_e268.pixel, true, _e268.has_moved);
             let _e278 = p.member.flags;
             if ((_e278 & 16u) == 0u) {
-                phi_513_ = true;
+                phi_509_ = false;
             } else {
                 let _e284 = samples.member[_e71.shift].position[0u];
                 if (_e90.x == _e284) {
@@ -596,956 +595,950 @@ fn function_() {
                     phi_508_ = _e299;
                 }
                 let _e303 = phi_508_;
-                if _e303 {
-                    phi_512_ = false;
-                } else {
-                    phi_512_ = true;
-                }
-                let _e305 = phi_512_;
-                phi_513_ = _e305;
+                phi_509_ = _e303;
             }
-            let _e307 = phi_513_;
-            if _e307 {
-                let _e309 = samples.member[_e71.shift].position;
-                let _e313 = p.member.previous.eye;
-                let _e316 = (_e90.x - _e313.x);
-                let _e319 = (_e90.y - _e313.y);
-                let _e322 = (_e90.z - _e313.z);
-                let _e324 = p.member.previous.forward;
-                let _e332 = (((_e316 * _e324.x) + (_e319 * _e324.y)) + (_e322 * _e324.z));
-                let _e334 = p.member.previous.right;
-                let _e344 = p.member.previous.right;
-                let _e359 = p.member.previous.up;
-                let _e369 = p.member.previous.up;
-                let _e384 = p.member.current.eye;
-                let _e387 = (_e309.x - _e384.x);
-                let _e390 = (_e309.y - _e384.y);
-                let _e393 = (_e309.z - _e384.z);
-                let _e395 = p.member.current.forward;
-                let _e403 = (((_e387 * _e395.x) + (_e390 * _e395.y)) + (_e393 * _e395.z));
-                let _e405 = p.member.current.right;
-                let _e415 = p.member.current.right;
-                let _e430 = p.member.current.up;
-                let _e440 = p.member.current.up;
-                let _e459 = p.member.current.size[0u];
-                let _e461 = (((((((_e316 * _e334.x) + (_e319 * _e334.y)) + (_e322 * _e334.z)) / ((((_e344.x * _e344.x) + (_e344.y * _e344.y)) + (_e344.z * _e344.z)) * _e332)) - ((((_e387 * _e405.x) + (_e390 * _e405.y)) + (_e393 * _e405.z)) / ((((_e415.x * _e415.x) + (_e415.y * _e415.y)) + (_e415.z * _e415.z)) * _e403))) * 0.5f) * f32(_e459));
-                let _e465 = p.member.current.size[1u];
-                let _e467 = (((((((_e316 * _e359.x) + (_e319 * _e359.y)) + (_e322 * _e359.z)) / ((((_e369.x * _e369.x) + (_e369.y * _e369.y)) + (_e369.z * _e369.z)) * _e332)) - ((((_e387 * _e430.x) + (_e390 * _e430.y)) + (_e393 * _e430.z)) / ((((_e440.x * _e440.x) + (_e440.y * _e440.y)) + (_e440.z * _e440.z)) * _e403))) * -0.5f) * f32(_e465));
-                let _e471 = p.member.current.grid[0u];
-                let _e473 = p.member.current.grid[1u];
-                let _e493 = p.member.current.size[0u];
-                let _e495 = p.member.current.size[1u];
-                let _e497 = ((f32(_e55.x) + ((f32((_e55.y & (_e473 - 1u))) + 0.5f) / f32(_e473))) + _e461);
-                if (_e497 > -8388608f) {
-                    let _e509 = f32(select(0i, select(select(i32(_e497), i32(-2147483648), (_e497 < bitcast<f32>(3472883712u))), 2147483647i, (_e497 > bitcast<f32>(1325400063u))), (_e497 == _e497)));
-                    if (_e509 > _e497) {
-                        phi_724_ = 1f;
+            let _e305 = phi_509_;
+            if _e305 {
+                phi_892_ = lt_mask_Reprojection(_e272.pixel, _e272.is_valid, false);
+                phi_893_ = lt_mask_Reprojection();
+                phi_894_ = true;
+            } else {
+                let _e307 = samples.member[_e71.shift].position;
+                let _e311 = p.member.previous.eye;
+                let _e314 = (_e90.x - _e311.x);
+                let _e317 = (_e90.y - _e311.y);
+                let _e320 = (_e90.z - _e311.z);
+                let _e322 = p.member.previous.forward;
+                let _e330 = (((_e314 * _e322.x) + (_e317 * _e322.y)) + (_e320 * _e322.z));
+                let _e332 = p.member.previous.right;
+                let _e342 = p.member.previous.right;
+                let _e357 = p.member.previous.up;
+                let _e367 = p.member.previous.up;
+                let _e382 = p.member.current.eye;
+                let _e385 = (_e307.x - _e382.x);
+                let _e388 = (_e307.y - _e382.y);
+                let _e391 = (_e307.z - _e382.z);
+                let _e393 = p.member.current.forward;
+                let _e401 = (((_e385 * _e393.x) + (_e388 * _e393.y)) + (_e391 * _e393.z));
+                let _e403 = p.member.current.right;
+                let _e413 = p.member.current.right;
+                let _e428 = p.member.current.up;
+                let _e438 = p.member.current.up;
+                let _e457 = p.member.current.size[0u];
+                let _e459 = (((((((_e314 * _e332.x) + (_e317 * _e332.y)) + (_e320 * _e332.z)) / ((((_e342.x * _e342.x) + (_e342.y * _e342.y)) + (_e342.z * _e342.z)) * _e330)) - ((((_e385 * _e403.x) + (_e388 * _e403.y)) + (_e391 * _e403.z)) / ((((_e413.x * _e413.x) + (_e413.y * _e413.y)) + (_e413.z * _e413.z)) * _e401))) * 0.5f) * f32(_e457));
+                let _e463 = p.member.current.size[1u];
+                let _e465 = (((((((_e314 * _e357.x) + (_e317 * _e357.y)) + (_e320 * _e357.z)) / ((((_e367.x * _e367.x) + (_e367.y * _e367.y)) + (_e367.z * _e367.z)) * _e330)) - ((((_e385 * _e428.x) + (_e388 * _e428.y)) + (_e391 * _e428.z)) / ((((_e438.x * _e438.x) + (_e438.y * _e438.y)) + (_e438.z * _e438.z)) * _e401))) * -0.5f) * f32(_e463));
+                let _e469 = p.member.current.grid[0u];
+                let _e471 = p.member.current.grid[1u];
+                let _e491 = p.member.current.size[0u];
+                let _e493 = p.member.current.size[1u];
+                let _e495 = ((f32(_e55.x) + ((f32((_e55.y & (_e471 - 1u))) + 0.5f) / f32(_e471))) + _e459);
+                if (_e495 > -8388608f) {
+                    let _e507 = f32(select(0i, select(select(i32(_e495), i32(-2147483648), (_e495 < bitcast<f32>(3472883712u))), 2147483647i, (_e495 > bitcast<f32>(1325400063u))), (_e495 == _e495)));
+                    if (_e507 > _e495) {
+                        phi_720_ = 1f;
                     } else {
-                        phi_724_ = 0f;
+                        phi_720_ = 0f;
                     }
-                    let _e512 = phi_724_;
-                    if (_e497 < 8388608f) {
-                        phi_729_ = (_e509 - _e512);
-                        phi_730_ = false;
+                    let _e510 = phi_720_;
+                    if (_e495 < 8388608f) {
+                        phi_725_ = (_e507 - _e510);
+                        phi_726_ = false;
                     } else {
-                        phi_729_ = f32();
-                        phi_730_ = true;
+                        phi_725_ = f32();
+                        phi_726_ = true;
                     }
-                    let _e515 = phi_729_;
-                    let _e517 = phi_730_;
-                    phi_731_ = _e515;
+                    let _e513 = phi_725_;
+                    let _e515 = phi_726_;
+                    phi_727_ = _e513;
+                    phi_728_ = _e515;
+                } else {
+                    phi_727_ = f32();
+                    phi_728_ = true;
+                }
+                let _e517 = phi_727_;
+                let _e519 = phi_728_;
+                if _e519 {
+                    phi_732_ = _e495;
+                } else {
                     phi_732_ = _e517;
-                } else {
-                    phi_731_ = f32();
-                    phi_732_ = true;
                 }
-                let _e519 = phi_731_;
                 let _e521 = phi_732_;
-                if _e521 {
-                    phi_736_ = _e497;
+                let _e522 = ((f32(_e55.y) + ((f32((_e55.x & (_e469 - 1u))) + 0.5f) / f32(_e469))) + _e465);
+                if (_e522 > -8388608f) {
+                    let _e534 = f32(select(0i, select(select(i32(_e522), i32(-2147483648), (_e522 < bitcast<f32>(3472883712u))), 2147483647i, (_e522 > bitcast<f32>(1325400063u))), (_e522 == _e522)));
+                    if (_e534 > _e522) {
+                        phi_753_ = 1f;
+                    } else {
+                        phi_753_ = 0f;
+                    }
+                    let _e537 = phi_753_;
+                    if (_e522 < 8388608f) {
+                        phi_758_ = (_e534 - _e537);
+                        phi_759_ = false;
+                    } else {
+                        phi_758_ = f32();
+                        phi_759_ = true;
+                    }
+                    let _e540 = phi_758_;
+                    let _e542 = phi_759_;
+                    phi_760_ = _e540;
+                    phi_761_ = _e542;
                 } else {
-                    phi_736_ = _e519;
+                    phi_760_ = f32();
+                    phi_761_ = true;
                 }
-                let _e523 = phi_736_;
-                let _e524 = ((f32(_e55.y) + ((f32((_e55.x & (_e471 - 1u))) + 0.5f) / f32(_e471))) + _e467);
-                if (_e524 > -8388608f) {
-                    let _e536 = f32(select(0i, select(select(i32(_e524), i32(-2147483648), (_e524 < bitcast<f32>(3472883712u))), 2147483647i, (_e524 > bitcast<f32>(1325400063u))), (_e524 == _e524)));
-                    if (_e536 > _e524) {
-                        phi_757_ = 1f;
-                    } else {
-                        phi_757_ = 0f;
-                    }
-                    let _e539 = phi_757_;
-                    if (_e524 < 8388608f) {
-                        phi_762_ = (_e536 - _e539);
-                        phi_763_ = false;
-                    } else {
-                        phi_762_ = f32();
-                        phi_763_ = true;
-                    }
-                    let _e542 = phi_762_;
-                    let _e544 = phi_763_;
-                    phi_764_ = _e542;
+                let _e544 = phi_760_;
+                let _e546 = phi_761_;
+                if _e546 {
+                    phi_765_ = _e522;
+                } else {
                     phi_765_ = _e544;
-                } else {
-                    phi_764_ = f32();
-                    phi_765_ = true;
                 }
-                let _e546 = phi_764_;
                 let _e548 = phi_765_;
-                if _e548 {
-                    phi_769_ = _e524;
-                } else {
-                    phi_769_ = _e546;
-                }
-                let _e550 = phi_769_;
-                if (_e523 >= 0f) {
-                    if (_e550 >= 0f) {
-                        if (_e523 < f32(_e493)) {
-                            let _e556 = (_e550 < f32(_e495));
-                            if (_e461 == 0f) {
-                                phi_790_ = (_e467 == 0f);
+                if (_e521 >= 0f) {
+                    if (_e548 >= 0f) {
+                        if (_e521 < f32(_e491)) {
+                            let _e554 = (_e548 < f32(_e493));
+                            if (_e459 == 0f) {
+                                phi_786_ = (_e465 == 0f);
                             } else {
-                                phi_790_ = false;
+                                phi_786_ = false;
                             }
-                            let _e560 = phi_790_;
-                            if _e556 {
-                                phi_809_ = vec2<u32>(select(select(u32(_e523), 0u, (_e523 < bitcast<f32>(0u))), 4294967295u, (_e523 > bitcast<f32>(1333788671u))), select(select(u32(_e550), 0u, (_e550 < bitcast<f32>(0u))), 4294967295u, (_e550 > bitcast<f32>(1333788671u))));
-                                phi_810_ = false;
+                            let _e558 = phi_786_;
+                            if _e554 {
+                                phi_805_ = vec2<u32>(select(select(u32(_e521), 0u, (_e521 < bitcast<f32>(0u))), 4294967295u, (_e521 > bitcast<f32>(1333788671u))), select(select(u32(_e548), 0u, (_e548 < bitcast<f32>(0u))), 4294967295u, (_e548 > bitcast<f32>(1333788671u))));
+                                phi_806_ = false;
                             } else {
-                                phi_809_ = vec2<u32>();
-                                phi_810_ = true;
+                                phi_805_ = vec2<u32>();
+                                phi_806_ = true;
                             }
-                            let _e577 = phi_809_;
-                            let _e579 = phi_810_;
-                            phi_811_ = _e560;
-                            phi_812_ = _e556;
+                            let _e575 = phi_805_;
+                            let _e577 = phi_806_;
+                            phi_807_ = _e558;
+                            phi_808_ = _e554;
+                            phi_809_ = _e575;
+                            phi_810_ = _e558;
+                            phi_811_ = _e554;
+                            phi_812_ = false;
                             phi_813_ = _e577;
-                            phi_814_ = _e560;
-                            phi_815_ = _e556;
-                            phi_816_ = false;
-                            phi_817_ = _e579;
                         } else {
+                            phi_807_ = bool();
+                            phi_808_ = bool();
+                            phi_809_ = vec2<u32>();
+                            phi_810_ = bool();
                             phi_811_ = bool();
-                            phi_812_ = bool();
-                            phi_813_ = vec2<u32>();
-                            phi_814_ = bool();
-                            phi_815_ = bool();
-                            phi_816_ = true;
-                            phi_817_ = false;
+                            phi_812_ = true;
+                            phi_813_ = false;
                         }
-                        let _e581 = phi_811_;
-                        let _e583 = phi_812_;
-                        let _e585 = phi_813_;
-                        let _e587 = phi_814_;
-                        let _e589 = phi_815_;
-                        let _e591 = phi_816_;
-                        let _e593 = phi_817_;
-                        phi_818_ = _e581;
-                        phi_819_ = _e583;
-                        phi_820_ = _e585;
-                        phi_821_ = _e587;
-                        phi_822_ = _e589;
-                        phi_823_ = _e591;
-                        phi_824_ = _e593;
+                        let _e579 = phi_807_;
+                        let _e581 = phi_808_;
+                        let _e583 = phi_809_;
+                        let _e585 = phi_810_;
+                        let _e587 = phi_811_;
+                        let _e589 = phi_812_;
+                        let _e591 = phi_813_;
+                        phi_814_ = _e579;
+                        phi_815_ = _e581;
+                        phi_816_ = _e583;
+                        phi_817_ = _e585;
+                        phi_818_ = _e587;
+                        phi_819_ = _e589;
+                        phi_820_ = _e591;
                     } else {
+                        phi_814_ = bool();
+                        phi_815_ = bool();
+                        phi_816_ = vec2<u32>();
+                        phi_817_ = bool();
                         phi_818_ = bool();
-                        phi_819_ = bool();
-                        phi_820_ = vec2<u32>();
-                        phi_821_ = bool();
-                        phi_822_ = bool();
-                        phi_823_ = true;
-                        phi_824_ = false;
+                        phi_819_ = true;
+                        phi_820_ = false;
                     }
-                    let _e595 = phi_818_;
-                    let _e597 = phi_819_;
-                    let _e599 = phi_820_;
-                    let _e601 = phi_821_;
-                    let _e603 = phi_822_;
-                    let _e605 = phi_823_;
-                    let _e607 = phi_824_;
-                    phi_825_ = _e595;
-                    phi_826_ = _e597;
-                    phi_827_ = _e599;
-                    phi_828_ = _e601;
-                    phi_829_ = _e603;
-                    phi_830_ = _e605;
-                    phi_831_ = _e607;
+                    let _e593 = phi_814_;
+                    let _e595 = phi_815_;
+                    let _e597 = phi_816_;
+                    let _e599 = phi_817_;
+                    let _e601 = phi_818_;
+                    let _e603 = phi_819_;
+                    let _e605 = phi_820_;
+                    phi_821_ = _e593;
+                    phi_822_ = _e595;
+                    phi_823_ = _e597;
+                    phi_824_ = _e599;
+                    phi_825_ = _e601;
+                    phi_826_ = _e603;
+                    phi_827_ = _e605;
                 } else {
+                    phi_821_ = bool();
+                    phi_822_ = bool();
+                    phi_823_ = vec2<u32>();
+                    phi_824_ = bool();
                     phi_825_ = bool();
-                    phi_826_ = bool();
-                    phi_827_ = vec2<u32>();
-                    phi_828_ = bool();
-                    phi_829_ = bool();
-                    phi_830_ = true;
-                    phi_831_ = false;
+                    phi_826_ = true;
+                    phi_827_ = false;
                 }
-                let _e609 = phi_825_;
-                let _e611 = phi_826_;
-                let _e613 = phi_827_;
-                let _e615 = phi_828_;
-                let _e617 = phi_829_;
-                let _e619 = phi_830_;
-                let _e621 = phi_831_;
-                if _e619 {
-                    if (_e461 == 0f) {
-                        phi_840_ = (_e467 == 0f);
+                let _e607 = phi_821_;
+                let _e609 = phi_822_;
+                let _e611 = phi_823_;
+                let _e613 = phi_824_;
+                let _e615 = phi_825_;
+                let _e617 = phi_826_;
+                let _e619 = phi_827_;
+                if _e617 {
+                    if (_e459 == 0f) {
+                        phi_836_ = (_e465 == 0f);
                     } else {
-                        phi_840_ = false;
+                        phi_836_ = false;
                     }
-                    let _e625 = phi_840_;
-                    phi_841_ = _e625;
-                    phi_842_ = false;
-                    phi_843_ = true;
+                    let _e623 = phi_836_;
+                    phi_837_ = _e623;
+                    phi_838_ = false;
+                    phi_839_ = true;
                 } else {
-                    phi_841_ = _e615;
-                    phi_842_ = _e617;
-                    phi_843_ = _e621;
+                    phi_837_ = _e613;
+                    phi_838_ = _e615;
+                    phi_839_ = _e619;
                 }
-                let _e627 = phi_841_;
-                let _e629 = phi_842_;
+                let _e625 = phi_837_;
+                let _e627 = phi_838_;
+                let _e629 = phi_839_;
+                if _e629 {
+                    phi_843_ = _e625;
+                    phi_844_ = _e627;
+                    phi_845_ = vec2<u32>(_e55.x, _e55.y);
+                } else {
+                    phi_843_ = _e607;
+                    phi_844_ = _e609;
+                    phi_845_ = _e611;
+                }
                 let _e631 = phi_843_;
-                if _e631 {
-                    phi_847_ = _e627;
-                    phi_848_ = _e629;
-                    phi_849_ = vec2<u32>(_e55.x, _e55.y);
-                } else {
-                    phi_847_ = _e609;
-                    phi_848_ = _e611;
-                    phi_849_ = _e613;
-                }
-                let _e633 = phi_847_;
-                let _e635 = phi_848_;
-                let _e637 = phi_849_;
-                let _e647 = lt_mask_Reprojection(vec2<u32>(_e637.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e654 = lt_mask_Reprojection(vec2<u32>(_e647.pixel.x, _e637.y), _e647.is_valid, _e647.has_moved);
-                let _e658 = lt_mask_Reprojection(_e654.pixel, _e635, _e654.has_moved);
-                let _e662 = lt_mask_Reprojection(_e658.pixel, _e658.is_valid, !(_e633));
-                if _e635 {
-                    let _e665 = p.member.previous.eye;
-                    let _e676 = p.member.previous.forward;
-                    let _e685 = (((((_e90.x - _e665.x) * _e676.x) + ((_e90.y - _e665.y) * _e676.y)) + ((_e90.z - _e665.z) * _e676.z)) > 0f);
-                    let _e689 = lt_mask_Reprojection(_e662.pixel, _e685, _e662.has_moved);
-                    if _e685 {
-                        phi_887_ = false;
+                let _e633 = phi_844_;
+                let _e635 = phi_845_;
+                let _e645 = lt_mask_Reprojection(vec2<u32>(_e635.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e652 = lt_mask_Reprojection(vec2<u32>(_e645.pixel.x, _e635.y), _e645.is_valid, _e645.has_moved);
+                let _e656 = lt_mask_Reprojection(_e652.pixel, _e633, _e652.has_moved);
+                let _e660 = lt_mask_Reprojection(_e656.pixel, _e656.is_valid, !(_e631));
+                if _e633 {
+                    let _e663 = p.member.previous.eye;
+                    let _e674 = p.member.previous.forward;
+                    let _e683 = (((((_e90.x - _e663.x) * _e674.x) + ((_e90.y - _e663.y) * _e674.y)) + ((_e90.z - _e663.z) * _e674.z)) > 0f);
+                    let _e687 = lt_mask_Reprojection(_e660.pixel, _e683, _e660.has_moved);
+                    if _e683 {
+                        phi_883_ = false;
                     } else {
-                        phi_887_ = true;
+                        phi_883_ = true;
                     }
-                    let _e691 = phi_887_;
-                    phi_889_ = _e689;
-                    phi_890_ = _e689;
-                    phi_891_ = _e691;
+                    let _e689 = phi_883_;
+                    phi_885_ = _e687;
+                    phi_886_ = _e687;
+                    phi_887_ = _e689;
                 } else {
-                    phi_889_ = lt_mask_Reprojection();
-                    phi_890_ = lt_mask_Reprojection(_e662.pixel, false, _e662.has_moved);
+                    phi_885_ = lt_mask_Reprojection();
+                    phi_886_ = lt_mask_Reprojection(_e660.pixel, false, _e660.has_moved);
+                    phi_887_ = true;
+                }
+                let _e695 = phi_885_;
+                let _e697 = phi_886_;
+                let _e699 = phi_887_;
+                if _e699 {
+                    phi_891_ = false;
+                } else {
                     phi_891_ = true;
                 }
-                let _e697 = phi_889_;
-                let _e699 = phi_890_;
                 let _e701 = phi_891_;
-                if _e701 {
-                    phi_895_ = false;
-                } else {
-                    phi_895_ = true;
-                }
-                let _e703 = phi_895_;
-                phi_896_ = _e699;
-                phi_897_ = _e697;
-                phi_898_ = _e703;
-            } else {
-                phi_896_ = lt_mask_Reprojection();
-                phi_897_ = lt_mask_Reprojection(_e272.pixel, _e272.is_valid, false);
-                phi_898_ = true;
+                phi_892_ = _e695;
+                phi_893_ = _e697;
+                phi_894_ = _e701;
             }
-            let _e705 = phi_896_;
-            let _e707 = phi_897_;
-            let _e709 = phi_898_;
-            if _e709 {
-                let _e711 = p.member.flags;
-                phi_906_ = ((_e711 & 1u) != 0u);
-                phi_907_ = _e707;
+            let _e703 = phi_892_;
+            let _e705 = phi_893_;
+            let _e707 = phi_894_;
+            if _e707 {
+                let _e709 = p.member.flags;
+                phi_902_ = ((_e709 & 1u) != 0u);
+                phi_903_ = _e703;
             } else {
-                phi_906_ = false;
-                phi_907_ = _e705;
+                phi_902_ = false;
+                phi_903_ = _e705;
             }
-            let _e715 = phi_906_;
-            let _e717 = phi_907_;
-            let _e721 = lt_mask_Reprojection(_e717.pixel, _e715, _e717.has_moved);
-            let _e723 = p.member.flags;
-            let _e725 = ((_e723 & 2u) != 0u);
-            let _e727 = p.member.flags;
-            if ((_e727 & 4u) == 0u) {
-                phi_981_ = u32();
-                phi_982_ = true;
-                phi_983_ = false;
+            let _e713 = phi_902_;
+            let _e715 = phi_903_;
+            let _e719 = lt_mask_Reprojection(_e715.pixel, _e713, _e715.has_moved);
+            let _e721 = p.member.flags;
+            let _e723 = ((_e721 & 2u) != 0u);
+            let _e725 = p.member.flags;
+            if ((_e725 & 4u) == 0u) {
+                phi_977_ = u32();
+                phi_978_ = true;
+                phi_979_ = false;
             } else {
-                if _e715 {
-                    if !(_e721.has_moved) {
-                        let _e735 = ((((_e55.y * _e87) + _e55.x) * _e83) + _e80);
+                if _e713 {
+                    if !(_e719.has_moved) {
+                        let _e733 = ((((_e55.y * _e87) + _e55.x) * _e83) + _e80);
                         if (_e81 > 29u) {
-                            let _e737 = (_e735 + 1u);
-                            if (_e737 < _e61) {
+                            let _e735 = (_e733 + 1u);
+                            if (_e735 < _e61) {
                             } else {
                                 return;
                             }
-                            let _e741 = last_bits.member[(0u + _e737)];
-                            phi_948_ = _e741;
+                            let _e739 = last_bits.member[(0u + _e735)];
+                            phi_944_ = _e739;
                         } else {
-                            phi_948_ = 0u;
+                            phi_944_ = 0u;
                         }
-                        let _e743 = phi_948_;
-                        if (_e735 < _e61) {
+                        let _e741 = phi_944_;
+                        if (_e733 < _e61) {
                         } else {
                             return;
                         }
-                        let _e747 = last_bits.member[(0u + _e735)];
-                        let _e750 = (_e747 >> bitcast<u32>((_e81 & 31u)));
+                        let _e745 = last_bits.member[(0u + _e733)];
+                        let _e748 = (_e745 >> bitcast<u32>((_e81 & 31u)));
                         if (_e81 > 29u) {
-                            phi_967_ = (_e750 | (_e743 << bitcast<u32>(((32u - _e81) & 31u))));
+                            phi_963_ = (_e748 | (_e741 << bitcast<u32>(((32u - _e81) & 31u))));
                         } else {
-                            phi_967_ = _e750;
+                            phi_963_ = _e748;
                         }
-                        let _e758 = phi_967_;
-                        if ((_e758 & 2u) == 0u) {
-                            phi_975_ = (_e758 & 1u);
+                        let _e756 = phi_963_;
+                        if ((_e756 & 2u) == 0u) {
+                            phi_971_ = (_e756 & 1u);
                         } else {
-                            phi_975_ = (_e758 & 7u);
+                            phi_971_ = (_e756 & 7u);
                         }
-                        let _e764 = phi_975_;
-                        phi_976_ = _e764;
-                        phi_977_ = false;
+                        let _e762 = phi_971_;
+                        phi_972_ = _e762;
+                        phi_973_ = false;
                     } else {
-                        phi_976_ = u32();
-                        phi_977_ = true;
+                        phi_972_ = u32();
+                        phi_973_ = true;
                     }
-                    let _e766 = phi_976_;
-                    let _e768 = phi_977_;
-                    phi_978_ = _e766;
-                    phi_979_ = false;
-                    phi_980_ = _e768;
+                    let _e764 = phi_972_;
+                    let _e766 = phi_973_;
+                    phi_974_ = _e764;
+                    phi_975_ = false;
+                    phi_976_ = _e766;
                 } else {
-                    phi_978_ = u32();
-                    phi_979_ = true;
-                    phi_980_ = false;
+                    phi_974_ = u32();
+                    phi_975_ = true;
+                    phi_976_ = false;
                 }
-                let _e770 = phi_978_;
-                let _e772 = phi_979_;
-                let _e774 = phi_980_;
-                phi_981_ = _e770;
-                phi_982_ = _e772;
-                phi_983_ = _e774;
+                let _e768 = phi_974_;
+                let _e770 = phi_975_;
+                let _e772 = phi_976_;
+                phi_977_ = _e768;
+                phi_978_ = _e770;
+                phi_979_ = _e772;
             }
-            let _e776 = phi_981_;
-            let _e778 = phi_982_;
-            let _e780 = phi_983_;
-            if _e778 {
-                phi_987_ = true;
+            let _e774 = phi_977_;
+            let _e776 = phi_978_;
+            let _e778 = phi_979_;
+            if _e776 {
+                phi_983_ = true;
             } else {
-                phi_987_ = _e780;
+                phi_983_ = _e778;
+            }
+            let _e780 = phi_983_;
+            if _e780 {
+                phi_987_ = 0u;
+            } else {
+                phi_987_ = _e774;
             }
             let _e782 = phi_987_;
-            if _e782 {
-                phi_991_ = 0u;
-            } else {
-                phi_991_ = _e776;
-            }
-            let _e784 = phi_991_;
-            let _e785 = lt_mask_Neighbourhood(false, true);
+            let _e783 = lt_mask_Neighbourhood(false, true);
             if _e254 {
-                phi_996_ = _e725;
+                phi_992_ = _e723;
             } else {
-                phi_996_ = false;
+                phi_992_ = false;
             }
-            let _e787 = phi_996_;
-            if _e787 {
-                if _e715 {
-                    if ((_e784 & 2u) != 0u) {
-                        phi_1289_ = _e785;
+            let _e785 = phi_992_;
+            if _e785 {
+                if _e713 {
+                    if ((_e782 & 2u) != 0u) {
+                        phi_1285_ = _e783;
                     } else {
-                        let _e791 = p.member.expansion;
-                        if _e721.has_moved {
-                            let _e794 = p.member.moving_pattern;
-                            phi_1018_ = _e794;
+                        let _e789 = p.member.expansion;
+                        if _e719.has_moved {
+                            let _e792 = p.member.moving_pattern;
+                            phi_1014_ = _e792;
                         } else {
-                            let _e796 = p.member.still_pattern;
-                            phi_1018_ = _e796;
+                            let _e794 = p.member.still_pattern;
+                            phi_1014_ = _e794;
                         }
-                        let _e798 = phi_1018_;
-                        phi_1020_ = 0u;
-                        phi_1023_ = _e785;
+                        let _e796 = phi_1014_;
+                        phi_1016_ = 0u;
+                        phi_1019_ = _e783;
                         loop {
-                            let _e800 = phi_1020_;
-                            let _e802 = phi_1023_;
-                            local_1 = _e802;
-                            if (1u <= _e798) {
-                                if (_e798 <= 4u) {
-                                    phi_1035_ = false;
+                            let _e798 = phi_1016_;
+                            let _e800 = phi_1019_;
+                            local_1 = _e800;
+                            if (1u <= _e796) {
+                                if (_e796 <= 4u) {
+                                    phi_1031_ = false;
                                 } else {
-                                    phi_1035_ = true;
+                                    phi_1031_ = true;
                                 }
-                                let _e806 = phi_1035_;
-                                phi_1036_ = _e806;
+                                let _e804 = phi_1031_;
+                                phi_1032_ = _e804;
                             } else {
-                                phi_1036_ = true;
+                                phi_1032_ = true;
                             }
-                            let _e808 = phi_1036_;
-                            if _e808 {
-                                switch bitcast<i32>(_e798) {
+                            let _e806 = phi_1032_;
+                            if _e806 {
+                                switch bitcast<i32>(_e796) {
                                     case 5: {
-                                        phi_1045_ = 4u;
+                                        phi_1041_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_1045_ = 25u;
+                                        phi_1041_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_1045_ = 13u;
+                                        phi_1041_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_1045_ = 9u;
+                                        phi_1041_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e811 = phi_1045_;
-                                phi_1046_ = _e811;
+                                let _e809 = phi_1041_;
+                                phi_1042_ = _e809;
                             } else {
-                                phi_1046_ = 5u;
+                                phi_1042_ = 5u;
                             }
-                            let _e813 = phi_1046_;
-                            let _e814 = (_e800 < _e813);
-                            if _e814 {
-                                let _e820 = p.member.frame;
-                                let _e824 = p.member.current.size[0u];
-                                let _e826 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e798) {
+                            let _e811 = phi_1042_;
+                            let _e812 = (_e798 < _e811);
+                            if _e812 {
+                                let _e818 = p.member.frame;
+                                let _e822 = p.member.current.size[0u];
+                                let _e824 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e796) {
                                     case 1: {
-                                        let _e836 = lt_mask_pattern_plus(_e800);
-                                        phi_1126_ = vec2<i32>(_e836.x, _e836.y);
+                                        let _e834 = lt_mask_pattern_plus(_e798);
+                                        phi_1122_ = vec2<i32>(_e834.x, _e834.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e840 = lt_mask_pattern_cross(_e800);
-                                        phi_1126_ = vec2<i32>(_e840.x, _e840.y);
+                                        let _e838 = lt_mask_pattern_cross(_e798);
+                                        phi_1122_ = vec2<i32>(_e838.x, _e838.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e846 = lt_mask_pattern_plus_or_cross(_e800, ((_e721.pixel.x + _e721.pixel.y) & 1u));
-                                        phi_1126_ = vec2<i32>(_e846.x, _e846.y);
+                                        let _e844 = lt_mask_pattern_plus_or_cross(_e798, ((_e719.pixel.x + _e719.pixel.y) & 1u));
+                                        phi_1122_ = vec2<i32>(_e844.x, _e844.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e851 = lt_mask_pattern_plus_or_cross(_e800, (_e820 & 1u));
-                                        phi_1126_ = vec2<i32>(_e851.x, _e851.y);
+                                        let _e849 = lt_mask_pattern_plus_or_cross(_e798, (_e818 & 1u));
+                                        phi_1122_ = vec2<i32>(_e849.x, _e849.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e820 & 3u)) {
+                                        switch bitcast<i32>((_e818 & 3u)) {
                                             case 0: {
-                                                phi_1106_ = vec2(-1i);
+                                                phi_1102_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1106_ = vec2(0i);
+                                                phi_1102_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1106_ = vec2<i32>(0i, -1i);
+                                                phi_1102_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1106_ = vec2<i32>(-1i, 0i);
+                                                phi_1102_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e862 = phi_1106_;
-                                        phi_1126_ = (_e862 + vec2<i32>(bitcast<i32>((_e800 & 1u)), bitcast<i32>(((_e800 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e860 = phi_1102_;
+                                        phi_1122_ = (_e860 + vec2<i32>(bitcast<i32>((_e798 & 1u)), bitcast<i32>(((_e798 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1126_ = vec2<i32>((bitcast<i32>((_e800 % 5u)) - 2i), (bitcast<i32>(((_e800 / 5u) % 5u)) - 2i));
+                                        phi_1122_ = vec2<i32>((bitcast<i32>((_e798 % 5u)) - 2i), (bitcast<i32>(((_e798 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e879 = lt_mask_pattern_diamond(_e800);
-                                        phi_1126_ = vec2<i32>(_e879.x, _e879.y);
+                                        let _e877 = lt_mask_pattern_diamond(_e798);
+                                        phi_1122_ = vec2<i32>(_e877.x, _e877.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1126_ = vec2<i32>((bitcast<i32>((_e800 % 3u)) - 1i), (bitcast<i32>(((_e800 / 3u) % 3u)) - 1i));
+                                        phi_1122_ = vec2<i32>((bitcast<i32>((_e798 % 3u)) - 1i), (bitcast<i32>(((_e798 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e884 = phi_1126_;
-                                let _e887 = lt_mask_pattern_step_clamped(_e721.pixel.x, _e884.x, _e824);
-                                let _e888 = lt_mask_pattern_step_clamped(_e721.pixel.y, _e884.y, _e826);
-                                let _e892 = ((((_e888 * _e87) + _e887) * _e83) + _e80);
+                                let _e882 = phi_1122_;
+                                let _e885 = lt_mask_pattern_step_clamped(_e719.pixel.x, _e882.x, _e822);
+                                let _e886 = lt_mask_pattern_step_clamped(_e719.pixel.y, _e882.y, _e824);
+                                let _e890 = ((((_e886 * _e87) + _e885) * _e83) + _e80);
                                 if (_e81 > 29u) {
-                                    let _e894 = (_e892 + 1u);
-                                    if (_e894 < _e61) {
+                                    let _e892 = (_e890 + 1u);
+                                    if (_e892 < _e61) {
                                     } else {
                                         return;
                                     }
-                                    let _e898 = last_bits.member[(0u + _e894)];
-                                    phi_1151_ = _e898;
+                                    let _e896 = last_bits.member[(0u + _e892)];
+                                    phi_1147_ = _e896;
                                 } else {
-                                    phi_1151_ = 0u;
+                                    phi_1147_ = 0u;
                                 }
-                                let _e900 = phi_1151_;
-                                if (_e892 < _e61) {
+                                let _e898 = phi_1147_;
+                                if (_e890 < _e61) {
                                 } else {
                                     return;
                                 }
-                                let _e904 = last_bits.member[(0u + _e892)];
-                                let _e907 = (_e904 >> bitcast<u32>((_e81 & 31u)));
+                                let _e902 = last_bits.member[(0u + _e890)];
+                                let _e905 = (_e902 >> bitcast<u32>((_e81 & 31u)));
                                 if (_e81 > 29u) {
-                                    phi_1170_ = (_e907 | (_e900 << bitcast<u32>(((32u - _e81) & 31u))));
+                                    phi_1166_ = (_e905 | (_e898 << bitcast<u32>(((32u - _e81) & 31u))));
                                 } else {
-                                    phi_1170_ = _e907;
+                                    phi_1166_ = _e905;
                                 }
-                                let _e915 = phi_1170_;
-                                if ((_e915 & 2u) == 0u) {
-                                    phi_1178_ = (_e915 & 1u);
+                                let _e913 = phi_1166_;
+                                if ((_e913 & 2u) == 0u) {
+                                    phi_1174_ = (_e913 & 1u);
                                 } else {
-                                    phi_1178_ = (_e915 & 7u);
+                                    phi_1174_ = (_e913 & 7u);
                                 }
-                                let _e921 = phi_1178_;
-                                if _e802.any_expands {
-                                    phi_1266_ = true;
+                                let _e919 = phi_1174_;
+                                if _e800.any_expands {
+                                    phi_1262_ = true;
                                 } else {
-                                    if ((_e921 & 2u) != 0u) {
-                                        let _e928 = (((_e921 & 4u) != 0u) != _e250);
-                                        switch bitcast<i32>(_e791) {
+                                    if ((_e919 & 2u) != 0u) {
+                                        let _e926 = (((_e919 & 4u) != 0u) != _e250);
+                                        switch bitcast<i32>(_e789) {
                                             case 1: {
-                                                phi_1206_ = bool();
-                                                phi_1207_ = false;
-                                                phi_1208_ = true;
-                                                phi_1209_ = false;
-                                                phi_1210_ = false;
+                                                phi_1202_ = bool();
+                                                phi_1203_ = false;
+                                                phi_1204_ = true;
+                                                phi_1205_ = false;
+                                                phi_1206_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e928 {
-                                                    phi_1204_ = (((_e921 & 4u) != 0u) != ((_e921 & 1u) != 0u));
-                                                    phi_1205_ = false;
+                                                if _e926 {
+                                                    phi_1200_ = (((_e919 & 4u) != 0u) != ((_e919 & 1u) != 0u));
+                                                    phi_1201_ = false;
                                                 } else {
-                                                    phi_1204_ = bool();
-                                                    phi_1205_ = true;
+                                                    phi_1200_ = bool();
+                                                    phi_1201_ = true;
                                                 }
-                                                let _e936 = phi_1204_;
-                                                let _e938 = phi_1205_;
-                                                phi_1206_ = _e936;
-                                                phi_1207_ = false;
-                                                phi_1208_ = false;
-                                                phi_1209_ = _e938;
-                                                phi_1210_ = _e928;
+                                                let _e934 = phi_1200_;
+                                                let _e936 = phi_1201_;
+                                                phi_1202_ = _e934;
+                                                phi_1203_ = false;
+                                                phi_1204_ = false;
+                                                phi_1205_ = _e936;
+                                                phi_1206_ = _e926;
                                                 break;
                                             }
                                             default: {
-                                                phi_1206_ = bool();
-                                                phi_1207_ = true;
-                                                phi_1208_ = false;
-                                                phi_1209_ = false;
-                                                phi_1210_ = false;
+                                                phi_1202_ = bool();
+                                                phi_1203_ = true;
+                                                phi_1204_ = false;
+                                                phi_1205_ = false;
+                                                phi_1206_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e940 = phi_1206_;
-                                        let _e942 = phi_1207_;
-                                        let _e944 = phi_1208_;
-                                        let _e946 = phi_1209_;
-                                        let _e948 = phi_1210_;
-                                        phi_1218_ = _e928;
-                                        phi_1219_ = _e940;
-                                        phi_1220_ = _e942;
-                                        phi_1221_ = _e944;
-                                        phi_1222_ = _e946;
-                                        phi_1223_ = _e948;
+                                        let _e938 = phi_1202_;
+                                        let _e940 = phi_1203_;
+                                        let _e942 = phi_1204_;
+                                        let _e944 = phi_1205_;
+                                        let _e946 = phi_1206_;
+                                        phi_1214_ = _e926;
+                                        phi_1215_ = _e938;
+                                        phi_1216_ = _e940;
+                                        phi_1217_ = _e942;
+                                        phi_1218_ = _e944;
+                                        phi_1219_ = _e946;
                                     } else {
-                                        switch bitcast<i32>(_e791) {
+                                        switch bitcast<i32>(_e789) {
                                             case 1: {
-                                                phi_1215_ = false;
-                                                phi_1216_ = true;
-                                                phi_1217_ = false;
+                                                phi_1211_ = false;
+                                                phi_1212_ = true;
+                                                phi_1213_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1215_ = false;
-                                                phi_1216_ = false;
-                                                phi_1217_ = true;
+                                                phi_1211_ = false;
+                                                phi_1212_ = false;
+                                                phi_1213_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_1215_ = true;
-                                                phi_1216_ = false;
-                                                phi_1217_ = false;
+                                                phi_1211_ = true;
+                                                phi_1212_ = false;
+                                                phi_1213_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e951 = phi_1215_;
-                                        let _e953 = phi_1216_;
-                                        let _e955 = phi_1217_;
-                                        phi_1218_ = false;
-                                        phi_1219_ = bool();
-                                        phi_1220_ = _e951;
-                                        phi_1221_ = _e953;
-                                        phi_1222_ = _e955;
-                                        phi_1223_ = false;
+                                        let _e949 = phi_1211_;
+                                        let _e951 = phi_1212_;
+                                        let _e953 = phi_1213_;
+                                        phi_1214_ = false;
+                                        phi_1215_ = bool();
+                                        phi_1216_ = _e949;
+                                        phi_1217_ = _e951;
+                                        phi_1218_ = _e953;
+                                        phi_1219_ = false;
                                     }
-                                    let _e957 = phi_1218_;
-                                    let _e959 = phi_1219_;
-                                    let _e961 = phi_1220_;
-                                    let _e963 = phi_1221_;
-                                    let _e965 = phi_1222_;
-                                    let _e967 = phi_1223_;
-                                    if _e961 {
-                                        if ((_e921 & 2u) != 0u) {
-                                            if (((_e921 & 4u) != 0u) != _e250) {
-                                                phi_1238_ = false;
+                                    let _e955 = phi_1214_;
+                                    let _e957 = phi_1215_;
+                                    let _e959 = phi_1216_;
+                                    let _e961 = phi_1217_;
+                                    let _e963 = phi_1218_;
+                                    let _e965 = phi_1219_;
+                                    if _e959 {
+                                        if ((_e919 & 2u) != 0u) {
+                                            if (((_e919 & 4u) != 0u) != _e250) {
+                                                phi_1234_ = false;
                                             } else {
-                                                phi_1238_ = true;
+                                                phi_1234_ = true;
                                             }
-                                            let _e974 = phi_1238_;
-                                            phi_1239_ = _e974;
+                                            let _e972 = phi_1234_;
+                                            phi_1235_ = _e972;
                                         } else {
-                                            phi_1239_ = true;
+                                            phi_1235_ = true;
                                         }
-                                        let _e976 = phi_1239_;
-                                        if _e976 {
-                                            phi_1246_ = (((_e921 & 1u) != 0u) != _e250);
+                                        let _e974 = phi_1235_;
+                                        if _e974 {
+                                            phi_1242_ = (((_e919 & 1u) != 0u) != _e250);
                                         } else {
-                                            phi_1246_ = true;
+                                            phi_1242_ = true;
                                         }
-                                        let _e981 = phi_1246_;
-                                        phi_1247_ = _e981;
-                                        phi_1248_ = false;
-                                        phi_1249_ = false;
-                                        phi_1250_ = false;
+                                        let _e979 = phi_1242_;
+                                        phi_1243_ = _e979;
+                                        phi_1244_ = false;
+                                        phi_1245_ = false;
+                                        phi_1246_ = false;
                                     } else {
-                                        phi_1247_ = bool();
-                                        phi_1248_ = _e963;
-                                        phi_1249_ = _e965;
-                                        phi_1250_ = _e967;
+                                        phi_1243_ = bool();
+                                        phi_1244_ = _e961;
+                                        phi_1245_ = _e963;
+                                        phi_1246_ = _e965;
                                     }
-                                    let _e983 = phi_1247_;
-                                    let _e985 = phi_1248_;
-                                    let _e987 = phi_1249_;
+                                    let _e981 = phi_1243_;
+                                    let _e983 = phi_1244_;
+                                    let _e985 = phi_1245_;
+                                    let _e987 = phi_1246_;
+                                    if _e983 {
+                                        phi_1250_ = _e955;
+                                        phi_1251_ = false;
+                                        phi_1252_ = false;
+                                    } else {
+                                        phi_1250_ = _e981;
+                                        phi_1251_ = _e985;
+                                        phi_1252_ = _e987;
+                                    }
                                     let _e989 = phi_1250_;
-                                    if _e985 {
-                                        phi_1254_ = _e957;
-                                        phi_1255_ = false;
+                                    let _e991 = phi_1251_;
+                                    let _e993 = phi_1252_;
+                                    if _e991 {
                                         phi_1256_ = false;
+                                        phi_1257_ = true;
                                     } else {
-                                        phi_1254_ = _e983;
-                                        phi_1255_ = _e987;
-                                        phi_1256_ = _e989;
+                                        phi_1256_ = _e957;
+                                        phi_1257_ = _e993;
                                     }
-                                    let _e991 = phi_1254_;
-                                    let _e993 = phi_1255_;
                                     let _e995 = phi_1256_;
-                                    if _e993 {
-                                        phi_1260_ = false;
-                                        phi_1261_ = true;
-                                    } else {
-                                        phi_1260_ = _e959;
+                                    let _e997 = phi_1257_;
+                                    if _e997 {
                                         phi_1261_ = _e995;
+                                    } else {
+                                        phi_1261_ = _e989;
                                     }
-                                    let _e997 = phi_1260_;
                                     let _e999 = phi_1261_;
-                                    if _e999 {
-                                        phi_1265_ = _e997;
-                                    } else {
-                                        phi_1265_ = _e991;
-                                    }
-                                    let _e1001 = phi_1265_;
-                                    phi_1266_ = _e1001;
+                                    phi_1262_ = _e999;
                                 }
-                                let _e1003 = phi_1266_;
-                                if _e802.all_remove {
-                                    if (((_e921 & 1u) != 0u) == _e250) {
-                                        if ((_e921 & 2u) != 0u) {
-                                            phi_1284_ = (((_e921 & 4u) != 0u) == _e250);
+                                let _e1001 = phi_1262_;
+                                if _e800.all_remove {
+                                    if (((_e919 & 1u) != 0u) == _e250) {
+                                        if ((_e919 & 2u) != 0u) {
+                                            phi_1280_ = (((_e919 & 4u) != 0u) == _e250);
                                         } else {
-                                            phi_1284_ = true;
+                                            phi_1280_ = true;
                                         }
-                                        let _e1013 = phi_1284_;
-                                        phi_1285_ = _e1013;
+                                        let _e1011 = phi_1280_;
+                                        phi_1281_ = _e1011;
                                     } else {
-                                        phi_1285_ = false;
+                                        phi_1281_ = false;
                                     }
-                                    let _e1015 = phi_1285_;
-                                    phi_1286_ = _e1015;
+                                    let _e1013 = phi_1281_;
+                                    phi_1282_ = _e1013;
                                 } else {
-                                    phi_1286_ = false;
+                                    phi_1282_ = false;
                                 }
-                                let _e1017 = phi_1286_;
-                                phi_1021_ = (_e800 + 1u);
-                                phi_1024_ = lt_mask_Neighbourhood(_e1003, _e1017);
+                                let _e1015 = phi_1282_;
+                                phi_1017_ = (_e798 + 1u);
+                                phi_1020_ = lt_mask_Neighbourhood(_e1001, _e1015);
                             } else {
-                                phi_1021_ = u32();
-                                phi_1024_ = lt_mask_Neighbourhood();
+                                phi_1017_ = u32();
+                                phi_1020_ = lt_mask_Neighbourhood();
                             }
-                            let _e1021 = phi_1021_;
-                            let _e1023 = phi_1024_;
+                            let _e1019 = phi_1017_;
+                            let _e1021 = phi_1020_;
                             continue;
                             continuing {
-                                phi_1020_ = _e1021;
-                                phi_1023_ = _e1023;
-                                break if !(_e814);
+                                phi_1016_ = _e1019;
+                                phi_1019_ = _e1021;
+                                break if !(_e812);
                             }
                         }
-                        let _e1334 = local_1;
-                        phi_1289_ = _e1334;
+                        let _e1331 = local_1;
+                        phi_1285_ = _e1331;
                     }
-                    let _e1026 = phi_1289_;
-                    phi_1290_ = _e1026;
+                    let _e1024 = phi_1285_;
+                    phi_1286_ = _e1024;
                 } else {
-                    phi_1290_ = _e785;
+                    phi_1286_ = _e783;
                 }
-                let _e1028 = phi_1290_;
-                phi_1291_ = _e1028;
+                let _e1026 = phi_1286_;
+                phi_1287_ = _e1026;
             } else {
-                phi_1291_ = _e785;
+                phi_1287_ = _e783;
             }
-            let _e1030 = phi_1291_;
-            let _e1033 = p.member.frame;
-            let _e1035 = p.member.refresh;
-            if (_e1035 == 0u) {
-                phi_1324_ = false;
+            let _e1028 = phi_1287_;
+            let _e1031 = p.member.frame;
+            let _e1033 = p.member.refresh;
+            if (_e1033 == 0u) {
+                phi_1320_ = false;
             } else {
-                if (_e1035 == 0u) {
+                if (_e1033 == 0u) {
                     return;
                 }
-                let _e1044 = ((_e55.x + (_e55.y * (((_e1035 * 5u) / 8u) | 1u))) + (_e1033 % _e1035));
-                if (_e1035 == 0u) {
-                    phi_1323_ = (_e1044 == 0u);
+                let _e1042 = ((_e55.x + (_e55.y * (((_e1033 * 5u) / 8u) | 1u))) + (_e1031 % _e1033));
+                if (_e1033 == 0u) {
+                    phi_1319_ = (_e1042 == 0u);
                 } else {
-                    if (_e1035 == 0u) {
+                    if (_e1033 == 0u) {
                         return;
                     }
-                    phi_1323_ = ((_e1044 % _e1035) == 0u);
+                    phi_1319_ = ((_e1042 % _e1033) == 0u);
                 }
-                let _e1051 = phi_1323_;
-                phi_1324_ = _e1051;
+                let _e1049 = phi_1319_;
+                phi_1320_ = _e1049;
             }
-            let _e1053 = phi_1324_;
-            if _e715 {
-                if _e1053 {
-                    phi_1346_ = bool();
+            let _e1051 = phi_1320_;
+            if _e713 {
+                if _e1051 {
+                    phi_1342_ = bool();
                 } else {
-                    phi_1346_ = ((_e784 & 2u) != 0u);
+                    phi_1342_ = ((_e782 & 2u) != 0u);
                 }
-                let _e1059 = phi_1346_;
-                phi_1347_ = _e1059;
-                phi_1348_ = _e1053;
+                let _e1057 = phi_1342_;
+                phi_1343_ = _e1057;
+                phi_1344_ = _e1051;
             } else {
-                phi_1347_ = bool();
-                phi_1348_ = true;
+                phi_1343_ = bool();
+                phi_1344_ = true;
             }
-            let _e1061 = phi_1347_;
+            let _e1059 = phi_1343_;
+            let _e1061 = phi_1344_;
+            if _e1061 {
+                phi_1348_ = false;
+            } else {
+                phi_1348_ = _e1059;
+            }
             let _e1063 = phi_1348_;
             if _e1063 {
-                phi_1352_ = false;
-            } else {
-                phi_1352_ = _e1061;
-            }
-            let _e1065 = phi_1352_;
-            if _e1065 {
-                phi_1403_ = 7u;
+                phi_1399_ = 7u;
             } else {
                 if (_e92 != 0.5f) {
-                    if _e715 {
-                        if _e1053 {
-                            phi_1400_ = 6u;
+                    if _e713 {
+                        if _e1051 {
+                            phi_1396_ = 6u;
                         } else {
                             if _e254 {
-                                phi_1375_ = true;
+                                phi_1371_ = true;
                             } else {
-                                if _e1030.any_expands {
-                                    phi_1374_ = false;
+                                if _e1028.any_expands {
+                                    phi_1370_ = false;
                                 } else {
-                                    phi_1374_ = true;
+                                    phi_1370_ = true;
                                 }
-                                let _e1067 = phi_1374_;
-                                phi_1375_ = _e1067;
+                                let _e1065 = phi_1370_;
+                                phi_1371_ = _e1065;
                             }
-                            let _e1069 = phi_1375_;
-                            if _e1069 {
+                            let _e1067 = phi_1371_;
+                            if _e1067 {
                                 if _e254 {
-                                    if _e725 {
-                                        if _e1030.all_remove {
-                                            phi_1388_ = false;
+                                    if _e723 {
+                                        if _e1028.all_remove {
+                                            phi_1384_ = false;
                                         } else {
-                                            phi_1388_ = true;
+                                            phi_1384_ = true;
                                         }
-                                        let _e1071 = phi_1388_;
-                                        phi_1389_ = _e1071;
+                                        let _e1069 = phi_1384_;
+                                        phi_1385_ = _e1069;
                                     } else {
-                                        phi_1389_ = true;
+                                        phi_1385_ = true;
                                     }
-                                    let _e1073 = phi_1389_;
-                                    phi_1390_ = _e1073;
+                                    let _e1071 = phi_1385_;
+                                    phi_1386_ = _e1071;
                                 } else {
-                                    phi_1390_ = true;
+                                    phi_1386_ = true;
                                 }
-                                let _e1075 = phi_1390_;
-                                if _e1075 {
+                                let _e1073 = phi_1386_;
+                                if _e1073 {
                                     if _e254 {
-                                        phi_1397_ = 1u;
+                                        phi_1393_ = 1u;
                                     } else {
-                                        phi_1397_ = 0u;
+                                        phi_1393_ = 0u;
                                     }
-                                    let _e1077 = phi_1397_;
-                                    phi_1398_ = _e1077;
+                                    let _e1075 = phi_1393_;
+                                    phi_1394_ = _e1075;
                                 } else {
-                                    phi_1398_ = 5u;
+                                    phi_1394_ = 5u;
                                 }
-                                let _e1079 = phi_1398_;
-                                phi_1399_ = _e1079;
+                                let _e1077 = phi_1394_;
+                                phi_1395_ = _e1077;
                             } else {
-                                phi_1399_ = 4u;
+                                phi_1395_ = 4u;
                             }
-                            let _e1081 = phi_1399_;
-                            phi_1400_ = _e1081;
+                            let _e1079 = phi_1395_;
+                            phi_1396_ = _e1079;
                         }
-                        let _e1083 = phi_1400_;
-                        phi_1401_ = _e1083;
+                        let _e1081 = phi_1396_;
+                        phi_1397_ = _e1081;
                     } else {
-                        phi_1401_ = 3u;
+                        phi_1397_ = 3u;
                     }
-                    let _e1085 = phi_1401_;
-                    phi_1402_ = _e1085;
+                    let _e1083 = phi_1397_;
+                    phi_1398_ = _e1083;
                 } else {
-                    phi_1402_ = 2u;
+                    phi_1398_ = 2u;
                 }
-                let _e1087 = phi_1402_;
-                phi_1403_ = _e1087;
+                let _e1085 = phi_1398_;
+                phi_1399_ = _e1085;
             }
-            let _e1089 = phi_1403_;
-            if !((_e1089 == 0u)) {
-                if !((_e1089 == 5u)) {
-                    phi_1415_ = !(_e1065);
-                    phi_1416_ = false;
+            let _e1087 = phi_1399_;
+            if !((_e1087 == 0u)) {
+                if !((_e1087 == 5u)) {
+                    phi_1411_ = !(_e1063);
+                    phi_1412_ = false;
                 } else {
-                    phi_1415_ = bool();
-                    phi_1416_ = true;
+                    phi_1411_ = bool();
+                    phi_1412_ = true;
                 }
-                let _e1096 = phi_1415_;
-                let _e1098 = phi_1416_;
-                phi_1417_ = _e1096;
+                let _e1094 = phi_1411_;
+                let _e1096 = phi_1412_;
+                phi_1413_ = _e1094;
+                phi_1414_ = _e1096;
+            } else {
+                phi_1413_ = bool();
+                phi_1414_ = true;
+            }
+            let _e1098 = phi_1413_;
+            let _e1100 = phi_1414_;
+            if _e1100 {
+                phi_1418_ = false;
+            } else {
                 phi_1418_ = _e1098;
-            } else {
-                phi_1417_ = bool();
-                phi_1418_ = true;
             }
-            let _e1100 = phi_1417_;
             let _e1102 = phi_1418_;
+            if _e1063 {
+                phi_1424_ = ((_e782 & 4u) != 0u);
+            } else {
+                phi_1424_ = _e250;
+            }
+            let _e1106 = phi_1424_;
             if _e1102 {
-                phi_1422_ = false;
-            } else {
-                phi_1422_ = _e1100;
-            }
-            let _e1104 = phi_1422_;
-            if _e1065 {
-                phi_1428_ = ((_e784 & 4u) != 0u);
-            } else {
-                phi_1428_ = _e250;
-            }
-            let _e1108 = phi_1428_;
-            if _e1104 {
                 if _e250 {
-                    phi_1436_ = (2u | 1u);
+                    phi_1432_ = (2u | 1u);
                 } else {
-                    phi_1436_ = 2u;
+                    phi_1432_ = 2u;
                 }
-                let _e1111 = phi_1436_;
+                let _e1109 = phi_1432_;
                 if false {
-                    phi_1441_ = (_e1111 | 4u);
+                    phi_1437_ = (_e1109 | 4u);
                 } else {
-                    phi_1441_ = _e1111;
+                    phi_1437_ = _e1109;
                 }
-                let _e1114 = phi_1441_;
-                phi_1461_ = _e1114;
+                let _e1112 = phi_1437_;
+                phi_1457_ = _e1112;
             } else {
-                if (_e1089 == 7u) {
+                if (_e1087 == 7u) {
                     if _e250 {
-                        phi_1450_ = (2u | 1u);
+                        phi_1446_ = (2u | 1u);
                     } else {
-                        phi_1450_ = 2u;
+                        phi_1446_ = 2u;
                     }
-                    let _e1118 = phi_1450_;
-                    if _e1108 {
-                        phi_1455_ = (_e1118 | 4u);
+                    let _e1116 = phi_1446_;
+                    if _e1106 {
+                        phi_1451_ = (_e1116 | 4u);
                     } else {
-                        phi_1455_ = _e1118;
+                        phi_1451_ = _e1116;
+                    }
+                    let _e1119 = phi_1451_;
+                    phi_1456_ = _e1119;
+                } else {
+                    if _e250 {
+                        phi_1455_ = 1u;
+                    } else {
+                        phi_1455_ = 0u;
                     }
                     let _e1121 = phi_1455_;
-                    phi_1460_ = _e1121;
-                } else {
-                    if _e250 {
-                        phi_1459_ = 1u;
-                    } else {
-                        phi_1459_ = 0u;
-                    }
-                    let _e1123 = phi_1459_;
-                    phi_1460_ = _e1123;
+                    phi_1456_ = _e1121;
                 }
-                let _e1125 = phi_1460_;
-                phi_1461_ = _e1125;
+                let _e1123 = phi_1456_;
+                phi_1457_ = _e1123;
+            }
+            let _e1125 = phi_1457_;
+            if _e1106 {
+                phi_1461_ = 0f;
+            } else {
+                phi_1461_ = 1f;
             }
             let _e1127 = phi_1461_;
-            if _e1108 {
-                phi_1465_ = 0f;
-            } else {
-                phi_1465_ = 1f;
-            }
-            let _e1129 = phi_1465_;
-            phi_1467_ = mask_Masked(_e1129, _e1127, _e1104);
+            phi_1463_ = mask_Masked(_e1127, _e1125, _e1102);
         }
-        let _e1132 = phi_1467_;
-        visibility.member[_e71.shift] = _e1132.visibility;
-        let _e1137 = p.member.light.number;
-        let _e1138 = (_e1137 * 3u);
-        let _e1140 = (_e1138 % 32u);
-        let _e1142 = p.member.light.mask_words;
-        let _e1144 = ((_e71.shift * _e1142) + (_e1138 / 32u));
-        let _e1146 = bits.member[_e1144];
-        bits.member[_e1144] = ((_e1146 & ~((7u << bitcast<u32>((_e1140 & 31u))))) | (_e1132.bits << bitcast<u32>((_e1140 & 31u))));
-        if (_e1140 > 29u) {
-            let _e1161 = bits.member[(_e1144 + 1u)];
-            let _e1163 = (32u - _e1140);
-            bits.member[(_e1144 + 1u)] = ((_e1161 & ~((7u >> bitcast<u32>((_e1163 & 31u))))) | (_e1132.bits >> bitcast<u32>((_e1163 & 31u))));
+        let _e1130 = phi_1463_;
+        visibility.member[_e71.shift] = _e1130.visibility;
+        let _e1135 = p.member.light.number;
+        let _e1136 = (_e1135 * 3u);
+        let _e1138 = (_e1136 % 32u);
+        let _e1140 = p.member.light.mask_words;
+        let _e1142 = ((_e71.shift * _e1140) + (_e1136 / 32u));
+        let _e1144 = bits.member[_e1142];
+        bits.member[_e1142] = ((_e1144 & ~((7u << bitcast<u32>((_e1138 & 31u))))) | (_e1130.bits << bitcast<u32>((_e1138 & 31u))));
+        if (_e1138 > 29u) {
+            let _e1159 = bits.member[(_e1142 + 1u)];
+            let _e1161 = (32u - _e1138);
+            bits.member[(_e1142 + 1u)] = ((_e1159 & ~((7u >> bitcast<u32>((_e1161 & 31u))))) | (_e1130.bits >> bitcast<u32>((_e1161 & 31u))));
         }
-        phi_1517_ = _e1132.needs_ray;
-        phi_1518_ = _e71.shift;
+        phi_1513_ = _e1130.needs_ray;
+        phi_1514_ = _e71.shift;
     } else {
-        phi_1517_ = false;
-        phi_1518_ = 0u;
+        phi_1513_ = false;
+        phi_1514_ = 0u;
     }
-    let _e1177 = phi_1517_;
-    let _e1179 = phi_1518_;
+    let _e1175 = phi_1513_;
+    let _e1177 = phi_1514_;
     if (_e56 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1177 {
-        let _e1183 = atomicAdd((&shared_[0u]), 1u);
-        phi_1529_ = _e1183;
+    if _e1175 {
+        let _e1181 = atomicAdd((&shared_[0u]), 1u);
+        phi_1525_ = _e1181;
     } else {
-        phi_1529_ = 0u;
+        phi_1525_ = 0u;
     }
-    let _e1185 = phi_1529_;
+    let _e1183 = phi_1525_;
     workgroupBarrier();
     if (_e56 == 0u) {
-        let _e1189 = atomicLoad((&shared_[0u]));
-        let _e1190 = atomicAdd((&list.member[3u]), _e1189);
-        atomicStore((&shared_[1u]), _e1190);
+        let _e1187 = atomicLoad((&shared_[0u]));
+        let _e1188 = atomicAdd((&list.member[3u]), _e1187);
+        atomicStore((&shared_[1u]), _e1188);
     }
     workgroupBarrier();
-    if _e1177 {
-        let _e1193 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1193) + _e1185)]), _e1179);
+    if _e1175 {
+        let _e1191 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1191) + _e1183)]), _e1177);
     }
     return;
 }

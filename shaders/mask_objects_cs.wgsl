@@ -295,161 +295,160 @@ fn function_() {
     var phi_510_: bool;
     var phi_511_: bool;
     var phi_515_: bool;
-    var phi_519_: bool;
-    var phi_520_: bool;
-    var phi_728_: f32;
-    var phi_733_: f32;
-    var phi_734_: bool;
-    var phi_735_: f32;
-    var phi_736_: bool;
-    var phi_740_: f32;
-    var phi_761_: f32;
-    var phi_766_: f32;
-    var phi_767_: bool;
-    var phi_768_: f32;
-    var phi_769_: bool;
-    var phi_773_: f32;
-    var phi_794_: bool;
+    var phi_516_: bool;
+    var phi_724_: f32;
+    var phi_729_: f32;
+    var phi_730_: bool;
+    var phi_731_: f32;
+    var phi_732_: bool;
+    var phi_736_: f32;
+    var phi_757_: f32;
+    var phi_762_: f32;
+    var phi_763_: bool;
+    var phi_764_: f32;
+    var phi_765_: bool;
+    var phi_769_: f32;
+    var phi_790_: bool;
+    var phi_809_: vec2<u32>;
+    var phi_810_: bool;
+    var phi_811_: bool;
+    var phi_812_: bool;
     var phi_813_: vec2<u32>;
     var phi_814_: bool;
     var phi_815_: bool;
     var phi_816_: bool;
-    var phi_817_: vec2<u32>;
+    var phi_817_: bool;
     var phi_818_: bool;
     var phi_819_: bool;
-    var phi_820_: bool;
+    var phi_820_: vec2<u32>;
     var phi_821_: bool;
     var phi_822_: bool;
     var phi_823_: bool;
-    var phi_824_: vec2<u32>;
+    var phi_824_: bool;
     var phi_825_: bool;
     var phi_826_: bool;
-    var phi_827_: bool;
+    var phi_827_: vec2<u32>;
     var phi_828_: bool;
     var phi_829_: bool;
     var phi_830_: bool;
-    var phi_831_: vec2<u32>;
-    var phi_832_: bool;
-    var phi_833_: bool;
-    var phi_834_: bool;
-    var phi_835_: bool;
-    var phi_844_: bool;
-    var phi_845_: bool;
-    var phi_846_: bool;
+    var phi_831_: bool;
+    var phi_840_: bool;
+    var phi_841_: bool;
+    var phi_842_: bool;
+    var phi_843_: bool;
     var phi_847_: bool;
-    var phi_851_: bool;
-    var phi_852_: bool;
-    var phi_853_: vec2<u32>;
+    var phi_848_: bool;
+    var phi_849_: vec2<u32>;
+    var phi_884_: bool;
+    var phi_886_: lt_mask_Reprojection;
+    var phi_887_: lt_mask_Reprojection;
     var phi_888_: bool;
-    var phi_890_: lt_mask_Reprojection;
-    var phi_891_: lt_mask_Reprojection;
     var phi_892_: bool;
-    var phi_896_: bool;
-    var phi_897_: lt_mask_Reprojection;
-    var phi_898_: lt_mask_Reprojection;
-    var phi_899_: bool;
-    var phi_907_: bool;
-    var phi_908_: lt_mask_Reprojection;
-    var phi_949_: u32;
-    var phi_968_: u32;
-    var phi_976_: u32;
-    var phi_977_: u32;
-    var phi_978_: bool;
-    var phi_979_: u32;
+    var phi_893_: lt_mask_Reprojection;
+    var phi_894_: lt_mask_Reprojection;
+    var phi_895_: bool;
+    var phi_903_: bool;
+    var phi_904_: lt_mask_Reprojection;
+    var phi_945_: u32;
+    var phi_964_: u32;
+    var phi_972_: u32;
+    var phi_973_: u32;
+    var phi_974_: bool;
+    var phi_975_: u32;
+    var phi_976_: bool;
+    var phi_977_: bool;
+    var phi_978_: u32;
+    var phi_979_: bool;
     var phi_980_: bool;
-    var phi_981_: bool;
-    var phi_982_: u32;
-    var phi_983_: bool;
     var phi_984_: bool;
-    var phi_988_: bool;
-    var phi_992_: u32;
-    var phi_997_: bool;
-    var phi_1019_: u32;
-    var phi_1021_: u32;
-    var phi_1024_: lt_mask_Neighbourhood;
-    var phi_1036_: bool;
-    var phi_1037_: bool;
-    var phi_1046_: u32;
-    var phi_1047_: u32;
-    var phi_1107_: vec2<i32>;
-    var phi_1127_: vec2<i32>;
-    var phi_1152_: u32;
-    var phi_1171_: u32;
-    var phi_1179_: u32;
+    var phi_988_: u32;
+    var phi_993_: bool;
+    var phi_1015_: u32;
+    var phi_1017_: u32;
+    var phi_1020_: lt_mask_Neighbourhood;
+    var phi_1032_: bool;
+    var phi_1033_: bool;
+    var phi_1042_: u32;
+    var phi_1043_: u32;
+    var phi_1103_: vec2<i32>;
+    var phi_1123_: vec2<i32>;
+    var phi_1148_: u32;
+    var phi_1167_: u32;
+    var phi_1175_: u32;
+    var phi_1201_: bool;
+    var phi_1202_: bool;
+    var phi_1203_: bool;
+    var phi_1204_: bool;
     var phi_1205_: bool;
     var phi_1206_: bool;
     var phi_1207_: bool;
-    var phi_1208_: bool;
-    var phi_1209_: bool;
-    var phi_1210_: bool;
-    var phi_1211_: bool;
+    var phi_1212_: bool;
+    var phi_1213_: bool;
+    var phi_1214_: bool;
+    var phi_1215_: bool;
     var phi_1216_: bool;
     var phi_1217_: bool;
     var phi_1218_: bool;
     var phi_1219_: bool;
     var phi_1220_: bool;
-    var phi_1221_: bool;
-    var phi_1222_: bool;
-    var phi_1223_: bool;
-    var phi_1224_: bool;
-    var phi_1239_: bool;
-    var phi_1240_: bool;
+    var phi_1235_: bool;
+    var phi_1236_: bool;
+    var phi_1243_: bool;
+    var phi_1244_: bool;
+    var phi_1245_: bool;
+    var phi_1246_: bool;
     var phi_1247_: bool;
-    var phi_1248_: bool;
-    var phi_1249_: bool;
-    var phi_1250_: bool;
     var phi_1251_: bool;
-    var phi_1255_: bool;
-    var phi_1256_: bool;
+    var phi_1252_: bool;
+    var phi_1253_: bool;
     var phi_1257_: bool;
-    var phi_1261_: bool;
+    var phi_1258_: bool;
     var phi_1262_: bool;
-    var phi_1266_: bool;
-    var phi_1267_: bool;
-    var phi_1285_: bool;
-    var phi_1286_: bool;
-    var phi_1287_: bool;
-    var phi_1022_: u32;
-    var phi_1025_: lt_mask_Neighbourhood;
-    var phi_1290_: lt_mask_Neighbourhood;
-    var phi_1291_: lt_mask_Neighbourhood;
-    var phi_1292_: lt_mask_Neighbourhood;
-    var phi_1324_: bool;
-    var phi_1325_: bool;
-    var phi_1347_: bool;
-    var phi_1348_: bool;
+    var phi_1263_: bool;
+    var phi_1281_: bool;
+    var phi_1282_: bool;
+    var phi_1283_: bool;
+    var phi_1018_: u32;
+    var phi_1021_: lt_mask_Neighbourhood;
+    var phi_1286_: lt_mask_Neighbourhood;
+    var phi_1287_: lt_mask_Neighbourhood;
+    var phi_1288_: lt_mask_Neighbourhood;
+    var phi_1320_: bool;
+    var phi_1321_: bool;
+    var phi_1343_: bool;
+    var phi_1344_: bool;
+    var phi_1345_: bool;
     var phi_1349_: bool;
-    var phi_1353_: bool;
-    var phi_1375_: bool;
-    var phi_1376_: bool;
-    var phi_1389_: bool;
-    var phi_1390_: bool;
-    var phi_1391_: bool;
+    var phi_1371_: bool;
+    var phi_1372_: bool;
+    var phi_1385_: bool;
+    var phi_1386_: bool;
+    var phi_1387_: bool;
+    var phi_1394_: u32;
+    var phi_1395_: u32;
+    var phi_1396_: u32;
+    var phi_1397_: u32;
     var phi_1398_: u32;
     var phi_1399_: u32;
     var phi_1400_: u32;
-    var phi_1401_: u32;
-    var phi_1402_: u32;
-    var phi_1403_: u32;
-    var phi_1404_: u32;
-    var phi_1416_: bool;
-    var phi_1417_: bool;
-    var phi_1418_: bool;
+    var phi_1412_: bool;
+    var phi_1413_: bool;
+    var phi_1414_: bool;
+    var phi_1415_: bool;
     var phi_1419_: bool;
-    var phi_1423_: bool;
-    var phi_1429_: bool;
-    var phi_1437_: u32;
-    var phi_1442_: u32;
-    var phi_1451_: u32;
+    var phi_1425_: bool;
+    var phi_1433_: u32;
+    var phi_1438_: u32;
+    var phi_1447_: u32;
+    var phi_1452_: u32;
     var phi_1456_: u32;
-    var phi_1460_: u32;
-    var phi_1461_: u32;
-    var phi_1462_: u32;
-    var phi_1466_: f32;
-    var phi_1468_: mask_Masked;
-    var phi_1518_: bool;
-    var phi_1519_: u32;
-    var phi_1530_: u32;
+    var phi_1457_: u32;
+    var phi_1458_: u32;
+    var phi_1462_: f32;
+    var phi_1464_: mask_Masked;
+    var phi_1514_: bool;
+    var phi_1515_: u32;
+    var phi_1526_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e56 = id_1;
@@ -559,7 +558,7 @@ fn function_() {
         }
         let _e250 = phi_467_;
         if _e250.unnamed_1 {
-            phi_1468_ = mask_Masked(_e250.unnamed.visibility, 0u, false);
+            phi_1464_ = mask_Masked(_e250.unnamed.visibility, 0u, false);
         } else {
             let _e255 = (_e97 < 0.5f);
             if (_e97 > 0f) {
@@ -573,7 +572,7 @@ fn function_() {
             let _e277 = lt_mask_Reprojection(_e273.pixel, true, _e273.has_moved);
             let _e283 = p.member.flags;
             if ((_e283 & 16u) == 0u) {
-                phi_520_ = true;
+                phi_516_ = false;
             } else {
                 let _e288 = samples.member[_e73.shift].position[0u];
                 if (_e92.x == _e288) {
@@ -602,956 +601,950 @@ fn function_() {
                     phi_515_ = _e301;
                 }
                 let _e305 = phi_515_;
-                if _e305 {
-                    phi_519_ = false;
-                } else {
-                    phi_519_ = true;
-                }
-                let _e307 = phi_519_;
-                phi_520_ = _e307;
+                phi_516_ = _e305;
             }
-            let _e309 = phi_520_;
-            if _e309 {
-                let _e311 = samples.member[_e73.shift].position;
-                let _e315 = p.member.previous.eye;
-                let _e317 = (_e92.x - _e315.x);
-                let _e319 = (_e92.y - _e315.y);
-                let _e321 = (_e92.z - _e315.z);
-                let _e323 = p.member.previous.forward;
-                let _e331 = (((_e317 * _e323.x) + (_e319 * _e323.y)) + (_e321 * _e323.z));
-                let _e333 = p.member.previous.right;
-                let _e343 = p.member.previous.right;
-                let _e358 = p.member.previous.up;
-                let _e368 = p.member.previous.up;
-                let _e383 = p.member.current.eye;
-                let _e386 = (_e311.x - _e383.x);
-                let _e389 = (_e311.y - _e383.y);
-                let _e392 = (_e311.z - _e383.z);
-                let _e394 = p.member.current.forward;
-                let _e402 = (((_e386 * _e394.x) + (_e389 * _e394.y)) + (_e392 * _e394.z));
-                let _e404 = p.member.current.right;
-                let _e414 = p.member.current.right;
-                let _e429 = p.member.current.up;
-                let _e439 = p.member.current.up;
-                let _e458 = p.member.current.size[0u];
-                let _e460 = (((((((_e317 * _e333.x) + (_e319 * _e333.y)) + (_e321 * _e333.z)) / ((((_e343.x * _e343.x) + (_e343.y * _e343.y)) + (_e343.z * _e343.z)) * _e331)) - ((((_e386 * _e404.x) + (_e389 * _e404.y)) + (_e392 * _e404.z)) / ((((_e414.x * _e414.x) + (_e414.y * _e414.y)) + (_e414.z * _e414.z)) * _e402))) * 0.5f) * f32(_e458));
-                let _e464 = p.member.current.size[1u];
-                let _e466 = (((((((_e317 * _e358.x) + (_e319 * _e358.y)) + (_e321 * _e358.z)) / ((((_e368.x * _e368.x) + (_e368.y * _e368.y)) + (_e368.z * _e368.z)) * _e331)) - ((((_e386 * _e429.x) + (_e389 * _e429.y)) + (_e392 * _e429.z)) / ((((_e439.x * _e439.x) + (_e439.y * _e439.y)) + (_e439.z * _e439.z)) * _e402))) * -0.5f) * f32(_e464));
-                let _e470 = p.member.current.grid[0u];
-                let _e472 = p.member.current.grid[1u];
-                let _e492 = p.member.current.size[0u];
-                let _e494 = p.member.current.size[1u];
-                let _e496 = ((f32(_e56.x) + ((f32((_e56.y & (_e472 - 1u))) + 0.5f) / f32(_e472))) + _e460);
-                if (_e496 > -8388608f) {
-                    let _e508 = f32(select(0i, select(select(i32(_e496), i32(-2147483648), (_e496 < bitcast<f32>(3472883712u))), 2147483647i, (_e496 > bitcast<f32>(1325400063u))), (_e496 == _e496)));
-                    if (_e508 > _e496) {
-                        phi_728_ = 1f;
+            let _e307 = phi_516_;
+            if _e307 {
+                phi_893_ = lt_mask_Reprojection(_e277.pixel, _e277.is_valid, false);
+                phi_894_ = lt_mask_Reprojection();
+                phi_895_ = true;
+            } else {
+                let _e309 = samples.member[_e73.shift].position;
+                let _e313 = p.member.previous.eye;
+                let _e315 = (_e92.x - _e313.x);
+                let _e317 = (_e92.y - _e313.y);
+                let _e319 = (_e92.z - _e313.z);
+                let _e321 = p.member.previous.forward;
+                let _e329 = (((_e315 * _e321.x) + (_e317 * _e321.y)) + (_e319 * _e321.z));
+                let _e331 = p.member.previous.right;
+                let _e341 = p.member.previous.right;
+                let _e356 = p.member.previous.up;
+                let _e366 = p.member.previous.up;
+                let _e381 = p.member.current.eye;
+                let _e384 = (_e309.x - _e381.x);
+                let _e387 = (_e309.y - _e381.y);
+                let _e390 = (_e309.z - _e381.z);
+                let _e392 = p.member.current.forward;
+                let _e400 = (((_e384 * _e392.x) + (_e387 * _e392.y)) + (_e390 * _e392.z));
+                let _e402 = p.member.current.right;
+                let _e412 = p.member.current.right;
+                let _e427 = p.member.current.up;
+                let _e437 = p.member.current.up;
+                let _e456 = p.member.current.size[0u];
+                let _e458 = (((((((_e315 * _e331.x) + (_e317 * _e331.y)) + (_e319 * _e331.z)) / ((((_e341.x * _e341.x) + (_e341.y * _e341.y)) + (_e341.z * _e341.z)) * _e329)) - ((((_e384 * _e402.x) + (_e387 * _e402.y)) + (_e390 * _e402.z)) / ((((_e412.x * _e412.x) + (_e412.y * _e412.y)) + (_e412.z * _e412.z)) * _e400))) * 0.5f) * f32(_e456));
+                let _e462 = p.member.current.size[1u];
+                let _e464 = (((((((_e315 * _e356.x) + (_e317 * _e356.y)) + (_e319 * _e356.z)) / ((((_e366.x * _e366.x) + (_e366.y * _e366.y)) + (_e366.z * _e366.z)) * _e329)) - ((((_e384 * _e427.x) + (_e387 * _e427.y)) + (_e390 * _e427.z)) / ((((_e437.x * _e437.x) + (_e437.y * _e437.y)) + (_e437.z * _e437.z)) * _e400))) * -0.5f) * f32(_e462));
+                let _e468 = p.member.current.grid[0u];
+                let _e470 = p.member.current.grid[1u];
+                let _e490 = p.member.current.size[0u];
+                let _e492 = p.member.current.size[1u];
+                let _e494 = ((f32(_e56.x) + ((f32((_e56.y & (_e470 - 1u))) + 0.5f) / f32(_e470))) + _e458);
+                if (_e494 > -8388608f) {
+                    let _e506 = f32(select(0i, select(select(i32(_e494), i32(-2147483648), (_e494 < bitcast<f32>(3472883712u))), 2147483647i, (_e494 > bitcast<f32>(1325400063u))), (_e494 == _e494)));
+                    if (_e506 > _e494) {
+                        phi_724_ = 1f;
                     } else {
-                        phi_728_ = 0f;
+                        phi_724_ = 0f;
                     }
-                    let _e511 = phi_728_;
-                    if (_e496 < 8388608f) {
-                        phi_733_ = (_e508 - _e511);
-                        phi_734_ = false;
+                    let _e509 = phi_724_;
+                    if (_e494 < 8388608f) {
+                        phi_729_ = (_e506 - _e509);
+                        phi_730_ = false;
                     } else {
-                        phi_733_ = f32();
-                        phi_734_ = true;
+                        phi_729_ = f32();
+                        phi_730_ = true;
                     }
-                    let _e514 = phi_733_;
-                    let _e516 = phi_734_;
-                    phi_735_ = _e514;
+                    let _e512 = phi_729_;
+                    let _e514 = phi_730_;
+                    phi_731_ = _e512;
+                    phi_732_ = _e514;
+                } else {
+                    phi_731_ = f32();
+                    phi_732_ = true;
+                }
+                let _e516 = phi_731_;
+                let _e518 = phi_732_;
+                if _e518 {
+                    phi_736_ = _e494;
+                } else {
                     phi_736_ = _e516;
-                } else {
-                    phi_735_ = f32();
-                    phi_736_ = true;
                 }
-                let _e518 = phi_735_;
                 let _e520 = phi_736_;
-                if _e520 {
-                    phi_740_ = _e496;
+                let _e521 = ((f32(_e56.y) + ((f32((_e56.x & (_e468 - 1u))) + 0.5f) / f32(_e468))) + _e464);
+                if (_e521 > -8388608f) {
+                    let _e533 = f32(select(0i, select(select(i32(_e521), i32(-2147483648), (_e521 < bitcast<f32>(3472883712u))), 2147483647i, (_e521 > bitcast<f32>(1325400063u))), (_e521 == _e521)));
+                    if (_e533 > _e521) {
+                        phi_757_ = 1f;
+                    } else {
+                        phi_757_ = 0f;
+                    }
+                    let _e536 = phi_757_;
+                    if (_e521 < 8388608f) {
+                        phi_762_ = (_e533 - _e536);
+                        phi_763_ = false;
+                    } else {
+                        phi_762_ = f32();
+                        phi_763_ = true;
+                    }
+                    let _e539 = phi_762_;
+                    let _e541 = phi_763_;
+                    phi_764_ = _e539;
+                    phi_765_ = _e541;
                 } else {
-                    phi_740_ = _e518;
+                    phi_764_ = f32();
+                    phi_765_ = true;
                 }
-                let _e522 = phi_740_;
-                let _e523 = ((f32(_e56.y) + ((f32((_e56.x & (_e470 - 1u))) + 0.5f) / f32(_e470))) + _e466);
-                if (_e523 > -8388608f) {
-                    let _e535 = f32(select(0i, select(select(i32(_e523), i32(-2147483648), (_e523 < bitcast<f32>(3472883712u))), 2147483647i, (_e523 > bitcast<f32>(1325400063u))), (_e523 == _e523)));
-                    if (_e535 > _e523) {
-                        phi_761_ = 1f;
-                    } else {
-                        phi_761_ = 0f;
-                    }
-                    let _e538 = phi_761_;
-                    if (_e523 < 8388608f) {
-                        phi_766_ = (_e535 - _e538);
-                        phi_767_ = false;
-                    } else {
-                        phi_766_ = f32();
-                        phi_767_ = true;
-                    }
-                    let _e541 = phi_766_;
-                    let _e543 = phi_767_;
-                    phi_768_ = _e541;
+                let _e543 = phi_764_;
+                let _e545 = phi_765_;
+                if _e545 {
+                    phi_769_ = _e521;
+                } else {
                     phi_769_ = _e543;
-                } else {
-                    phi_768_ = f32();
-                    phi_769_ = true;
                 }
-                let _e545 = phi_768_;
                 let _e547 = phi_769_;
-                if _e547 {
-                    phi_773_ = _e523;
-                } else {
-                    phi_773_ = _e545;
-                }
-                let _e549 = phi_773_;
-                if (_e522 >= 0f) {
-                    if (_e549 >= 0f) {
-                        if (_e522 < f32(_e492)) {
-                            let _e555 = (_e549 < f32(_e494));
-                            if (_e460 == 0f) {
-                                phi_794_ = (_e466 == 0f);
+                if (_e520 >= 0f) {
+                    if (_e547 >= 0f) {
+                        if (_e520 < f32(_e490)) {
+                            let _e553 = (_e547 < f32(_e492));
+                            if (_e458 == 0f) {
+                                phi_790_ = (_e464 == 0f);
                             } else {
-                                phi_794_ = false;
+                                phi_790_ = false;
                             }
-                            let _e559 = phi_794_;
-                            if _e555 {
-                                phi_813_ = vec2<u32>(select(select(u32(_e522), 0u, (_e522 < bitcast<f32>(0u))), 4294967295u, (_e522 > bitcast<f32>(1333788671u))), select(select(u32(_e549), 0u, (_e549 < bitcast<f32>(0u))), 4294967295u, (_e549 > bitcast<f32>(1333788671u))));
-                                phi_814_ = false;
+                            let _e557 = phi_790_;
+                            if _e553 {
+                                phi_809_ = vec2<u32>(select(select(u32(_e520), 0u, (_e520 < bitcast<f32>(0u))), 4294967295u, (_e520 > bitcast<f32>(1333788671u))), select(select(u32(_e547), 0u, (_e547 < bitcast<f32>(0u))), 4294967295u, (_e547 > bitcast<f32>(1333788671u))));
+                                phi_810_ = false;
                             } else {
-                                phi_813_ = vec2<u32>();
-                                phi_814_ = true;
+                                phi_809_ = vec2<u32>();
+                                phi_810_ = true;
                             }
-                            let _e576 = phi_813_;
-                            let _e578 = phi_814_;
-                            phi_815_ = _e559;
-                            phi_816_ = _e555;
+                            let _e574 = phi_809_;
+                            let _e576 = phi_810_;
+                            phi_811_ = _e557;
+                            phi_812_ = _e553;
+                            phi_813_ = _e574;
+                            phi_814_ = _e557;
+                            phi_815_ = _e553;
+                            phi_816_ = false;
                             phi_817_ = _e576;
-                            phi_818_ = _e559;
-                            phi_819_ = _e555;
-                            phi_820_ = false;
-                            phi_821_ = _e578;
                         } else {
+                            phi_811_ = bool();
+                            phi_812_ = bool();
+                            phi_813_ = vec2<u32>();
+                            phi_814_ = bool();
                             phi_815_ = bool();
-                            phi_816_ = bool();
-                            phi_817_ = vec2<u32>();
-                            phi_818_ = bool();
-                            phi_819_ = bool();
-                            phi_820_ = true;
-                            phi_821_ = false;
+                            phi_816_ = true;
+                            phi_817_ = false;
                         }
-                        let _e580 = phi_815_;
-                        let _e582 = phi_816_;
-                        let _e584 = phi_817_;
-                        let _e586 = phi_818_;
-                        let _e588 = phi_819_;
-                        let _e590 = phi_820_;
-                        let _e592 = phi_821_;
-                        phi_822_ = _e580;
-                        phi_823_ = _e582;
-                        phi_824_ = _e584;
-                        phi_825_ = _e586;
-                        phi_826_ = _e588;
-                        phi_827_ = _e590;
-                        phi_828_ = _e592;
+                        let _e578 = phi_811_;
+                        let _e580 = phi_812_;
+                        let _e582 = phi_813_;
+                        let _e584 = phi_814_;
+                        let _e586 = phi_815_;
+                        let _e588 = phi_816_;
+                        let _e590 = phi_817_;
+                        phi_818_ = _e578;
+                        phi_819_ = _e580;
+                        phi_820_ = _e582;
+                        phi_821_ = _e584;
+                        phi_822_ = _e586;
+                        phi_823_ = _e588;
+                        phi_824_ = _e590;
                     } else {
+                        phi_818_ = bool();
+                        phi_819_ = bool();
+                        phi_820_ = vec2<u32>();
+                        phi_821_ = bool();
                         phi_822_ = bool();
-                        phi_823_ = bool();
-                        phi_824_ = vec2<u32>();
-                        phi_825_ = bool();
-                        phi_826_ = bool();
-                        phi_827_ = true;
-                        phi_828_ = false;
+                        phi_823_ = true;
+                        phi_824_ = false;
                     }
-                    let _e594 = phi_822_;
-                    let _e596 = phi_823_;
-                    let _e598 = phi_824_;
-                    let _e600 = phi_825_;
-                    let _e602 = phi_826_;
-                    let _e604 = phi_827_;
-                    let _e606 = phi_828_;
-                    phi_829_ = _e594;
-                    phi_830_ = _e596;
-                    phi_831_ = _e598;
-                    phi_832_ = _e600;
-                    phi_833_ = _e602;
-                    phi_834_ = _e604;
-                    phi_835_ = _e606;
+                    let _e592 = phi_818_;
+                    let _e594 = phi_819_;
+                    let _e596 = phi_820_;
+                    let _e598 = phi_821_;
+                    let _e600 = phi_822_;
+                    let _e602 = phi_823_;
+                    let _e604 = phi_824_;
+                    phi_825_ = _e592;
+                    phi_826_ = _e594;
+                    phi_827_ = _e596;
+                    phi_828_ = _e598;
+                    phi_829_ = _e600;
+                    phi_830_ = _e602;
+                    phi_831_ = _e604;
                 } else {
+                    phi_825_ = bool();
+                    phi_826_ = bool();
+                    phi_827_ = vec2<u32>();
+                    phi_828_ = bool();
                     phi_829_ = bool();
-                    phi_830_ = bool();
-                    phi_831_ = vec2<u32>();
-                    phi_832_ = bool();
-                    phi_833_ = bool();
-                    phi_834_ = true;
-                    phi_835_ = false;
+                    phi_830_ = true;
+                    phi_831_ = false;
                 }
-                let _e608 = phi_829_;
-                let _e610 = phi_830_;
-                let _e612 = phi_831_;
-                let _e614 = phi_832_;
-                let _e616 = phi_833_;
-                let _e618 = phi_834_;
-                let _e620 = phi_835_;
-                if _e618 {
-                    if (_e460 == 0f) {
-                        phi_844_ = (_e466 == 0f);
+                let _e606 = phi_825_;
+                let _e608 = phi_826_;
+                let _e610 = phi_827_;
+                let _e612 = phi_828_;
+                let _e614 = phi_829_;
+                let _e616 = phi_830_;
+                let _e618 = phi_831_;
+                if _e616 {
+                    if (_e458 == 0f) {
+                        phi_840_ = (_e464 == 0f);
                     } else {
-                        phi_844_ = false;
+                        phi_840_ = false;
                     }
-                    let _e624 = phi_844_;
-                    phi_845_ = _e624;
-                    phi_846_ = false;
-                    phi_847_ = true;
+                    let _e622 = phi_840_;
+                    phi_841_ = _e622;
+                    phi_842_ = false;
+                    phi_843_ = true;
                 } else {
-                    phi_845_ = _e614;
-                    phi_846_ = _e616;
-                    phi_847_ = _e620;
+                    phi_841_ = _e612;
+                    phi_842_ = _e614;
+                    phi_843_ = _e618;
                 }
-                let _e626 = phi_845_;
-                let _e628 = phi_846_;
+                let _e624 = phi_841_;
+                let _e626 = phi_842_;
+                let _e628 = phi_843_;
+                if _e628 {
+                    phi_847_ = _e624;
+                    phi_848_ = _e626;
+                    phi_849_ = vec2<u32>(_e56.x, _e56.y);
+                } else {
+                    phi_847_ = _e606;
+                    phi_848_ = _e608;
+                    phi_849_ = _e610;
+                }
                 let _e630 = phi_847_;
-                if _e630 {
-                    phi_851_ = _e626;
-                    phi_852_ = _e628;
-                    phi_853_ = vec2<u32>(_e56.x, _e56.y);
-                } else {
-                    phi_851_ = _e608;
-                    phi_852_ = _e610;
-                    phi_853_ = _e612;
-                }
-                let _e632 = phi_851_;
-                let _e634 = phi_852_;
-                let _e636 = phi_853_;
-                let _e646 = lt_mask_Reprojection(vec2<u32>(_e636.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e653 = lt_mask_Reprojection(vec2<u32>(_e646.pixel.x, _e636.y), _e646.is_valid, _e646.has_moved);
-                let _e657 = lt_mask_Reprojection(_e653.pixel, _e634, _e653.has_moved);
-                let _e661 = lt_mask_Reprojection(_e657.pixel, _e657.is_valid, !(_e632));
-                if _e634 {
-                    let _e664 = p.member.previous.eye;
-                    let _e672 = p.member.previous.forward;
-                    let _e681 = (((((_e92.x - _e664.x) * _e672.x) + ((_e92.y - _e664.y) * _e672.y)) + ((_e92.z - _e664.z) * _e672.z)) > 0f);
-                    let _e685 = lt_mask_Reprojection(_e661.pixel, _e681, _e661.has_moved);
-                    if _e681 {
-                        phi_888_ = false;
+                let _e632 = phi_848_;
+                let _e634 = phi_849_;
+                let _e644 = lt_mask_Reprojection(vec2<u32>(_e634.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e651 = lt_mask_Reprojection(vec2<u32>(_e644.pixel.x, _e634.y), _e644.is_valid, _e644.has_moved);
+                let _e655 = lt_mask_Reprojection(_e651.pixel, _e632, _e651.has_moved);
+                let _e659 = lt_mask_Reprojection(_e655.pixel, _e655.is_valid, !(_e630));
+                if _e632 {
+                    let _e662 = p.member.previous.eye;
+                    let _e670 = p.member.previous.forward;
+                    let _e679 = (((((_e92.x - _e662.x) * _e670.x) + ((_e92.y - _e662.y) * _e670.y)) + ((_e92.z - _e662.z) * _e670.z)) > 0f);
+                    let _e683 = lt_mask_Reprojection(_e659.pixel, _e679, _e659.has_moved);
+                    if _e679 {
+                        phi_884_ = false;
                     } else {
-                        phi_888_ = true;
+                        phi_884_ = true;
                     }
-                    let _e687 = phi_888_;
-                    phi_890_ = _e685;
-                    phi_891_ = _e685;
-                    phi_892_ = _e687;
+                    let _e685 = phi_884_;
+                    phi_886_ = _e683;
+                    phi_887_ = _e683;
+                    phi_888_ = _e685;
                 } else {
-                    phi_890_ = lt_mask_Reprojection();
-                    phi_891_ = lt_mask_Reprojection(_e661.pixel, false, _e661.has_moved);
+                    phi_886_ = lt_mask_Reprojection();
+                    phi_887_ = lt_mask_Reprojection(_e659.pixel, false, _e659.has_moved);
+                    phi_888_ = true;
+                }
+                let _e691 = phi_886_;
+                let _e693 = phi_887_;
+                let _e695 = phi_888_;
+                if _e695 {
+                    phi_892_ = false;
+                } else {
                     phi_892_ = true;
                 }
-                let _e693 = phi_890_;
-                let _e695 = phi_891_;
                 let _e697 = phi_892_;
-                if _e697 {
-                    phi_896_ = false;
-                } else {
-                    phi_896_ = true;
-                }
-                let _e699 = phi_896_;
-                phi_897_ = _e695;
-                phi_898_ = _e693;
-                phi_899_ = _e699;
-            } else {
-                phi_897_ = lt_mask_Reprojection();
-                phi_898_ = lt_mask_Reprojection(_e277.pixel, _e277.is_valid, false);
-                phi_899_ = true;
+                phi_893_ = _e691;
+                phi_894_ = _e693;
+                phi_895_ = _e697;
             }
-            let _e701 = phi_897_;
-            let _e703 = phi_898_;
-            let _e705 = phi_899_;
-            if _e705 {
-                let _e707 = p.member.flags;
-                phi_907_ = ((_e707 & 1u) != 0u);
-                phi_908_ = _e703;
+            let _e699 = phi_893_;
+            let _e701 = phi_894_;
+            let _e703 = phi_895_;
+            if _e703 {
+                let _e705 = p.member.flags;
+                phi_903_ = ((_e705 & 1u) != 0u);
+                phi_904_ = _e699;
             } else {
-                phi_907_ = false;
-                phi_908_ = _e701;
+                phi_903_ = false;
+                phi_904_ = _e701;
             }
-            let _e711 = phi_907_;
-            let _e713 = phi_908_;
-            let _e717 = lt_mask_Reprojection(_e713.pixel, _e711, _e713.has_moved);
-            let _e719 = p.member.flags;
-            let _e721 = ((_e719 & 2u) != 0u);
-            let _e723 = p.member.flags;
-            if ((_e723 & 4u) == 0u) {
-                phi_982_ = u32();
-                phi_983_ = true;
-                phi_984_ = false;
+            let _e709 = phi_903_;
+            let _e711 = phi_904_;
+            let _e715 = lt_mask_Reprojection(_e711.pixel, _e709, _e711.has_moved);
+            let _e717 = p.member.flags;
+            let _e719 = ((_e717 & 2u) != 0u);
+            let _e721 = p.member.flags;
+            if ((_e721 & 4u) == 0u) {
+                phi_978_ = u32();
+                phi_979_ = true;
+                phi_980_ = false;
             } else {
-                if _e711 {
-                    if !(_e717.has_moved) {
-                        let _e731 = ((((_e56.y * _e89) + _e56.x) * _e85) + _e82);
+                if _e709 {
+                    if !(_e715.has_moved) {
+                        let _e729 = ((((_e56.y * _e89) + _e56.x) * _e85) + _e82);
                         if (_e83 > 29u) {
-                            let _e733 = (_e731 + 1u);
-                            if (_e733 < _e62) {
+                            let _e731 = (_e729 + 1u);
+                            if (_e731 < _e62) {
                             } else {
                                 return;
                             }
-                            let _e737 = last_bits.member[(0u + _e733)];
-                            phi_949_ = _e737;
+                            let _e735 = last_bits.member[(0u + _e731)];
+                            phi_945_ = _e735;
                         } else {
-                            phi_949_ = 0u;
+                            phi_945_ = 0u;
                         }
-                        let _e739 = phi_949_;
-                        if (_e731 < _e62) {
+                        let _e737 = phi_945_;
+                        if (_e729 < _e62) {
                         } else {
                             return;
                         }
-                        let _e743 = last_bits.member[(0u + _e731)];
-                        let _e746 = (_e743 >> bitcast<u32>((_e83 & 31u)));
+                        let _e741 = last_bits.member[(0u + _e729)];
+                        let _e744 = (_e741 >> bitcast<u32>((_e83 & 31u)));
                         if (_e83 > 29u) {
-                            phi_968_ = (_e746 | (_e739 << bitcast<u32>(((32u - _e83) & 31u))));
+                            phi_964_ = (_e744 | (_e737 << bitcast<u32>(((32u - _e83) & 31u))));
                         } else {
-                            phi_968_ = _e746;
+                            phi_964_ = _e744;
                         }
-                        let _e754 = phi_968_;
-                        if ((_e754 & 2u) == 0u) {
-                            phi_976_ = (_e754 & 1u);
+                        let _e752 = phi_964_;
+                        if ((_e752 & 2u) == 0u) {
+                            phi_972_ = (_e752 & 1u);
                         } else {
-                            phi_976_ = (_e754 & 7u);
+                            phi_972_ = (_e752 & 7u);
                         }
-                        let _e760 = phi_976_;
-                        phi_977_ = _e760;
-                        phi_978_ = false;
+                        let _e758 = phi_972_;
+                        phi_973_ = _e758;
+                        phi_974_ = false;
                     } else {
-                        phi_977_ = u32();
-                        phi_978_ = true;
+                        phi_973_ = u32();
+                        phi_974_ = true;
                     }
-                    let _e762 = phi_977_;
-                    let _e764 = phi_978_;
-                    phi_979_ = _e762;
-                    phi_980_ = false;
-                    phi_981_ = _e764;
+                    let _e760 = phi_973_;
+                    let _e762 = phi_974_;
+                    phi_975_ = _e760;
+                    phi_976_ = false;
+                    phi_977_ = _e762;
                 } else {
-                    phi_979_ = u32();
-                    phi_980_ = true;
-                    phi_981_ = false;
+                    phi_975_ = u32();
+                    phi_976_ = true;
+                    phi_977_ = false;
                 }
-                let _e766 = phi_979_;
-                let _e768 = phi_980_;
-                let _e770 = phi_981_;
-                phi_982_ = _e766;
-                phi_983_ = _e768;
-                phi_984_ = _e770;
+                let _e764 = phi_975_;
+                let _e766 = phi_976_;
+                let _e768 = phi_977_;
+                phi_978_ = _e764;
+                phi_979_ = _e766;
+                phi_980_ = _e768;
             }
-            let _e772 = phi_982_;
-            let _e774 = phi_983_;
-            let _e776 = phi_984_;
-            if _e774 {
-                phi_988_ = true;
+            let _e770 = phi_978_;
+            let _e772 = phi_979_;
+            let _e774 = phi_980_;
+            if _e772 {
+                phi_984_ = true;
             } else {
-                phi_988_ = _e776;
+                phi_984_ = _e774;
+            }
+            let _e776 = phi_984_;
+            if _e776 {
+                phi_988_ = 0u;
+            } else {
+                phi_988_ = _e770;
             }
             let _e778 = phi_988_;
-            if _e778 {
-                phi_992_ = 0u;
-            } else {
-                phi_992_ = _e772;
-            }
-            let _e780 = phi_992_;
-            let _e781 = lt_mask_Neighbourhood(false, true);
+            let _e779 = lt_mask_Neighbourhood(false, true);
             if _e259 {
-                phi_997_ = _e721;
+                phi_993_ = _e719;
             } else {
-                phi_997_ = true;
+                phi_993_ = true;
             }
-            let _e783 = phi_997_;
-            if _e783 {
-                if _e711 {
-                    if ((_e780 & 2u) != 0u) {
-                        phi_1290_ = _e781;
+            let _e781 = phi_993_;
+            if _e781 {
+                if _e709 {
+                    if ((_e778 & 2u) != 0u) {
+                        phi_1286_ = _e779;
                     } else {
-                        let _e787 = p.member.expansion;
-                        if _e717.has_moved {
-                            let _e790 = p.member.moving_pattern;
-                            phi_1019_ = _e790;
+                        let _e785 = p.member.expansion;
+                        if _e715.has_moved {
+                            let _e788 = p.member.moving_pattern;
+                            phi_1015_ = _e788;
                         } else {
-                            let _e792 = p.member.still_pattern;
-                            phi_1019_ = _e792;
+                            let _e790 = p.member.still_pattern;
+                            phi_1015_ = _e790;
                         }
-                        let _e794 = phi_1019_;
-                        phi_1021_ = 0u;
-                        phi_1024_ = _e781;
+                        let _e792 = phi_1015_;
+                        phi_1017_ = 0u;
+                        phi_1020_ = _e779;
                         loop {
-                            let _e796 = phi_1021_;
-                            let _e798 = phi_1024_;
-                            local_1 = _e798;
-                            if (1u <= _e794) {
-                                if (_e794 <= 4u) {
-                                    phi_1036_ = false;
+                            let _e794 = phi_1017_;
+                            let _e796 = phi_1020_;
+                            local_1 = _e796;
+                            if (1u <= _e792) {
+                                if (_e792 <= 4u) {
+                                    phi_1032_ = false;
                                 } else {
-                                    phi_1036_ = true;
+                                    phi_1032_ = true;
                                 }
-                                let _e802 = phi_1036_;
-                                phi_1037_ = _e802;
+                                let _e800 = phi_1032_;
+                                phi_1033_ = _e800;
                             } else {
-                                phi_1037_ = true;
+                                phi_1033_ = true;
                             }
-                            let _e804 = phi_1037_;
-                            if _e804 {
-                                switch bitcast<i32>(_e794) {
+                            let _e802 = phi_1033_;
+                            if _e802 {
+                                switch bitcast<i32>(_e792) {
                                     case 5: {
-                                        phi_1046_ = 4u;
+                                        phi_1042_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_1046_ = 25u;
+                                        phi_1042_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_1046_ = 13u;
+                                        phi_1042_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_1046_ = 9u;
+                                        phi_1042_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e807 = phi_1046_;
-                                phi_1047_ = _e807;
+                                let _e805 = phi_1042_;
+                                phi_1043_ = _e805;
                             } else {
-                                phi_1047_ = 5u;
+                                phi_1043_ = 5u;
                             }
-                            let _e809 = phi_1047_;
-                            let _e810 = (_e796 < _e809);
-                            if _e810 {
-                                let _e816 = p.member.frame;
-                                let _e820 = p.member.current.size[0u];
-                                let _e822 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e794) {
+                            let _e807 = phi_1043_;
+                            let _e808 = (_e794 < _e807);
+                            if _e808 {
+                                let _e814 = p.member.frame;
+                                let _e818 = p.member.current.size[0u];
+                                let _e820 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e792) {
                                     case 1: {
-                                        let _e832 = lt_mask_pattern_plus(_e796);
-                                        phi_1127_ = vec2<i32>(_e832.x, _e832.y);
+                                        let _e830 = lt_mask_pattern_plus(_e794);
+                                        phi_1123_ = vec2<i32>(_e830.x, _e830.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e836 = lt_mask_pattern_cross(_e796);
-                                        phi_1127_ = vec2<i32>(_e836.x, _e836.y);
+                                        let _e834 = lt_mask_pattern_cross(_e794);
+                                        phi_1123_ = vec2<i32>(_e834.x, _e834.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e842 = lt_mask_pattern_plus_or_cross(_e796, ((_e717.pixel.x + _e717.pixel.y) & 1u));
-                                        phi_1127_ = vec2<i32>(_e842.x, _e842.y);
+                                        let _e840 = lt_mask_pattern_plus_or_cross(_e794, ((_e715.pixel.x + _e715.pixel.y) & 1u));
+                                        phi_1123_ = vec2<i32>(_e840.x, _e840.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e847 = lt_mask_pattern_plus_or_cross(_e796, (_e816 & 1u));
-                                        phi_1127_ = vec2<i32>(_e847.x, _e847.y);
+                                        let _e845 = lt_mask_pattern_plus_or_cross(_e794, (_e814 & 1u));
+                                        phi_1123_ = vec2<i32>(_e845.x, _e845.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e816 & 3u)) {
+                                        switch bitcast<i32>((_e814 & 3u)) {
                                             case 0: {
-                                                phi_1107_ = vec2(-1i);
+                                                phi_1103_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1107_ = vec2(0i);
+                                                phi_1103_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1107_ = vec2<i32>(0i, -1i);
+                                                phi_1103_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1107_ = vec2<i32>(-1i, 0i);
+                                                phi_1103_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e858 = phi_1107_;
-                                        phi_1127_ = (_e858 + vec2<i32>(bitcast<i32>((_e796 & 1u)), bitcast<i32>(((_e796 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e856 = phi_1103_;
+                                        phi_1123_ = (_e856 + vec2<i32>(bitcast<i32>((_e794 & 1u)), bitcast<i32>(((_e794 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1127_ = vec2<i32>((bitcast<i32>((_e796 % 5u)) - 2i), (bitcast<i32>(((_e796 / 5u) % 5u)) - 2i));
+                                        phi_1123_ = vec2<i32>((bitcast<i32>((_e794 % 5u)) - 2i), (bitcast<i32>(((_e794 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e875 = lt_mask_pattern_diamond(_e796);
-                                        phi_1127_ = vec2<i32>(_e875.x, _e875.y);
+                                        let _e873 = lt_mask_pattern_diamond(_e794);
+                                        phi_1123_ = vec2<i32>(_e873.x, _e873.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1127_ = vec2<i32>((bitcast<i32>((_e796 % 3u)) - 1i), (bitcast<i32>(((_e796 / 3u) % 3u)) - 1i));
+                                        phi_1123_ = vec2<i32>((bitcast<i32>((_e794 % 3u)) - 1i), (bitcast<i32>(((_e794 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e880 = phi_1127_;
-                                let _e883 = lt_mask_pattern_step_clamped(_e717.pixel.x, _e880.x, _e820);
-                                let _e884 = lt_mask_pattern_step_clamped(_e717.pixel.y, _e880.y, _e822);
-                                let _e888 = ((((_e884 * _e89) + _e883) * _e85) + _e82);
+                                let _e878 = phi_1123_;
+                                let _e881 = lt_mask_pattern_step_clamped(_e715.pixel.x, _e878.x, _e818);
+                                let _e882 = lt_mask_pattern_step_clamped(_e715.pixel.y, _e878.y, _e820);
+                                let _e886 = ((((_e882 * _e89) + _e881) * _e85) + _e82);
                                 if (_e83 > 29u) {
-                                    let _e890 = (_e888 + 1u);
-                                    if (_e890 < _e62) {
+                                    let _e888 = (_e886 + 1u);
+                                    if (_e888 < _e62) {
                                     } else {
                                         return;
                                     }
-                                    let _e894 = last_bits.member[(0u + _e890)];
-                                    phi_1152_ = _e894;
+                                    let _e892 = last_bits.member[(0u + _e888)];
+                                    phi_1148_ = _e892;
                                 } else {
-                                    phi_1152_ = 0u;
+                                    phi_1148_ = 0u;
                                 }
-                                let _e896 = phi_1152_;
-                                if (_e888 < _e62) {
+                                let _e894 = phi_1148_;
+                                if (_e886 < _e62) {
                                 } else {
                                     return;
                                 }
-                                let _e900 = last_bits.member[(0u + _e888)];
-                                let _e903 = (_e900 >> bitcast<u32>((_e83 & 31u)));
+                                let _e898 = last_bits.member[(0u + _e886)];
+                                let _e901 = (_e898 >> bitcast<u32>((_e83 & 31u)));
                                 if (_e83 > 29u) {
-                                    phi_1171_ = (_e903 | (_e896 << bitcast<u32>(((32u - _e83) & 31u))));
+                                    phi_1167_ = (_e901 | (_e894 << bitcast<u32>(((32u - _e83) & 31u))));
                                 } else {
-                                    phi_1171_ = _e903;
+                                    phi_1167_ = _e901;
                                 }
-                                let _e911 = phi_1171_;
-                                if ((_e911 & 2u) == 0u) {
-                                    phi_1179_ = (_e911 & 1u);
+                                let _e909 = phi_1167_;
+                                if ((_e909 & 2u) == 0u) {
+                                    phi_1175_ = (_e909 & 1u);
                                 } else {
-                                    phi_1179_ = (_e911 & 7u);
+                                    phi_1175_ = (_e909 & 7u);
                                 }
-                                let _e917 = phi_1179_;
-                                if _e798.any_expands {
-                                    phi_1267_ = true;
+                                let _e915 = phi_1175_;
+                                if _e796.any_expands {
+                                    phi_1263_ = true;
                                 } else {
-                                    if ((_e917 & 2u) != 0u) {
-                                        let _e924 = (((_e917 & 4u) != 0u) != _e255);
-                                        switch bitcast<i32>(_e787) {
+                                    if ((_e915 & 2u) != 0u) {
+                                        let _e922 = (((_e915 & 4u) != 0u) != _e255);
+                                        switch bitcast<i32>(_e785) {
                                             case 1: {
-                                                phi_1207_ = bool();
-                                                phi_1208_ = false;
-                                                phi_1209_ = true;
-                                                phi_1210_ = false;
-                                                phi_1211_ = false;
+                                                phi_1203_ = bool();
+                                                phi_1204_ = false;
+                                                phi_1205_ = true;
+                                                phi_1206_ = false;
+                                                phi_1207_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e924 {
-                                                    phi_1205_ = (((_e917 & 4u) != 0u) != ((_e917 & 1u) != 0u));
-                                                    phi_1206_ = false;
+                                                if _e922 {
+                                                    phi_1201_ = (((_e915 & 4u) != 0u) != ((_e915 & 1u) != 0u));
+                                                    phi_1202_ = false;
                                                 } else {
-                                                    phi_1205_ = bool();
-                                                    phi_1206_ = true;
+                                                    phi_1201_ = bool();
+                                                    phi_1202_ = true;
                                                 }
-                                                let _e932 = phi_1205_;
-                                                let _e934 = phi_1206_;
-                                                phi_1207_ = _e932;
-                                                phi_1208_ = false;
-                                                phi_1209_ = false;
-                                                phi_1210_ = _e934;
-                                                phi_1211_ = _e924;
+                                                let _e930 = phi_1201_;
+                                                let _e932 = phi_1202_;
+                                                phi_1203_ = _e930;
+                                                phi_1204_ = false;
+                                                phi_1205_ = false;
+                                                phi_1206_ = _e932;
+                                                phi_1207_ = _e922;
                                                 break;
                                             }
                                             default: {
-                                                phi_1207_ = bool();
-                                                phi_1208_ = true;
-                                                phi_1209_ = false;
-                                                phi_1210_ = false;
-                                                phi_1211_ = false;
+                                                phi_1203_ = bool();
+                                                phi_1204_ = true;
+                                                phi_1205_ = false;
+                                                phi_1206_ = false;
+                                                phi_1207_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e936 = phi_1207_;
-                                        let _e938 = phi_1208_;
-                                        let _e940 = phi_1209_;
-                                        let _e942 = phi_1210_;
-                                        let _e944 = phi_1211_;
-                                        phi_1219_ = _e924;
-                                        phi_1220_ = _e936;
-                                        phi_1221_ = _e938;
-                                        phi_1222_ = _e940;
-                                        phi_1223_ = _e942;
-                                        phi_1224_ = _e944;
+                                        let _e934 = phi_1203_;
+                                        let _e936 = phi_1204_;
+                                        let _e938 = phi_1205_;
+                                        let _e940 = phi_1206_;
+                                        let _e942 = phi_1207_;
+                                        phi_1215_ = _e922;
+                                        phi_1216_ = _e934;
+                                        phi_1217_ = _e936;
+                                        phi_1218_ = _e938;
+                                        phi_1219_ = _e940;
+                                        phi_1220_ = _e942;
                                     } else {
-                                        switch bitcast<i32>(_e787) {
+                                        switch bitcast<i32>(_e785) {
                                             case 1: {
-                                                phi_1216_ = false;
-                                                phi_1217_ = true;
-                                                phi_1218_ = false;
+                                                phi_1212_ = false;
+                                                phi_1213_ = true;
+                                                phi_1214_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1216_ = false;
-                                                phi_1217_ = false;
-                                                phi_1218_ = true;
+                                                phi_1212_ = false;
+                                                phi_1213_ = false;
+                                                phi_1214_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_1216_ = true;
-                                                phi_1217_ = false;
-                                                phi_1218_ = false;
+                                                phi_1212_ = true;
+                                                phi_1213_ = false;
+                                                phi_1214_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e947 = phi_1216_;
-                                        let _e949 = phi_1217_;
-                                        let _e951 = phi_1218_;
-                                        phi_1219_ = false;
-                                        phi_1220_ = bool();
-                                        phi_1221_ = _e947;
-                                        phi_1222_ = _e949;
-                                        phi_1223_ = _e951;
-                                        phi_1224_ = false;
+                                        let _e945 = phi_1212_;
+                                        let _e947 = phi_1213_;
+                                        let _e949 = phi_1214_;
+                                        phi_1215_ = false;
+                                        phi_1216_ = bool();
+                                        phi_1217_ = _e945;
+                                        phi_1218_ = _e947;
+                                        phi_1219_ = _e949;
+                                        phi_1220_ = false;
                                     }
-                                    let _e953 = phi_1219_;
-                                    let _e955 = phi_1220_;
-                                    let _e957 = phi_1221_;
-                                    let _e959 = phi_1222_;
-                                    let _e961 = phi_1223_;
-                                    let _e963 = phi_1224_;
-                                    if _e957 {
-                                        if ((_e917 & 2u) != 0u) {
-                                            if (((_e917 & 4u) != 0u) != _e255) {
-                                                phi_1239_ = false;
+                                    let _e951 = phi_1215_;
+                                    let _e953 = phi_1216_;
+                                    let _e955 = phi_1217_;
+                                    let _e957 = phi_1218_;
+                                    let _e959 = phi_1219_;
+                                    let _e961 = phi_1220_;
+                                    if _e955 {
+                                        if ((_e915 & 2u) != 0u) {
+                                            if (((_e915 & 4u) != 0u) != _e255) {
+                                                phi_1235_ = false;
                                             } else {
-                                                phi_1239_ = true;
+                                                phi_1235_ = true;
                                             }
-                                            let _e970 = phi_1239_;
-                                            phi_1240_ = _e970;
+                                            let _e968 = phi_1235_;
+                                            phi_1236_ = _e968;
                                         } else {
-                                            phi_1240_ = true;
+                                            phi_1236_ = true;
                                         }
-                                        let _e972 = phi_1240_;
-                                        if _e972 {
-                                            phi_1247_ = (((_e917 & 1u) != 0u) != _e255);
+                                        let _e970 = phi_1236_;
+                                        if _e970 {
+                                            phi_1243_ = (((_e915 & 1u) != 0u) != _e255);
                                         } else {
-                                            phi_1247_ = true;
+                                            phi_1243_ = true;
                                         }
-                                        let _e977 = phi_1247_;
-                                        phi_1248_ = _e977;
-                                        phi_1249_ = false;
-                                        phi_1250_ = false;
-                                        phi_1251_ = false;
+                                        let _e975 = phi_1243_;
+                                        phi_1244_ = _e975;
+                                        phi_1245_ = false;
+                                        phi_1246_ = false;
+                                        phi_1247_ = false;
                                     } else {
-                                        phi_1248_ = bool();
-                                        phi_1249_ = _e959;
-                                        phi_1250_ = _e961;
-                                        phi_1251_ = _e963;
+                                        phi_1244_ = bool();
+                                        phi_1245_ = _e957;
+                                        phi_1246_ = _e959;
+                                        phi_1247_ = _e961;
                                     }
-                                    let _e979 = phi_1248_;
-                                    let _e981 = phi_1249_;
-                                    let _e983 = phi_1250_;
+                                    let _e977 = phi_1244_;
+                                    let _e979 = phi_1245_;
+                                    let _e981 = phi_1246_;
+                                    let _e983 = phi_1247_;
+                                    if _e979 {
+                                        phi_1251_ = _e951;
+                                        phi_1252_ = false;
+                                        phi_1253_ = false;
+                                    } else {
+                                        phi_1251_ = _e977;
+                                        phi_1252_ = _e981;
+                                        phi_1253_ = _e983;
+                                    }
                                     let _e985 = phi_1251_;
-                                    if _e981 {
-                                        phi_1255_ = _e953;
-                                        phi_1256_ = false;
+                                    let _e987 = phi_1252_;
+                                    let _e989 = phi_1253_;
+                                    if _e987 {
                                         phi_1257_ = false;
+                                        phi_1258_ = true;
                                     } else {
-                                        phi_1255_ = _e979;
-                                        phi_1256_ = _e983;
-                                        phi_1257_ = _e985;
+                                        phi_1257_ = _e953;
+                                        phi_1258_ = _e989;
                                     }
-                                    let _e987 = phi_1255_;
-                                    let _e989 = phi_1256_;
                                     let _e991 = phi_1257_;
-                                    if _e989 {
-                                        phi_1261_ = false;
-                                        phi_1262_ = true;
-                                    } else {
-                                        phi_1261_ = _e955;
+                                    let _e993 = phi_1258_;
+                                    if _e993 {
                                         phi_1262_ = _e991;
+                                    } else {
+                                        phi_1262_ = _e985;
                                     }
-                                    let _e993 = phi_1261_;
                                     let _e995 = phi_1262_;
-                                    if _e995 {
-                                        phi_1266_ = _e993;
-                                    } else {
-                                        phi_1266_ = _e987;
-                                    }
-                                    let _e997 = phi_1266_;
-                                    phi_1267_ = _e997;
+                                    phi_1263_ = _e995;
                                 }
-                                let _e999 = phi_1267_;
-                                if _e798.all_remove {
-                                    if (((_e917 & 1u) != 0u) == _e255) {
-                                        if ((_e917 & 2u) != 0u) {
-                                            phi_1285_ = (((_e917 & 4u) != 0u) == _e255);
+                                let _e997 = phi_1263_;
+                                if _e796.all_remove {
+                                    if (((_e915 & 1u) != 0u) == _e255) {
+                                        if ((_e915 & 2u) != 0u) {
+                                            phi_1281_ = (((_e915 & 4u) != 0u) == _e255);
                                         } else {
-                                            phi_1285_ = true;
+                                            phi_1281_ = true;
                                         }
-                                        let _e1009 = phi_1285_;
-                                        phi_1286_ = _e1009;
+                                        let _e1007 = phi_1281_;
+                                        phi_1282_ = _e1007;
                                     } else {
-                                        phi_1286_ = false;
+                                        phi_1282_ = false;
                                     }
-                                    let _e1011 = phi_1286_;
-                                    phi_1287_ = _e1011;
+                                    let _e1009 = phi_1282_;
+                                    phi_1283_ = _e1009;
                                 } else {
-                                    phi_1287_ = false;
+                                    phi_1283_ = false;
                                 }
-                                let _e1013 = phi_1287_;
-                                phi_1022_ = (_e796 + 1u);
-                                phi_1025_ = lt_mask_Neighbourhood(_e999, _e1013);
+                                let _e1011 = phi_1283_;
+                                phi_1018_ = (_e794 + 1u);
+                                phi_1021_ = lt_mask_Neighbourhood(_e997, _e1011);
                             } else {
-                                phi_1022_ = u32();
-                                phi_1025_ = lt_mask_Neighbourhood();
+                                phi_1018_ = u32();
+                                phi_1021_ = lt_mask_Neighbourhood();
                             }
-                            let _e1017 = phi_1022_;
-                            let _e1019 = phi_1025_;
+                            let _e1015 = phi_1018_;
+                            let _e1017 = phi_1021_;
                             continue;
                             continuing {
-                                phi_1021_ = _e1017;
-                                phi_1024_ = _e1019;
-                                break if !(_e810);
+                                phi_1017_ = _e1015;
+                                phi_1020_ = _e1017;
+                                break if !(_e808);
                             }
                         }
-                        let _e1330 = local_1;
-                        phi_1290_ = _e1330;
+                        let _e1327 = local_1;
+                        phi_1286_ = _e1327;
                     }
-                    let _e1022 = phi_1290_;
-                    phi_1291_ = _e1022;
+                    let _e1020 = phi_1286_;
+                    phi_1287_ = _e1020;
                 } else {
-                    phi_1291_ = _e781;
+                    phi_1287_ = _e779;
                 }
-                let _e1024 = phi_1291_;
-                phi_1292_ = _e1024;
+                let _e1022 = phi_1287_;
+                phi_1288_ = _e1022;
             } else {
-                phi_1292_ = _e781;
+                phi_1288_ = _e779;
             }
-            let _e1026 = phi_1292_;
-            let _e1029 = p.member.frame;
-            let _e1031 = p.member.refresh;
-            if (_e1031 == 0u) {
-                phi_1325_ = false;
+            let _e1024 = phi_1288_;
+            let _e1027 = p.member.frame;
+            let _e1029 = p.member.refresh;
+            if (_e1029 == 0u) {
+                phi_1321_ = false;
             } else {
-                if (_e1031 == 0u) {
+                if (_e1029 == 0u) {
                     return;
                 }
-                let _e1040 = ((_e56.x + (_e56.y * (((_e1031 * 5u) / 8u) | 1u))) + (_e1029 % _e1031));
-                if (_e1031 == 0u) {
-                    phi_1324_ = (_e1040 == 0u);
+                let _e1038 = ((_e56.x + (_e56.y * (((_e1029 * 5u) / 8u) | 1u))) + (_e1027 % _e1029));
+                if (_e1029 == 0u) {
+                    phi_1320_ = (_e1038 == 0u);
                 } else {
-                    if (_e1031 == 0u) {
+                    if (_e1029 == 0u) {
                         return;
                     }
-                    phi_1324_ = ((_e1040 % _e1031) == 0u);
+                    phi_1320_ = ((_e1038 % _e1029) == 0u);
                 }
-                let _e1047 = phi_1324_;
-                phi_1325_ = _e1047;
+                let _e1045 = phi_1320_;
+                phi_1321_ = _e1045;
             }
-            let _e1049 = phi_1325_;
-            if _e711 {
-                if _e1049 {
-                    phi_1347_ = bool();
+            let _e1047 = phi_1321_;
+            if _e709 {
+                if _e1047 {
+                    phi_1343_ = bool();
                 } else {
-                    phi_1347_ = ((_e780 & 2u) != 0u);
+                    phi_1343_ = ((_e778 & 2u) != 0u);
                 }
-                let _e1055 = phi_1347_;
-                phi_1348_ = _e1055;
-                phi_1349_ = _e1049;
+                let _e1053 = phi_1343_;
+                phi_1344_ = _e1053;
+                phi_1345_ = _e1047;
             } else {
-                phi_1348_ = bool();
-                phi_1349_ = true;
+                phi_1344_ = bool();
+                phi_1345_ = true;
             }
-            let _e1057 = phi_1348_;
+            let _e1055 = phi_1344_;
+            let _e1057 = phi_1345_;
+            if _e1057 {
+                phi_1349_ = false;
+            } else {
+                phi_1349_ = _e1055;
+            }
             let _e1059 = phi_1349_;
             if _e1059 {
-                phi_1353_ = false;
-            } else {
-                phi_1353_ = _e1057;
-            }
-            let _e1061 = phi_1353_;
-            if _e1061 {
-                phi_1404_ = 7u;
+                phi_1400_ = 7u;
             } else {
                 if (_e97 != 0.5f) {
-                    if _e711 {
-                        if _e1049 {
-                            phi_1401_ = 6u;
+                    if _e709 {
+                        if _e1047 {
+                            phi_1397_ = 6u;
                         } else {
                             if _e259 {
-                                phi_1376_ = true;
+                                phi_1372_ = true;
                             } else {
-                                if _e1026.any_expands {
-                                    phi_1375_ = false;
+                                if _e1024.any_expands {
+                                    phi_1371_ = false;
                                 } else {
-                                    phi_1375_ = true;
+                                    phi_1371_ = true;
                                 }
-                                let _e1063 = phi_1375_;
-                                phi_1376_ = _e1063;
+                                let _e1061 = phi_1371_;
+                                phi_1372_ = _e1061;
                             }
-                            let _e1065 = phi_1376_;
-                            if _e1065 {
+                            let _e1063 = phi_1372_;
+                            if _e1063 {
                                 if _e259 {
-                                    if _e721 {
-                                        if _e1026.all_remove {
-                                            phi_1389_ = false;
+                                    if _e719 {
+                                        if _e1024.all_remove {
+                                            phi_1385_ = false;
                                         } else {
-                                            phi_1389_ = true;
+                                            phi_1385_ = true;
                                         }
-                                        let _e1067 = phi_1389_;
-                                        phi_1390_ = _e1067;
+                                        let _e1065 = phi_1385_;
+                                        phi_1386_ = _e1065;
                                     } else {
-                                        phi_1390_ = true;
+                                        phi_1386_ = true;
                                     }
-                                    let _e1069 = phi_1390_;
-                                    phi_1391_ = _e1069;
+                                    let _e1067 = phi_1386_;
+                                    phi_1387_ = _e1067;
                                 } else {
-                                    phi_1391_ = true;
+                                    phi_1387_ = true;
                                 }
-                                let _e1071 = phi_1391_;
-                                if _e1071 {
+                                let _e1069 = phi_1387_;
+                                if _e1069 {
                                     if _e259 {
-                                        phi_1398_ = 1u;
+                                        phi_1394_ = 1u;
                                     } else {
-                                        phi_1398_ = 0u;
+                                        phi_1394_ = 0u;
                                     }
-                                    let _e1073 = phi_1398_;
-                                    phi_1399_ = _e1073;
+                                    let _e1071 = phi_1394_;
+                                    phi_1395_ = _e1071;
                                 } else {
-                                    phi_1399_ = 5u;
+                                    phi_1395_ = 5u;
                                 }
-                                let _e1075 = phi_1399_;
-                                phi_1400_ = _e1075;
+                                let _e1073 = phi_1395_;
+                                phi_1396_ = _e1073;
                             } else {
-                                phi_1400_ = 4u;
+                                phi_1396_ = 4u;
                             }
-                            let _e1077 = phi_1400_;
-                            phi_1401_ = _e1077;
+                            let _e1075 = phi_1396_;
+                            phi_1397_ = _e1075;
                         }
-                        let _e1079 = phi_1401_;
-                        phi_1402_ = _e1079;
+                        let _e1077 = phi_1397_;
+                        phi_1398_ = _e1077;
                     } else {
-                        phi_1402_ = 3u;
+                        phi_1398_ = 3u;
                     }
-                    let _e1081 = phi_1402_;
-                    phi_1403_ = _e1081;
+                    let _e1079 = phi_1398_;
+                    phi_1399_ = _e1079;
                 } else {
-                    phi_1403_ = 2u;
+                    phi_1399_ = 2u;
                 }
-                let _e1083 = phi_1403_;
-                phi_1404_ = _e1083;
+                let _e1081 = phi_1399_;
+                phi_1400_ = _e1081;
             }
-            let _e1085 = phi_1404_;
-            if !((_e1085 == 0u)) {
-                if !((_e1085 == 5u)) {
-                    phi_1416_ = !(_e1061);
-                    phi_1417_ = false;
+            let _e1083 = phi_1400_;
+            if !((_e1083 == 0u)) {
+                if !((_e1083 == 5u)) {
+                    phi_1412_ = !(_e1059);
+                    phi_1413_ = false;
                 } else {
-                    phi_1416_ = bool();
-                    phi_1417_ = true;
+                    phi_1412_ = bool();
+                    phi_1413_ = true;
                 }
-                let _e1092 = phi_1416_;
-                let _e1094 = phi_1417_;
-                phi_1418_ = _e1092;
+                let _e1090 = phi_1412_;
+                let _e1092 = phi_1413_;
+                phi_1414_ = _e1090;
+                phi_1415_ = _e1092;
+            } else {
+                phi_1414_ = bool();
+                phi_1415_ = true;
+            }
+            let _e1094 = phi_1414_;
+            let _e1096 = phi_1415_;
+            if _e1096 {
+                phi_1419_ = false;
+            } else {
                 phi_1419_ = _e1094;
-            } else {
-                phi_1418_ = bool();
-                phi_1419_ = true;
             }
-            let _e1096 = phi_1418_;
             let _e1098 = phi_1419_;
+            if _e1059 {
+                phi_1425_ = ((_e778 & 4u) != 0u);
+            } else {
+                phi_1425_ = _e255;
+            }
+            let _e1102 = phi_1425_;
             if _e1098 {
-                phi_1423_ = false;
-            } else {
-                phi_1423_ = _e1096;
-            }
-            let _e1100 = phi_1423_;
-            if _e1061 {
-                phi_1429_ = ((_e780 & 4u) != 0u);
-            } else {
-                phi_1429_ = _e255;
-            }
-            let _e1104 = phi_1429_;
-            if _e1100 {
                 if _e255 {
-                    phi_1437_ = (2u | 1u);
+                    phi_1433_ = (2u | 1u);
                 } else {
-                    phi_1437_ = 2u;
+                    phi_1433_ = 2u;
                 }
-                let _e1107 = phi_1437_;
+                let _e1105 = phi_1433_;
                 if false {
-                    phi_1442_ = (_e1107 | 4u);
+                    phi_1438_ = (_e1105 | 4u);
                 } else {
-                    phi_1442_ = _e1107;
+                    phi_1438_ = _e1105;
                 }
-                let _e1110 = phi_1442_;
-                phi_1462_ = _e1110;
+                let _e1108 = phi_1438_;
+                phi_1458_ = _e1108;
             } else {
-                if (_e1085 == 7u) {
+                if (_e1083 == 7u) {
                     if _e255 {
-                        phi_1451_ = (2u | 1u);
+                        phi_1447_ = (2u | 1u);
                     } else {
-                        phi_1451_ = 2u;
+                        phi_1447_ = 2u;
                     }
-                    let _e1114 = phi_1451_;
-                    if _e1104 {
-                        phi_1456_ = (_e1114 | 4u);
+                    let _e1112 = phi_1447_;
+                    if _e1102 {
+                        phi_1452_ = (_e1112 | 4u);
                     } else {
-                        phi_1456_ = _e1114;
+                        phi_1452_ = _e1112;
+                    }
+                    let _e1115 = phi_1452_;
+                    phi_1457_ = _e1115;
+                } else {
+                    if _e255 {
+                        phi_1456_ = 1u;
+                    } else {
+                        phi_1456_ = 0u;
                     }
                     let _e1117 = phi_1456_;
-                    phi_1461_ = _e1117;
-                } else {
-                    if _e255 {
-                        phi_1460_ = 1u;
-                    } else {
-                        phi_1460_ = 0u;
-                    }
-                    let _e1119 = phi_1460_;
-                    phi_1461_ = _e1119;
+                    phi_1457_ = _e1117;
                 }
-                let _e1121 = phi_1461_;
-                phi_1462_ = _e1121;
+                let _e1119 = phi_1457_;
+                phi_1458_ = _e1119;
+            }
+            let _e1121 = phi_1458_;
+            if _e1102 {
+                phi_1462_ = 0f;
+            } else {
+                phi_1462_ = 1f;
             }
             let _e1123 = phi_1462_;
-            if _e1104 {
-                phi_1466_ = 0f;
-            } else {
-                phi_1466_ = 1f;
-            }
-            let _e1125 = phi_1466_;
-            phi_1468_ = mask_Masked(_e1125, _e1123, _e1100);
+            phi_1464_ = mask_Masked(_e1123, _e1121, _e1098);
         }
-        let _e1128 = phi_1468_;
-        visibility.member[_e73.shift] = _e1128.visibility;
-        let _e1133 = p.member.light.number;
-        let _e1134 = (_e1133 * 3u);
-        let _e1136 = (_e1134 % 32u);
-        let _e1138 = p.member.light.mask_words;
-        let _e1140 = ((_e73.shift * _e1138) + (_e1134 / 32u));
-        let _e1142 = bits.member[_e1140];
-        bits.member[_e1140] = ((_e1142 & ~((7u << bitcast<u32>((_e1136 & 31u))))) | (_e1128.bits << bitcast<u32>((_e1136 & 31u))));
-        if (_e1136 > 29u) {
-            let _e1157 = bits.member[(_e1140 + 1u)];
-            let _e1159 = (32u - _e1136);
-            bits.member[(_e1140 + 1u)] = ((_e1157 & ~((7u >> bitcast<u32>((_e1159 & 31u))))) | (_e1128.bits >> bitcast<u32>((_e1159 & 31u))));
+        let _e1126 = phi_1464_;
+        visibility.member[_e73.shift] = _e1126.visibility;
+        let _e1131 = p.member.light.number;
+        let _e1132 = (_e1131 * 3u);
+        let _e1134 = (_e1132 % 32u);
+        let _e1136 = p.member.light.mask_words;
+        let _e1138 = ((_e73.shift * _e1136) + (_e1132 / 32u));
+        let _e1140 = bits.member[_e1138];
+        bits.member[_e1138] = ((_e1140 & ~((7u << bitcast<u32>((_e1134 & 31u))))) | (_e1126.bits << bitcast<u32>((_e1134 & 31u))));
+        if (_e1134 > 29u) {
+            let _e1155 = bits.member[(_e1138 + 1u)];
+            let _e1157 = (32u - _e1134);
+            bits.member[(_e1138 + 1u)] = ((_e1155 & ~((7u >> bitcast<u32>((_e1157 & 31u))))) | (_e1126.bits >> bitcast<u32>((_e1157 & 31u))));
         }
-        phi_1518_ = _e1128.needs_ray;
-        phi_1519_ = _e73.shift;
+        phi_1514_ = _e1126.needs_ray;
+        phi_1515_ = _e73.shift;
     } else {
-        phi_1518_ = false;
-        phi_1519_ = 0u;
+        phi_1514_ = false;
+        phi_1515_ = 0u;
     }
-    let _e1173 = phi_1518_;
-    let _e1175 = phi_1519_;
+    let _e1171 = phi_1514_;
+    let _e1173 = phi_1515_;
     if (_e57 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1173 {
-        let _e1179 = atomicAdd((&shared_[0u]), 1u);
-        phi_1530_ = _e1179;
+    if _e1171 {
+        let _e1177 = atomicAdd((&shared_[0u]), 1u);
+        phi_1526_ = _e1177;
     } else {
-        phi_1530_ = 0u;
+        phi_1526_ = 0u;
     }
-    let _e1181 = phi_1530_;
+    let _e1179 = phi_1526_;
     workgroupBarrier();
     if (_e57 == 0u) {
-        let _e1185 = atomicLoad((&shared_[0u]));
-        let _e1186 = atomicAdd((&list.member[3u]), _e1185);
-        atomicStore((&shared_[1u]), _e1186);
+        let _e1183 = atomicLoad((&shared_[0u]));
+        let _e1184 = atomicAdd((&list.member[3u]), _e1183);
+        atomicStore((&shared_[1u]), _e1184);
     }
     workgroupBarrier();
-    if _e1173 {
-        let _e1189 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1189) + _e1181)]), _e1175);
+    if _e1171 {
+        let _e1187 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1187) + _e1179)]), _e1173);
     }
     return;
 }

@@ -304,166 +304,165 @@ fn function_() {
     var phi_521_: bool;
     var phi_522_: bool;
     var phi_526_: bool;
-    var phi_530_: bool;
-    var phi_531_: bool;
-    var phi_739_: f32;
-    var phi_744_: f32;
-    var phi_745_: bool;
-    var phi_746_: f32;
-    var phi_747_: bool;
-    var phi_751_: f32;
-    var phi_772_: f32;
-    var phi_777_: f32;
-    var phi_778_: bool;
-    var phi_779_: f32;
-    var phi_780_: bool;
-    var phi_784_: f32;
-    var phi_805_: bool;
+    var phi_527_: bool;
+    var phi_735_: f32;
+    var phi_740_: f32;
+    var phi_741_: bool;
+    var phi_742_: f32;
+    var phi_743_: bool;
+    var phi_747_: f32;
+    var phi_768_: f32;
+    var phi_773_: f32;
+    var phi_774_: bool;
+    var phi_775_: f32;
+    var phi_776_: bool;
+    var phi_780_: f32;
+    var phi_801_: bool;
+    var phi_820_: vec2<u32>;
+    var phi_821_: bool;
+    var phi_822_: bool;
+    var phi_823_: bool;
     var phi_824_: vec2<u32>;
     var phi_825_: bool;
     var phi_826_: bool;
     var phi_827_: bool;
-    var phi_828_: vec2<u32>;
+    var phi_828_: bool;
     var phi_829_: bool;
     var phi_830_: bool;
-    var phi_831_: bool;
+    var phi_831_: vec2<u32>;
     var phi_832_: bool;
     var phi_833_: bool;
     var phi_834_: bool;
-    var phi_835_: vec2<u32>;
+    var phi_835_: bool;
     var phi_836_: bool;
     var phi_837_: bool;
-    var phi_838_: bool;
+    var phi_838_: vec2<u32>;
     var phi_839_: bool;
     var phi_840_: bool;
     var phi_841_: bool;
-    var phi_842_: vec2<u32>;
-    var phi_843_: bool;
-    var phi_844_: bool;
-    var phi_845_: bool;
-    var phi_846_: bool;
-    var phi_855_: bool;
-    var phi_856_: bool;
-    var phi_857_: bool;
+    var phi_842_: bool;
+    var phi_851_: bool;
+    var phi_852_: bool;
+    var phi_853_: bool;
+    var phi_854_: bool;
     var phi_858_: bool;
-    var phi_862_: bool;
-    var phi_863_: bool;
-    var phi_864_: vec2<u32>;
-    var phi_899_: bool;
-    var phi_901_: lt_mask_Reprojection;
+    var phi_859_: bool;
+    var phi_860_: vec2<u32>;
+    var phi_895_: bool;
+    var phi_897_: lt_mask_Reprojection;
+    var phi_898_: lt_mask_Reprojection;
+    var phi_899_: lt_mask_Reprojection;
+    var phi_900_: bool;
+    var phi_901_: bool;
     var phi_902_: lt_mask_Reprojection;
     var phi_903_: lt_mask_Reprojection;
-    var phi_904_: bool;
+    var phi_904_: lt_mask_Reprojection;
     var phi_905_: bool;
-    var phi_906_: lt_mask_Reprojection;
-    var phi_907_: lt_mask_Reprojection;
-    var phi_908_: lt_mask_Reprojection;
-    var phi_909_: bool;
-    var phi_910_: bool;
-    var phi_962_: bool;
-    var phi_966_: f32;
-    var phi_970_: lt_mask_Reprojection;
-    var phi_971_: bool;
+    var phi_906_: bool;
+    var phi_958_: bool;
+    var phi_962_: f32;
+    var phi_966_: lt_mask_Reprojection;
+    var phi_967_: bool;
+    var phi_979_: bool;
+    var phi_980_: bool;
+    var phi_981_: bool;
+    var phi_982_: lt_mask_Reprojection;
     var phi_983_: bool;
-    var phi_984_: bool;
-    var phi_985_: bool;
-    var phi_986_: lt_mask_Reprojection;
     var phi_987_: bool;
-    var phi_991_: bool;
-    var phi_992_: lt_mask_Reprojection;
-    var phi_998_: bool;
-    var phi_1020_: u32;
-    var phi_1022_: u32;
-    var phi_1025_: lt_mask_Neighbourhood;
-    var phi_1037_: bool;
-    var phi_1038_: bool;
-    var phi_1047_: u32;
-    var phi_1048_: u32;
-    var phi_1108_: vec2<i32>;
-    var phi_1128_: vec2<i32>;
-    var phi_1155_: u32;
-    var phi_1174_: u32;
-    var phi_1182_: u32;
+    var phi_988_: lt_mask_Reprojection;
+    var phi_994_: bool;
+    var phi_1016_: u32;
+    var phi_1018_: u32;
+    var phi_1021_: lt_mask_Neighbourhood;
+    var phi_1033_: bool;
+    var phi_1034_: bool;
+    var phi_1043_: u32;
+    var phi_1044_: u32;
+    var phi_1104_: vec2<i32>;
+    var phi_1124_: vec2<i32>;
+    var phi_1151_: u32;
+    var phi_1170_: u32;
+    var phi_1178_: u32;
+    var phi_1204_: bool;
+    var phi_1205_: bool;
+    var phi_1206_: bool;
+    var phi_1207_: bool;
     var phi_1208_: bool;
     var phi_1209_: bool;
     var phi_1210_: bool;
-    var phi_1211_: bool;
-    var phi_1212_: bool;
-    var phi_1213_: bool;
-    var phi_1214_: bool;
+    var phi_1215_: bool;
+    var phi_1216_: bool;
+    var phi_1217_: bool;
+    var phi_1218_: bool;
     var phi_1219_: bool;
     var phi_1220_: bool;
     var phi_1221_: bool;
     var phi_1222_: bool;
     var phi_1223_: bool;
-    var phi_1224_: bool;
-    var phi_1225_: bool;
-    var phi_1226_: bool;
-    var phi_1227_: bool;
-    var phi_1242_: bool;
-    var phi_1243_: bool;
+    var phi_1238_: bool;
+    var phi_1239_: bool;
+    var phi_1246_: bool;
+    var phi_1247_: bool;
+    var phi_1248_: bool;
+    var phi_1249_: bool;
     var phi_1250_: bool;
-    var phi_1251_: bool;
-    var phi_1252_: bool;
-    var phi_1253_: bool;
     var phi_1254_: bool;
-    var phi_1258_: bool;
-    var phi_1259_: bool;
+    var phi_1255_: bool;
+    var phi_1256_: bool;
     var phi_1260_: bool;
-    var phi_1264_: bool;
+    var phi_1261_: bool;
     var phi_1265_: bool;
-    var phi_1269_: bool;
-    var phi_1270_: bool;
-    var phi_1288_: bool;
-    var phi_1289_: bool;
-    var phi_1290_: bool;
-    var phi_1023_: u32;
-    var phi_1026_: lt_mask_Neighbourhood;
-    var phi_1293_: lt_mask_Neighbourhood;
-    var phi_1294_: lt_mask_Neighbourhood;
-    var phi_1295_: lt_mask_Neighbourhood;
-    var phi_1327_: bool;
-    var phi_1328_: bool;
-    var phi_1350_: bool;
-    var phi_1351_: bool;
+    var phi_1266_: bool;
+    var phi_1284_: bool;
+    var phi_1285_: bool;
+    var phi_1286_: bool;
+    var phi_1019_: u32;
+    var phi_1022_: lt_mask_Neighbourhood;
+    var phi_1289_: lt_mask_Neighbourhood;
+    var phi_1290_: lt_mask_Neighbourhood;
+    var phi_1291_: lt_mask_Neighbourhood;
+    var phi_1323_: bool;
+    var phi_1324_: bool;
+    var phi_1346_: bool;
+    var phi_1347_: bool;
+    var phi_1348_: bool;
     var phi_1352_: bool;
-    var phi_1356_: bool;
-    var phi_1378_: bool;
-    var phi_1379_: bool;
-    var phi_1392_: bool;
-    var phi_1393_: bool;
-    var phi_1394_: bool;
+    var phi_1374_: bool;
+    var phi_1375_: bool;
+    var phi_1388_: bool;
+    var phi_1389_: bool;
+    var phi_1390_: bool;
+    var phi_1397_: u32;
+    var phi_1398_: u32;
+    var phi_1399_: u32;
+    var phi_1400_: u32;
     var phi_1401_: u32;
     var phi_1402_: u32;
     var phi_1403_: u32;
-    var phi_1404_: u32;
-    var phi_1405_: u32;
-    var phi_1406_: u32;
-    var phi_1407_: u32;
-    var phi_1419_: bool;
-    var phi_1420_: bool;
-    var phi_1421_: bool;
+    var phi_1415_: bool;
+    var phi_1416_: bool;
+    var phi_1417_: bool;
+    var phi_1418_: bool;
     var phi_1422_: bool;
-    var phi_1426_: bool;
-    var phi_1432_: bool;
-    var phi_1440_: u32;
-    var phi_1445_: u32;
-    var phi_1454_: u32;
+    var phi_1428_: bool;
+    var phi_1436_: u32;
+    var phi_1441_: u32;
+    var phi_1450_: u32;
+    var phi_1455_: u32;
     var phi_1459_: u32;
-    var phi_1463_: u32;
-    var phi_1464_: u32;
-    var phi_1465_: u32;
-    var phi_1469_: f32;
-    var phi_1471_: mask_Masked;
-    var phi_1543_: bool;
-    var phi_1544_: bool;
-    var phi_1545_: bool;
+    var phi_1460_: u32;
+    var phi_1461_: u32;
+    var phi_1465_: f32;
+    var phi_1467_: mask_Masked;
+    var phi_1539_: bool;
+    var phi_1540_: bool;
+    var phi_1541_: bool;
+    var phi_1542_: bool;
     var phi_1546_: bool;
-    var phi_1550_: bool;
-    var phi_1578_: f32;
-    var phi_1581_: bool;
-    var phi_1582_: u32;
-    var phi_1593_: u32;
+    var phi_1574_: f32;
+    var phi_1577_: bool;
+    var phi_1578_: u32;
+    var phi_1589_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e61 = id_1;
@@ -574,7 +573,7 @@ fn function_() {
         }
         let _e274 = phi_478_;
         if _e274.unnamed_1 {
-            phi_1471_ = mask_Masked(_e274.unnamed.visibility, 0u, false);
+            phi_1467_ = mask_Masked(_e274.unnamed.visibility, 0u, false);
         } else {
             let _e279 = (_e121 < 0.5f);
             if (_e121 > 0f) {
@@ -588,7 +587,7 @@ fn function_() {
             let _e301 = lt_mask_Reprojection(_e297.pixel, true, _e297.has_moved);
             let _e307 = p.member.flags;
             if ((_e307 & 16u) == 0u) {
-                phi_531_ = true;
+                phi_527_ = false;
             } else {
                 let _e312 = samples.member[_e82.shift].position[0u];
                 if (_e116.x == _e312) {
@@ -617,980 +616,974 @@ fn function_() {
                     phi_526_ = _e325;
                 }
                 let _e329 = phi_526_;
-                if _e329 {
-                    phi_530_ = false;
-                } else {
-                    phi_530_ = true;
-                }
-                let _e331 = phi_530_;
-                phi_531_ = _e331;
+                phi_527_ = _e329;
             }
-            let _e333 = phi_531_;
-            if _e333 {
-                let _e335 = samples.member[_e82.shift].position;
-                let _e339 = p.member.previous.eye;
-                let _e341 = (_e116.x - _e339.x);
-                let _e343 = (_e116.y - _e339.y);
-                let _e345 = (_e116.z - _e339.z);
-                let _e347 = p.member.previous.forward;
-                let _e355 = (((_e341 * _e347.x) + (_e343 * _e347.y)) + (_e345 * _e347.z));
-                let _e357 = p.member.previous.right;
-                let _e367 = p.member.previous.right;
-                let _e382 = p.member.previous.up;
-                let _e392 = p.member.previous.up;
-                let _e407 = p.member.current.eye;
-                let _e410 = (_e335.x - _e407.x);
-                let _e413 = (_e335.y - _e407.y);
-                let _e416 = (_e335.z - _e407.z);
-                let _e418 = p.member.current.forward;
-                let _e426 = (((_e410 * _e418.x) + (_e413 * _e418.y)) + (_e416 * _e418.z));
-                let _e428 = p.member.current.right;
-                let _e438 = p.member.current.right;
-                let _e453 = p.member.current.up;
-                let _e463 = p.member.current.up;
-                let _e482 = p.member.current.size[0u];
-                let _e484 = (((((((_e341 * _e357.x) + (_e343 * _e357.y)) + (_e345 * _e357.z)) / ((((_e367.x * _e367.x) + (_e367.y * _e367.y)) + (_e367.z * _e367.z)) * _e355)) - ((((_e410 * _e428.x) + (_e413 * _e428.y)) + (_e416 * _e428.z)) / ((((_e438.x * _e438.x) + (_e438.y * _e438.y)) + (_e438.z * _e438.z)) * _e426))) * 0.5f) * f32(_e482));
-                let _e488 = p.member.current.size[1u];
-                let _e490 = (((((((_e341 * _e382.x) + (_e343 * _e382.y)) + (_e345 * _e382.z)) / ((((_e392.x * _e392.x) + (_e392.y * _e392.y)) + (_e392.z * _e392.z)) * _e355)) - ((((_e410 * _e453.x) + (_e413 * _e453.y)) + (_e416 * _e453.z)) / ((((_e463.x * _e463.x) + (_e463.y * _e463.y)) + (_e463.z * _e463.z)) * _e426))) * -0.5f) * f32(_e488));
-                let _e494 = p.member.current.grid[0u];
-                let _e496 = p.member.current.grid[1u];
-                let _e516 = p.member.current.size[0u];
-                let _e518 = p.member.current.size[1u];
-                let _e520 = ((f32(_e61.x) + ((f32((_e61.y & (_e496 - 1u))) + 0.5f) / f32(_e496))) + _e484);
-                if (_e520 > -8388608f) {
-                    let _e532 = f32(select(0i, select(select(i32(_e520), i32(-2147483648), (_e520 < bitcast<f32>(3472883712u))), 2147483647i, (_e520 > bitcast<f32>(1325400063u))), (_e520 == _e520)));
-                    if (_e532 > _e520) {
-                        phi_739_ = 1f;
-                    } else {
-                        phi_739_ = 0f;
-                    }
-                    let _e535 = phi_739_;
-                    if (_e520 < 8388608f) {
-                        phi_744_ = (_e532 - _e535);
-                        phi_745_ = false;
-                    } else {
-                        phi_744_ = f32();
-                        phi_745_ = true;
-                    }
-                    let _e538 = phi_744_;
-                    let _e540 = phi_745_;
-                    phi_746_ = _e538;
-                    phi_747_ = _e540;
-                } else {
-                    phi_746_ = f32();
-                    phi_747_ = true;
-                }
-                let _e542 = phi_746_;
-                let _e544 = phi_747_;
-                if _e544 {
-                    phi_751_ = _e520;
-                } else {
-                    phi_751_ = _e542;
-                }
-                let _e546 = phi_751_;
-                let _e547 = ((f32(_e61.y) + ((f32((_e61.x & (_e494 - 1u))) + 0.5f) / f32(_e494))) + _e490);
-                if (_e547 > -8388608f) {
-                    let _e559 = f32(select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < bitcast<f32>(3472883712u))), 2147483647i, (_e547 > bitcast<f32>(1325400063u))), (_e547 == _e547)));
-                    if (_e559 > _e547) {
-                        phi_772_ = 1f;
-                    } else {
-                        phi_772_ = 0f;
-                    }
-                    let _e562 = phi_772_;
-                    if (_e547 < 8388608f) {
-                        phi_777_ = (_e559 - _e562);
-                        phi_778_ = false;
-                    } else {
-                        phi_777_ = f32();
-                        phi_778_ = true;
-                    }
-                    let _e565 = phi_777_;
-                    let _e567 = phi_778_;
-                    phi_779_ = _e565;
-                    phi_780_ = _e567;
-                } else {
-                    phi_779_ = f32();
-                    phi_780_ = true;
-                }
-                let _e569 = phi_779_;
-                let _e571 = phi_780_;
-                if _e571 {
-                    phi_784_ = _e547;
-                } else {
-                    phi_784_ = _e569;
-                }
-                let _e573 = phi_784_;
-                if (_e546 >= 0f) {
-                    if (_e573 >= 0f) {
-                        if (_e546 < f32(_e516)) {
-                            let _e579 = (_e573 < f32(_e518));
-                            if (_e484 == 0f) {
-                                phi_805_ = (_e490 == 0f);
-                            } else {
-                                phi_805_ = false;
-                            }
-                            let _e583 = phi_805_;
-                            if _e579 {
-                                phi_824_ = vec2<u32>(select(select(u32(_e546), 0u, (_e546 < bitcast<f32>(0u))), 4294967295u, (_e546 > bitcast<f32>(1333788671u))), select(select(u32(_e573), 0u, (_e573 < bitcast<f32>(0u))), 4294967295u, (_e573 > bitcast<f32>(1333788671u))));
-                                phi_825_ = false;
-                            } else {
-                                phi_824_ = vec2<u32>();
-                                phi_825_ = true;
-                            }
-                            let _e600 = phi_824_;
-                            let _e602 = phi_825_;
-                            phi_826_ = _e583;
-                            phi_827_ = _e579;
-                            phi_828_ = _e600;
-                            phi_829_ = _e583;
-                            phi_830_ = _e579;
-                            phi_831_ = false;
-                            phi_832_ = _e602;
-                        } else {
-                            phi_826_ = bool();
-                            phi_827_ = bool();
-                            phi_828_ = vec2<u32>();
-                            phi_829_ = bool();
-                            phi_830_ = bool();
-                            phi_831_ = true;
-                            phi_832_ = false;
-                        }
-                        let _e604 = phi_826_;
-                        let _e606 = phi_827_;
-                        let _e608 = phi_828_;
-                        let _e610 = phi_829_;
-                        let _e612 = phi_830_;
-                        let _e614 = phi_831_;
-                        let _e616 = phi_832_;
-                        phi_833_ = _e604;
-                        phi_834_ = _e606;
-                        phi_835_ = _e608;
-                        phi_836_ = _e610;
-                        phi_837_ = _e612;
-                        phi_838_ = _e614;
-                        phi_839_ = _e616;
-                    } else {
-                        phi_833_ = bool();
-                        phi_834_ = bool();
-                        phi_835_ = vec2<u32>();
-                        phi_836_ = bool();
-                        phi_837_ = bool();
-                        phi_838_ = true;
-                        phi_839_ = false;
-                    }
-                    let _e618 = phi_833_;
-                    let _e620 = phi_834_;
-                    let _e622 = phi_835_;
-                    let _e624 = phi_836_;
-                    let _e626 = phi_837_;
-                    let _e628 = phi_838_;
-                    let _e630 = phi_839_;
-                    phi_840_ = _e618;
-                    phi_841_ = _e620;
-                    phi_842_ = _e622;
-                    phi_843_ = _e624;
-                    phi_844_ = _e626;
-                    phi_845_ = _e628;
-                    phi_846_ = _e630;
-                } else {
-                    phi_840_ = bool();
-                    phi_841_ = bool();
-                    phi_842_ = vec2<u32>();
-                    phi_843_ = bool();
-                    phi_844_ = bool();
-                    phi_845_ = true;
-                    phi_846_ = false;
-                }
-                let _e632 = phi_840_;
-                let _e634 = phi_841_;
-                let _e636 = phi_842_;
-                let _e638 = phi_843_;
-                let _e640 = phi_844_;
-                let _e642 = phi_845_;
-                let _e644 = phi_846_;
-                if _e642 {
-                    if (_e484 == 0f) {
-                        phi_855_ = (_e490 == 0f);
-                    } else {
-                        phi_855_ = false;
-                    }
-                    let _e648 = phi_855_;
-                    phi_856_ = _e648;
-                    phi_857_ = false;
-                    phi_858_ = true;
-                } else {
-                    phi_856_ = _e638;
-                    phi_857_ = _e640;
-                    phi_858_ = _e644;
-                }
-                let _e650 = phi_856_;
-                let _e652 = phi_857_;
-                let _e654 = phi_858_;
-                if _e654 {
-                    phi_862_ = _e650;
-                    phi_863_ = _e652;
-                    phi_864_ = vec2<u32>(_e61.x, _e61.y);
-                } else {
-                    phi_862_ = _e632;
-                    phi_863_ = _e634;
-                    phi_864_ = _e636;
-                }
-                let _e656 = phi_862_;
-                let _e658 = phi_863_;
-                let _e660 = phi_864_;
-                let _e670 = lt_mask_Reprojection(vec2<u32>(_e660.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e677 = lt_mask_Reprojection(vec2<u32>(_e670.pixel.x, _e660.y), _e670.is_valid, _e670.has_moved);
-                let _e681 = lt_mask_Reprojection(_e677.pixel, _e658, _e677.has_moved);
-                let _e685 = lt_mask_Reprojection(_e681.pixel, _e681.is_valid, !(_e656));
-                if _e658 {
-                    let _e688 = p.member.previous.eye;
-                    let _e696 = p.member.previous.forward;
-                    let _e705 = (((((_e116.x - _e688.x) * _e696.x) + ((_e116.y - _e688.y) * _e696.y)) + ((_e116.z - _e688.z) * _e696.z)) > 0f);
-                    let _e709 = lt_mask_Reprojection(_e685.pixel, _e705, _e685.has_moved);
-                    if _e705 {
-                        phi_899_ = false;
-                    } else {
-                        phi_899_ = true;
-                    }
-                    let _e711 = phi_899_;
-                    phi_901_ = _e709;
-                    phi_902_ = _e709;
-                    phi_903_ = lt_mask_Reprojection();
-                    phi_904_ = _e705;
-                    phi_905_ = _e711;
-                } else {
-                    phi_901_ = lt_mask_Reprojection();
-                    phi_902_ = lt_mask_Reprojection();
-                    phi_903_ = lt_mask_Reprojection(_e685.pixel, false, _e685.has_moved);
-                    phi_904_ = false;
-                    phi_905_ = false;
-                }
-                let _e717 = phi_901_;
-                let _e719 = phi_902_;
-                let _e721 = phi_903_;
-                let _e723 = phi_904_;
-                let _e725 = phi_905_;
-                phi_906_ = _e717;
-                phi_907_ = _e719;
-                phi_908_ = _e721;
-                phi_909_ = _e723;
-                phi_910_ = _e725;
+            let _e331 = phi_527_;
+            if _e331 {
+                phi_902_ = lt_mask_Reprojection(_e301.pixel, _e301.is_valid, false);
+                phi_903_ = lt_mask_Reprojection();
+                phi_904_ = lt_mask_Reprojection();
+                phi_905_ = true;
+                phi_906_ = false;
             } else {
-                phi_906_ = lt_mask_Reprojection(_e301.pixel, _e301.is_valid, false);
-                phi_907_ = lt_mask_Reprojection();
-                phi_908_ = lt_mask_Reprojection();
-                phi_909_ = true;
-                phi_910_ = false;
+                let _e333 = samples.member[_e82.shift].position;
+                let _e337 = p.member.previous.eye;
+                let _e339 = (_e116.x - _e337.x);
+                let _e341 = (_e116.y - _e337.y);
+                let _e343 = (_e116.z - _e337.z);
+                let _e345 = p.member.previous.forward;
+                let _e353 = (((_e339 * _e345.x) + (_e341 * _e345.y)) + (_e343 * _e345.z));
+                let _e355 = p.member.previous.right;
+                let _e365 = p.member.previous.right;
+                let _e380 = p.member.previous.up;
+                let _e390 = p.member.previous.up;
+                let _e405 = p.member.current.eye;
+                let _e408 = (_e333.x - _e405.x);
+                let _e411 = (_e333.y - _e405.y);
+                let _e414 = (_e333.z - _e405.z);
+                let _e416 = p.member.current.forward;
+                let _e424 = (((_e408 * _e416.x) + (_e411 * _e416.y)) + (_e414 * _e416.z));
+                let _e426 = p.member.current.right;
+                let _e436 = p.member.current.right;
+                let _e451 = p.member.current.up;
+                let _e461 = p.member.current.up;
+                let _e480 = p.member.current.size[0u];
+                let _e482 = (((((((_e339 * _e355.x) + (_e341 * _e355.y)) + (_e343 * _e355.z)) / ((((_e365.x * _e365.x) + (_e365.y * _e365.y)) + (_e365.z * _e365.z)) * _e353)) - ((((_e408 * _e426.x) + (_e411 * _e426.y)) + (_e414 * _e426.z)) / ((((_e436.x * _e436.x) + (_e436.y * _e436.y)) + (_e436.z * _e436.z)) * _e424))) * 0.5f) * f32(_e480));
+                let _e486 = p.member.current.size[1u];
+                let _e488 = (((((((_e339 * _e380.x) + (_e341 * _e380.y)) + (_e343 * _e380.z)) / ((((_e390.x * _e390.x) + (_e390.y * _e390.y)) + (_e390.z * _e390.z)) * _e353)) - ((((_e408 * _e451.x) + (_e411 * _e451.y)) + (_e414 * _e451.z)) / ((((_e461.x * _e461.x) + (_e461.y * _e461.y)) + (_e461.z * _e461.z)) * _e424))) * -0.5f) * f32(_e486));
+                let _e492 = p.member.current.grid[0u];
+                let _e494 = p.member.current.grid[1u];
+                let _e514 = p.member.current.size[0u];
+                let _e516 = p.member.current.size[1u];
+                let _e518 = ((f32(_e61.x) + ((f32((_e61.y & (_e494 - 1u))) + 0.5f) / f32(_e494))) + _e482);
+                if (_e518 > -8388608f) {
+                    let _e530 = f32(select(0i, select(select(i32(_e518), i32(-2147483648), (_e518 < bitcast<f32>(3472883712u))), 2147483647i, (_e518 > bitcast<f32>(1325400063u))), (_e518 == _e518)));
+                    if (_e530 > _e518) {
+                        phi_735_ = 1f;
+                    } else {
+                        phi_735_ = 0f;
+                    }
+                    let _e533 = phi_735_;
+                    if (_e518 < 8388608f) {
+                        phi_740_ = (_e530 - _e533);
+                        phi_741_ = false;
+                    } else {
+                        phi_740_ = f32();
+                        phi_741_ = true;
+                    }
+                    let _e536 = phi_740_;
+                    let _e538 = phi_741_;
+                    phi_742_ = _e536;
+                    phi_743_ = _e538;
+                } else {
+                    phi_742_ = f32();
+                    phi_743_ = true;
+                }
+                let _e540 = phi_742_;
+                let _e542 = phi_743_;
+                if _e542 {
+                    phi_747_ = _e518;
+                } else {
+                    phi_747_ = _e540;
+                }
+                let _e544 = phi_747_;
+                let _e545 = ((f32(_e61.y) + ((f32((_e61.x & (_e492 - 1u))) + 0.5f) / f32(_e492))) + _e488);
+                if (_e545 > -8388608f) {
+                    let _e557 = f32(select(0i, select(select(i32(_e545), i32(-2147483648), (_e545 < bitcast<f32>(3472883712u))), 2147483647i, (_e545 > bitcast<f32>(1325400063u))), (_e545 == _e545)));
+                    if (_e557 > _e545) {
+                        phi_768_ = 1f;
+                    } else {
+                        phi_768_ = 0f;
+                    }
+                    let _e560 = phi_768_;
+                    if (_e545 < 8388608f) {
+                        phi_773_ = (_e557 - _e560);
+                        phi_774_ = false;
+                    } else {
+                        phi_773_ = f32();
+                        phi_774_ = true;
+                    }
+                    let _e563 = phi_773_;
+                    let _e565 = phi_774_;
+                    phi_775_ = _e563;
+                    phi_776_ = _e565;
+                } else {
+                    phi_775_ = f32();
+                    phi_776_ = true;
+                }
+                let _e567 = phi_775_;
+                let _e569 = phi_776_;
+                if _e569 {
+                    phi_780_ = _e545;
+                } else {
+                    phi_780_ = _e567;
+                }
+                let _e571 = phi_780_;
+                if (_e544 >= 0f) {
+                    if (_e571 >= 0f) {
+                        if (_e544 < f32(_e514)) {
+                            let _e577 = (_e571 < f32(_e516));
+                            if (_e482 == 0f) {
+                                phi_801_ = (_e488 == 0f);
+                            } else {
+                                phi_801_ = false;
+                            }
+                            let _e581 = phi_801_;
+                            if _e577 {
+                                phi_820_ = vec2<u32>(select(select(u32(_e544), 0u, (_e544 < bitcast<f32>(0u))), 4294967295u, (_e544 > bitcast<f32>(1333788671u))), select(select(u32(_e571), 0u, (_e571 < bitcast<f32>(0u))), 4294967295u, (_e571 > bitcast<f32>(1333788671u))));
+                                phi_821_ = false;
+                            } else {
+                                phi_820_ = vec2<u32>();
+                                phi_821_ = true;
+                            }
+                            let _e598 = phi_820_;
+                            let _e600 = phi_821_;
+                            phi_822_ = _e581;
+                            phi_823_ = _e577;
+                            phi_824_ = _e598;
+                            phi_825_ = _e581;
+                            phi_826_ = _e577;
+                            phi_827_ = false;
+                            phi_828_ = _e600;
+                        } else {
+                            phi_822_ = bool();
+                            phi_823_ = bool();
+                            phi_824_ = vec2<u32>();
+                            phi_825_ = bool();
+                            phi_826_ = bool();
+                            phi_827_ = true;
+                            phi_828_ = false;
+                        }
+                        let _e602 = phi_822_;
+                        let _e604 = phi_823_;
+                        let _e606 = phi_824_;
+                        let _e608 = phi_825_;
+                        let _e610 = phi_826_;
+                        let _e612 = phi_827_;
+                        let _e614 = phi_828_;
+                        phi_829_ = _e602;
+                        phi_830_ = _e604;
+                        phi_831_ = _e606;
+                        phi_832_ = _e608;
+                        phi_833_ = _e610;
+                        phi_834_ = _e612;
+                        phi_835_ = _e614;
+                    } else {
+                        phi_829_ = bool();
+                        phi_830_ = bool();
+                        phi_831_ = vec2<u32>();
+                        phi_832_ = bool();
+                        phi_833_ = bool();
+                        phi_834_ = true;
+                        phi_835_ = false;
+                    }
+                    let _e616 = phi_829_;
+                    let _e618 = phi_830_;
+                    let _e620 = phi_831_;
+                    let _e622 = phi_832_;
+                    let _e624 = phi_833_;
+                    let _e626 = phi_834_;
+                    let _e628 = phi_835_;
+                    phi_836_ = _e616;
+                    phi_837_ = _e618;
+                    phi_838_ = _e620;
+                    phi_839_ = _e622;
+                    phi_840_ = _e624;
+                    phi_841_ = _e626;
+                    phi_842_ = _e628;
+                } else {
+                    phi_836_ = bool();
+                    phi_837_ = bool();
+                    phi_838_ = vec2<u32>();
+                    phi_839_ = bool();
+                    phi_840_ = bool();
+                    phi_841_ = true;
+                    phi_842_ = false;
+                }
+                let _e630 = phi_836_;
+                let _e632 = phi_837_;
+                let _e634 = phi_838_;
+                let _e636 = phi_839_;
+                let _e638 = phi_840_;
+                let _e640 = phi_841_;
+                let _e642 = phi_842_;
+                if _e640 {
+                    if (_e482 == 0f) {
+                        phi_851_ = (_e488 == 0f);
+                    } else {
+                        phi_851_ = false;
+                    }
+                    let _e646 = phi_851_;
+                    phi_852_ = _e646;
+                    phi_853_ = false;
+                    phi_854_ = true;
+                } else {
+                    phi_852_ = _e636;
+                    phi_853_ = _e638;
+                    phi_854_ = _e642;
+                }
+                let _e648 = phi_852_;
+                let _e650 = phi_853_;
+                let _e652 = phi_854_;
+                if _e652 {
+                    phi_858_ = _e648;
+                    phi_859_ = _e650;
+                    phi_860_ = vec2<u32>(_e61.x, _e61.y);
+                } else {
+                    phi_858_ = _e630;
+                    phi_859_ = _e632;
+                    phi_860_ = _e634;
+                }
+                let _e654 = phi_858_;
+                let _e656 = phi_859_;
+                let _e658 = phi_860_;
+                let _e668 = lt_mask_Reprojection(vec2<u32>(_e658.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e675 = lt_mask_Reprojection(vec2<u32>(_e668.pixel.x, _e658.y), _e668.is_valid, _e668.has_moved);
+                let _e679 = lt_mask_Reprojection(_e675.pixel, _e656, _e675.has_moved);
+                let _e683 = lt_mask_Reprojection(_e679.pixel, _e679.is_valid, !(_e654));
+                if _e656 {
+                    let _e686 = p.member.previous.eye;
+                    let _e694 = p.member.previous.forward;
+                    let _e703 = (((((_e116.x - _e686.x) * _e694.x) + ((_e116.y - _e686.y) * _e694.y)) + ((_e116.z - _e686.z) * _e694.z)) > 0f);
+                    let _e707 = lt_mask_Reprojection(_e683.pixel, _e703, _e683.has_moved);
+                    if _e703 {
+                        phi_895_ = false;
+                    } else {
+                        phi_895_ = true;
+                    }
+                    let _e709 = phi_895_;
+                    phi_897_ = _e707;
+                    phi_898_ = _e707;
+                    phi_899_ = lt_mask_Reprojection();
+                    phi_900_ = _e703;
+                    phi_901_ = _e709;
+                } else {
+                    phi_897_ = lt_mask_Reprojection();
+                    phi_898_ = lt_mask_Reprojection();
+                    phi_899_ = lt_mask_Reprojection(_e683.pixel, false, _e683.has_moved);
+                    phi_900_ = false;
+                    phi_901_ = false;
+                }
+                let _e715 = phi_897_;
+                let _e717 = phi_898_;
+                let _e719 = phi_899_;
+                let _e721 = phi_900_;
+                let _e723 = phi_901_;
+                phi_902_ = _e715;
+                phi_903_ = _e717;
+                phi_904_ = _e719;
+                phi_905_ = _e721;
+                phi_906_ = _e723;
             }
-            let _e727 = phi_906_;
-            let _e729 = phi_907_;
-            let _e731 = phi_908_;
-            let _e733 = phi_909_;
-            let _e735 = phi_910_;
-            if _e733 {
-                let _e738 = p.member.previous.eye;
-                let _e746 = p.member.previous.forward;
-                let _e754 = ((((_e116.x - _e738.x) * _e746.x) + ((_e116.y - _e738.y) * _e746.y)) + ((_e116.z - _e738.z) * _e746.z));
-                let _e760 = ((_e727.pixel.y * _e113) + _e727.pixel.x);
-                if (_e760 < arrayLength((&last_depths.member))) {
+            let _e725 = phi_902_;
+            let _e727 = phi_903_;
+            let _e729 = phi_904_;
+            let _e731 = phi_905_;
+            let _e733 = phi_906_;
+            if _e731 {
+                let _e736 = p.member.previous.eye;
+                let _e744 = p.member.previous.forward;
+                let _e752 = ((((_e116.x - _e736.x) * _e744.x) + ((_e116.y - _e736.y) * _e744.y)) + ((_e116.z - _e736.z) * _e744.z));
+                let _e758 = ((_e725.pixel.y * _e113) + _e725.pixel.x);
+                if (_e758 < arrayLength((&last_depths.member))) {
                 } else {
                     return;
                 }
-                let _e764 = last_depths.member[(0u + _e760)];
-                let _e766 = p.member.depth_tolerance;
-                let _e769 = abs(_e754);
-                let _e770 = abs(_e764);
-                if ((bitcast<u32>(_e770) & 2147483647u) > 2139095040u) {
-                    phi_962_ = true;
+                let _e762 = last_depths.member[(0u + _e758)];
+                let _e764 = p.member.depth_tolerance;
+                let _e767 = abs(_e752);
+                let _e768 = abs(_e762);
+                if ((bitcast<u32>(_e768) & 2147483647u) > 2139095040u) {
+                    phi_958_ = true;
                 } else {
-                    let _e774 = (_e770 > _e769);
-                    if _e774 {
+                    let _e772 = (_e768 > _e767);
+                    if _e772 {
                     }
-                    phi_962_ = _e774;
+                    phi_958_ = _e772;
+                }
+                let _e774 = phi_958_;
+                if _e774 {
+                    phi_962_ = _e768;
+                } else {
+                    phi_962_ = _e767;
                 }
                 let _e776 = phi_962_;
-                if _e776 {
-                    phi_966_ = _e770;
-                } else {
-                    phi_966_ = _e769;
-                }
-                let _e778 = phi_966_;
-                phi_970_ = lt_mask_Reprojection(_e727.pixel, (abs((_e754 - _e764)) <= (_e766 * _e778)), _e727.has_moved);
-                phi_971_ = true;
+                phi_966_ = lt_mask_Reprojection(_e725.pixel, (abs((_e752 - _e762)) <= (_e764 * _e776)), _e725.has_moved);
+                phi_967_ = true;
             } else {
-                phi_970_ = _e729;
-                phi_971_ = _e735;
+                phi_966_ = _e727;
+                phi_967_ = _e733;
             }
-            let _e786 = phi_970_;
-            let _e788 = phi_971_;
-            if _e788 {
-                if _e786.is_valid {
-                    let _e791 = p.member.flags;
-                    phi_983_ = ((_e791 & 1u) != 0u);
-                    phi_984_ = false;
+            let _e784 = phi_966_;
+            let _e786 = phi_967_;
+            if _e786 {
+                if _e784.is_valid {
+                    let _e789 = p.member.flags;
+                    phi_979_ = ((_e789 & 1u) != 0u);
+                    phi_980_ = false;
                 } else {
-                    phi_983_ = bool();
-                    phi_984_ = true;
+                    phi_979_ = bool();
+                    phi_980_ = true;
                 }
-                let _e795 = phi_983_;
-                let _e797 = phi_984_;
-                phi_985_ = _e795;
-                phi_986_ = _e786;
+                let _e793 = phi_979_;
+                let _e795 = phi_980_;
+                phi_981_ = _e793;
+                phi_982_ = _e784;
+                phi_983_ = _e795;
+            } else {
+                phi_981_ = bool();
+                phi_982_ = _e729;
+                phi_983_ = true;
+            }
+            let _e797 = phi_981_;
+            let _e799 = phi_982_;
+            let _e801 = phi_983_;
+            if _e801 {
+                phi_987_ = false;
+                phi_988_ = _e799;
+            } else {
                 phi_987_ = _e797;
-            } else {
-                phi_985_ = bool();
-                phi_986_ = _e731;
-                phi_987_ = true;
+                phi_988_ = _e784;
             }
-            let _e799 = phi_985_;
-            let _e801 = phi_986_;
             let _e803 = phi_987_;
-            if _e803 {
-                phi_991_ = false;
-                phi_992_ = _e801;
-            } else {
-                phi_991_ = _e799;
-                phi_992_ = _e786;
-            }
-            let _e805 = phi_991_;
-            let _e807 = phi_992_;
-            let _e811 = lt_mask_Reprojection(_e807.pixel, _e805, _e807.has_moved);
-            let _e812 = lt_mask_Neighbourhood(false, true);
+            let _e805 = phi_988_;
+            let _e809 = lt_mask_Reprojection(_e805.pixel, _e803, _e805.has_moved);
+            let _e810 = lt_mask_Neighbourhood(false, true);
             if _e283 {
-                phi_998_ = false;
+                phi_994_ = false;
             } else {
-                phi_998_ = true;
+                phi_994_ = true;
             }
-            let _e814 = phi_998_;
-            if _e814 {
-                if _e805 {
+            let _e812 = phi_994_;
+            if _e812 {
+                if _e803 {
                     if ((0u & 2u) != 0u) {
-                        phi_1293_ = _e812;
+                        phi_1289_ = _e810;
                     } else {
-                        let _e818 = p.member.expansion;
-                        if _e811.has_moved {
-                            let _e821 = p.member.moving_pattern;
-                            phi_1020_ = _e821;
+                        let _e816 = p.member.expansion;
+                        if _e809.has_moved {
+                            let _e819 = p.member.moving_pattern;
+                            phi_1016_ = _e819;
                         } else {
-                            let _e823 = p.member.still_pattern;
-                            phi_1020_ = _e823;
+                            let _e821 = p.member.still_pattern;
+                            phi_1016_ = _e821;
                         }
-                        let _e825 = phi_1020_;
-                        phi_1022_ = 0u;
-                        phi_1025_ = _e812;
+                        let _e823 = phi_1016_;
+                        phi_1018_ = 0u;
+                        phi_1021_ = _e810;
                         loop {
-                            let _e827 = phi_1022_;
-                            let _e829 = phi_1025_;
-                            local_1 = _e829;
-                            if (1u <= _e825) {
-                                if (_e825 <= 4u) {
-                                    phi_1037_ = false;
+                            let _e825 = phi_1018_;
+                            let _e827 = phi_1021_;
+                            local_1 = _e827;
+                            if (1u <= _e823) {
+                                if (_e823 <= 4u) {
+                                    phi_1033_ = false;
                                 } else {
-                                    phi_1037_ = true;
+                                    phi_1033_ = true;
                                 }
-                                let _e833 = phi_1037_;
-                                phi_1038_ = _e833;
+                                let _e831 = phi_1033_;
+                                phi_1034_ = _e831;
                             } else {
-                                phi_1038_ = true;
+                                phi_1034_ = true;
                             }
-                            let _e835 = phi_1038_;
-                            if _e835 {
-                                switch bitcast<i32>(_e825) {
+                            let _e833 = phi_1034_;
+                            if _e833 {
+                                switch bitcast<i32>(_e823) {
                                     case 5: {
-                                        phi_1047_ = 4u;
+                                        phi_1043_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_1047_ = 25u;
+                                        phi_1043_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_1047_ = 13u;
+                                        phi_1043_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_1047_ = 9u;
+                                        phi_1043_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e838 = phi_1047_;
-                                phi_1048_ = _e838;
+                                let _e836 = phi_1043_;
+                                phi_1044_ = _e836;
                             } else {
-                                phi_1048_ = 5u;
+                                phi_1044_ = 5u;
                             }
-                            let _e840 = phi_1048_;
-                            let _e841 = (_e827 < _e840);
-                            if _e841 {
-                                let _e847 = p.member.frame;
-                                let _e851 = p.member.current.size[0u];
-                                let _e853 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e825) {
+                            let _e838 = phi_1044_;
+                            let _e839 = (_e825 < _e838);
+                            if _e839 {
+                                let _e845 = p.member.frame;
+                                let _e849 = p.member.current.size[0u];
+                                let _e851 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e823) {
                                     case 1: {
-                                        let _e863 = lt_mask_pattern_plus(_e827);
-                                        phi_1128_ = vec2<i32>(_e863.x, _e863.y);
+                                        let _e861 = lt_mask_pattern_plus(_e825);
+                                        phi_1124_ = vec2<i32>(_e861.x, _e861.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e867 = lt_mask_pattern_cross(_e827);
-                                        phi_1128_ = vec2<i32>(_e867.x, _e867.y);
+                                        let _e865 = lt_mask_pattern_cross(_e825);
+                                        phi_1124_ = vec2<i32>(_e865.x, _e865.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e873 = lt_mask_pattern_plus_or_cross(_e827, ((_e811.pixel.x + _e811.pixel.y) & 1u));
-                                        phi_1128_ = vec2<i32>(_e873.x, _e873.y);
+                                        let _e871 = lt_mask_pattern_plus_or_cross(_e825, ((_e809.pixel.x + _e809.pixel.y) & 1u));
+                                        phi_1124_ = vec2<i32>(_e871.x, _e871.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e878 = lt_mask_pattern_plus_or_cross(_e827, (_e847 & 1u));
-                                        phi_1128_ = vec2<i32>(_e878.x, _e878.y);
+                                        let _e876 = lt_mask_pattern_plus_or_cross(_e825, (_e845 & 1u));
+                                        phi_1124_ = vec2<i32>(_e876.x, _e876.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e847 & 3u)) {
+                                        switch bitcast<i32>((_e845 & 3u)) {
                                             case 0: {
-                                                phi_1108_ = vec2(-1i);
+                                                phi_1104_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1108_ = vec2(0i);
+                                                phi_1104_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1108_ = vec2<i32>(0i, -1i);
+                                                phi_1104_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1108_ = vec2<i32>(-1i, 0i);
+                                                phi_1104_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e889 = phi_1108_;
-                                        phi_1128_ = (_e889 + vec2<i32>(bitcast<i32>((_e827 & 1u)), bitcast<i32>(((_e827 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e887 = phi_1104_;
+                                        phi_1124_ = (_e887 + vec2<i32>(bitcast<i32>((_e825 & 1u)), bitcast<i32>(((_e825 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1128_ = vec2<i32>((bitcast<i32>((_e827 % 5u)) - 2i), (bitcast<i32>(((_e827 / 5u) % 5u)) - 2i));
+                                        phi_1124_ = vec2<i32>((bitcast<i32>((_e825 % 5u)) - 2i), (bitcast<i32>(((_e825 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e906 = lt_mask_pattern_diamond(_e827);
-                                        phi_1128_ = vec2<i32>(_e906.x, _e906.y);
+                                        let _e904 = lt_mask_pattern_diamond(_e825);
+                                        phi_1124_ = vec2<i32>(_e904.x, _e904.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1128_ = vec2<i32>((bitcast<i32>((_e827 % 3u)) - 1i), (bitcast<i32>(((_e827 / 3u) % 3u)) - 1i));
+                                        phi_1124_ = vec2<i32>((bitcast<i32>((_e825 % 3u)) - 1i), (bitcast<i32>(((_e825 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e911 = phi_1128_;
-                                let _e914 = lt_mask_pattern_step_clamped(_e811.pixel.x, _e911.x, _e851);
-                                let _e915 = lt_mask_pattern_step_clamped(_e811.pixel.y, _e911.y, _e853);
-                                let _e922 = ((((_e915 * _e113) + _e914) * _e109.words) + _e109.light.word);
+                                let _e909 = phi_1124_;
+                                let _e912 = lt_mask_pattern_step_clamped(_e809.pixel.x, _e909.x, _e849);
+                                let _e913 = lt_mask_pattern_step_clamped(_e809.pixel.y, _e909.y, _e851);
+                                let _e920 = ((((_e913 * _e113) + _e912) * _e109.words) + _e109.light.word);
                                 if (_e109.light.shift > 29u) {
-                                    let _e926 = (_e922 + 1u);
-                                    if (_e926 < _e67) {
+                                    let _e924 = (_e920 + 1u);
+                                    if (_e924 < _e67) {
                                     } else {
                                         return;
                                     }
-                                    let _e930 = last_bits.member[(0u + _e926)];
-                                    phi_1155_ = _e930;
+                                    let _e928 = last_bits.member[(0u + _e924)];
+                                    phi_1151_ = _e928;
                                 } else {
-                                    phi_1155_ = 0u;
+                                    phi_1151_ = 0u;
                                 }
-                                let _e932 = phi_1155_;
-                                if (_e922 < _e67) {
+                                let _e930 = phi_1151_;
+                                if (_e920 < _e67) {
                                 } else {
                                     return;
                                 }
-                                let _e938 = last_bits.member[(0u + _e922)];
-                                let _e941 = (_e938 >> bitcast<u32>((_e109.light.shift & 31u)));
+                                let _e936 = last_bits.member[(0u + _e920)];
+                                let _e939 = (_e936 >> bitcast<u32>((_e109.light.shift & 31u)));
                                 if (_e109.light.shift > 29u) {
-                                    phi_1174_ = (_e941 | (_e932 << bitcast<u32>(((32u - _e109.light.shift) & 31u))));
+                                    phi_1170_ = (_e939 | (_e930 << bitcast<u32>(((32u - _e109.light.shift) & 31u))));
                                 } else {
-                                    phi_1174_ = _e941;
+                                    phi_1170_ = _e939;
                                 }
-                                let _e949 = phi_1174_;
-                                if ((_e949 & 2u) == 0u) {
-                                    phi_1182_ = (_e949 & 1u);
+                                let _e947 = phi_1170_;
+                                if ((_e947 & 2u) == 0u) {
+                                    phi_1178_ = (_e947 & 1u);
                                 } else {
-                                    phi_1182_ = (_e949 & 7u);
+                                    phi_1178_ = (_e947 & 7u);
                                 }
-                                let _e955 = phi_1182_;
-                                if _e829.any_expands {
-                                    phi_1270_ = true;
+                                let _e953 = phi_1178_;
+                                if _e827.any_expands {
+                                    phi_1266_ = true;
                                 } else {
-                                    if ((_e955 & 2u) != 0u) {
-                                        let _e962 = (((_e955 & 4u) != 0u) != _e279);
-                                        switch bitcast<i32>(_e818) {
+                                    if ((_e953 & 2u) != 0u) {
+                                        let _e960 = (((_e953 & 4u) != 0u) != _e279);
+                                        switch bitcast<i32>(_e816) {
                                             case 1: {
-                                                phi_1210_ = bool();
-                                                phi_1211_ = false;
-                                                phi_1212_ = true;
-                                                phi_1213_ = false;
-                                                phi_1214_ = false;
+                                                phi_1206_ = bool();
+                                                phi_1207_ = false;
+                                                phi_1208_ = true;
+                                                phi_1209_ = false;
+                                                phi_1210_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e962 {
-                                                    phi_1208_ = (((_e955 & 4u) != 0u) != ((_e955 & 1u) != 0u));
-                                                    phi_1209_ = false;
+                                                if _e960 {
+                                                    phi_1204_ = (((_e953 & 4u) != 0u) != ((_e953 & 1u) != 0u));
+                                                    phi_1205_ = false;
                                                 } else {
-                                                    phi_1208_ = bool();
-                                                    phi_1209_ = true;
+                                                    phi_1204_ = bool();
+                                                    phi_1205_ = true;
                                                 }
-                                                let _e970 = phi_1208_;
-                                                let _e972 = phi_1209_;
-                                                phi_1210_ = _e970;
-                                                phi_1211_ = false;
-                                                phi_1212_ = false;
-                                                phi_1213_ = _e972;
-                                                phi_1214_ = _e962;
+                                                let _e968 = phi_1204_;
+                                                let _e970 = phi_1205_;
+                                                phi_1206_ = _e968;
+                                                phi_1207_ = false;
+                                                phi_1208_ = false;
+                                                phi_1209_ = _e970;
+                                                phi_1210_ = _e960;
                                                 break;
                                             }
                                             default: {
-                                                phi_1210_ = bool();
-                                                phi_1211_ = true;
-                                                phi_1212_ = false;
-                                                phi_1213_ = false;
-                                                phi_1214_ = false;
+                                                phi_1206_ = bool();
+                                                phi_1207_ = true;
+                                                phi_1208_ = false;
+                                                phi_1209_ = false;
+                                                phi_1210_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e974 = phi_1210_;
-                                        let _e976 = phi_1211_;
-                                        let _e978 = phi_1212_;
-                                        let _e980 = phi_1213_;
-                                        let _e982 = phi_1214_;
-                                        phi_1222_ = _e962;
-                                        phi_1223_ = _e974;
-                                        phi_1224_ = _e976;
-                                        phi_1225_ = _e978;
-                                        phi_1226_ = _e980;
-                                        phi_1227_ = _e982;
+                                        let _e972 = phi_1206_;
+                                        let _e974 = phi_1207_;
+                                        let _e976 = phi_1208_;
+                                        let _e978 = phi_1209_;
+                                        let _e980 = phi_1210_;
+                                        phi_1218_ = _e960;
+                                        phi_1219_ = _e972;
+                                        phi_1220_ = _e974;
+                                        phi_1221_ = _e976;
+                                        phi_1222_ = _e978;
+                                        phi_1223_ = _e980;
                                     } else {
-                                        switch bitcast<i32>(_e818) {
+                                        switch bitcast<i32>(_e816) {
                                             case 1: {
-                                                phi_1219_ = false;
-                                                phi_1220_ = true;
-                                                phi_1221_ = false;
+                                                phi_1215_ = false;
+                                                phi_1216_ = true;
+                                                phi_1217_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1219_ = false;
-                                                phi_1220_ = false;
-                                                phi_1221_ = true;
+                                                phi_1215_ = false;
+                                                phi_1216_ = false;
+                                                phi_1217_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_1219_ = true;
-                                                phi_1220_ = false;
-                                                phi_1221_ = false;
+                                                phi_1215_ = true;
+                                                phi_1216_ = false;
+                                                phi_1217_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e985 = phi_1219_;
-                                        let _e987 = phi_1220_;
-                                        let _e989 = phi_1221_;
-                                        phi_1222_ = false;
-                                        phi_1223_ = bool();
-                                        phi_1224_ = _e985;
-                                        phi_1225_ = _e987;
-                                        phi_1226_ = _e989;
-                                        phi_1227_ = false;
+                                        let _e983 = phi_1215_;
+                                        let _e985 = phi_1216_;
+                                        let _e987 = phi_1217_;
+                                        phi_1218_ = false;
+                                        phi_1219_ = bool();
+                                        phi_1220_ = _e983;
+                                        phi_1221_ = _e985;
+                                        phi_1222_ = _e987;
+                                        phi_1223_ = false;
                                     }
-                                    let _e991 = phi_1222_;
-                                    let _e993 = phi_1223_;
-                                    let _e995 = phi_1224_;
-                                    let _e997 = phi_1225_;
-                                    let _e999 = phi_1226_;
-                                    let _e1001 = phi_1227_;
-                                    if _e995 {
-                                        if ((_e955 & 2u) != 0u) {
-                                            if (((_e955 & 4u) != 0u) != _e279) {
-                                                phi_1242_ = false;
+                                    let _e989 = phi_1218_;
+                                    let _e991 = phi_1219_;
+                                    let _e993 = phi_1220_;
+                                    let _e995 = phi_1221_;
+                                    let _e997 = phi_1222_;
+                                    let _e999 = phi_1223_;
+                                    if _e993 {
+                                        if ((_e953 & 2u) != 0u) {
+                                            if (((_e953 & 4u) != 0u) != _e279) {
+                                                phi_1238_ = false;
                                             } else {
-                                                phi_1242_ = true;
+                                                phi_1238_ = true;
                                             }
-                                            let _e1008 = phi_1242_;
-                                            phi_1243_ = _e1008;
+                                            let _e1006 = phi_1238_;
+                                            phi_1239_ = _e1006;
                                         } else {
-                                            phi_1243_ = true;
+                                            phi_1239_ = true;
                                         }
-                                        let _e1010 = phi_1243_;
-                                        if _e1010 {
-                                            phi_1250_ = (((_e955 & 1u) != 0u) != _e279);
+                                        let _e1008 = phi_1239_;
+                                        if _e1008 {
+                                            phi_1246_ = (((_e953 & 1u) != 0u) != _e279);
                                         } else {
-                                            phi_1250_ = true;
+                                            phi_1246_ = true;
                                         }
-                                        let _e1015 = phi_1250_;
-                                        phi_1251_ = _e1015;
-                                        phi_1252_ = false;
-                                        phi_1253_ = false;
-                                        phi_1254_ = false;
+                                        let _e1013 = phi_1246_;
+                                        phi_1247_ = _e1013;
+                                        phi_1248_ = false;
+                                        phi_1249_ = false;
+                                        phi_1250_ = false;
                                     } else {
-                                        phi_1251_ = bool();
-                                        phi_1252_ = _e997;
-                                        phi_1253_ = _e999;
-                                        phi_1254_ = _e1001;
+                                        phi_1247_ = bool();
+                                        phi_1248_ = _e995;
+                                        phi_1249_ = _e997;
+                                        phi_1250_ = _e999;
                                     }
-                                    let _e1017 = phi_1251_;
-                                    let _e1019 = phi_1252_;
-                                    let _e1021 = phi_1253_;
+                                    let _e1015 = phi_1247_;
+                                    let _e1017 = phi_1248_;
+                                    let _e1019 = phi_1249_;
+                                    let _e1021 = phi_1250_;
+                                    if _e1017 {
+                                        phi_1254_ = _e989;
+                                        phi_1255_ = false;
+                                        phi_1256_ = false;
+                                    } else {
+                                        phi_1254_ = _e1015;
+                                        phi_1255_ = _e1019;
+                                        phi_1256_ = _e1021;
+                                    }
                                     let _e1023 = phi_1254_;
-                                    if _e1019 {
-                                        phi_1258_ = _e991;
-                                        phi_1259_ = false;
+                                    let _e1025 = phi_1255_;
+                                    let _e1027 = phi_1256_;
+                                    if _e1025 {
                                         phi_1260_ = false;
+                                        phi_1261_ = true;
                                     } else {
-                                        phi_1258_ = _e1017;
-                                        phi_1259_ = _e1021;
-                                        phi_1260_ = _e1023;
+                                        phi_1260_ = _e991;
+                                        phi_1261_ = _e1027;
                                     }
-                                    let _e1025 = phi_1258_;
-                                    let _e1027 = phi_1259_;
                                     let _e1029 = phi_1260_;
-                                    if _e1027 {
-                                        phi_1264_ = false;
-                                        phi_1265_ = true;
-                                    } else {
-                                        phi_1264_ = _e993;
+                                    let _e1031 = phi_1261_;
+                                    if _e1031 {
                                         phi_1265_ = _e1029;
+                                    } else {
+                                        phi_1265_ = _e1023;
                                     }
-                                    let _e1031 = phi_1264_;
                                     let _e1033 = phi_1265_;
-                                    if _e1033 {
-                                        phi_1269_ = _e1031;
-                                    } else {
-                                        phi_1269_ = _e1025;
-                                    }
-                                    let _e1035 = phi_1269_;
-                                    phi_1270_ = _e1035;
+                                    phi_1266_ = _e1033;
                                 }
-                                let _e1037 = phi_1270_;
-                                if _e829.all_remove {
-                                    if (((_e955 & 1u) != 0u) == _e279) {
-                                        if ((_e955 & 2u) != 0u) {
-                                            phi_1288_ = (((_e955 & 4u) != 0u) == _e279);
+                                let _e1035 = phi_1266_;
+                                if _e827.all_remove {
+                                    if (((_e953 & 1u) != 0u) == _e279) {
+                                        if ((_e953 & 2u) != 0u) {
+                                            phi_1284_ = (((_e953 & 4u) != 0u) == _e279);
                                         } else {
-                                            phi_1288_ = true;
+                                            phi_1284_ = true;
                                         }
-                                        let _e1047 = phi_1288_;
-                                        phi_1289_ = _e1047;
+                                        let _e1045 = phi_1284_;
+                                        phi_1285_ = _e1045;
                                     } else {
-                                        phi_1289_ = false;
+                                        phi_1285_ = false;
                                     }
-                                    let _e1049 = phi_1289_;
-                                    phi_1290_ = _e1049;
+                                    let _e1047 = phi_1285_;
+                                    phi_1286_ = _e1047;
                                 } else {
-                                    phi_1290_ = false;
+                                    phi_1286_ = false;
                                 }
-                                let _e1051 = phi_1290_;
-                                phi_1023_ = (_e827 + 1u);
-                                phi_1026_ = lt_mask_Neighbourhood(_e1037, _e1051);
+                                let _e1049 = phi_1286_;
+                                phi_1019_ = (_e825 + 1u);
+                                phi_1022_ = lt_mask_Neighbourhood(_e1035, _e1049);
                             } else {
-                                phi_1023_ = u32();
-                                phi_1026_ = lt_mask_Neighbourhood();
+                                phi_1019_ = u32();
+                                phi_1022_ = lt_mask_Neighbourhood();
                             }
-                            let _e1055 = phi_1023_;
-                            let _e1057 = phi_1026_;
+                            let _e1053 = phi_1019_;
+                            let _e1055 = phi_1022_;
                             continue;
                             continuing {
-                                phi_1022_ = _e1055;
-                                phi_1025_ = _e1057;
-                                break if !(_e841);
+                                phi_1018_ = _e1053;
+                                phi_1021_ = _e1055;
+                                break if !(_e839);
                             }
                         }
-                        let _e1421 = local_1;
-                        phi_1293_ = _e1421;
+                        let _e1418 = local_1;
+                        phi_1289_ = _e1418;
                     }
-                    let _e1060 = phi_1293_;
-                    phi_1294_ = _e1060;
+                    let _e1058 = phi_1289_;
+                    phi_1290_ = _e1058;
                 } else {
-                    phi_1294_ = _e812;
+                    phi_1290_ = _e810;
                 }
-                let _e1062 = phi_1294_;
-                phi_1295_ = _e1062;
+                let _e1060 = phi_1290_;
+                phi_1291_ = _e1060;
             } else {
-                phi_1295_ = _e812;
+                phi_1291_ = _e810;
             }
-            let _e1064 = phi_1295_;
-            let _e1067 = p.member.frame;
-            let _e1069 = p.member.refresh;
-            if (_e1069 == 0u) {
-                phi_1328_ = false;
+            let _e1062 = phi_1291_;
+            let _e1065 = p.member.frame;
+            let _e1067 = p.member.refresh;
+            if (_e1067 == 0u) {
+                phi_1324_ = false;
             } else {
-                if (_e1069 == 0u) {
+                if (_e1067 == 0u) {
                     return;
                 }
-                let _e1078 = ((_e61.x + (_e61.y * (((_e1069 * 5u) / 8u) | 1u))) + (_e1067 % _e1069));
-                if (_e1069 == 0u) {
-                    phi_1327_ = (_e1078 == 0u);
+                let _e1076 = ((_e61.x + (_e61.y * (((_e1067 * 5u) / 8u) | 1u))) + (_e1065 % _e1067));
+                if (_e1067 == 0u) {
+                    phi_1323_ = (_e1076 == 0u);
                 } else {
-                    if (_e1069 == 0u) {
+                    if (_e1067 == 0u) {
                         return;
                     }
-                    phi_1327_ = ((_e1078 % _e1069) == 0u);
+                    phi_1323_ = ((_e1076 % _e1067) == 0u);
                 }
-                let _e1085 = phi_1327_;
-                phi_1328_ = _e1085;
+                let _e1083 = phi_1323_;
+                phi_1324_ = _e1083;
             }
-            let _e1087 = phi_1328_;
-            if _e805 {
-                if _e1087 {
-                    phi_1350_ = bool();
+            let _e1085 = phi_1324_;
+            if _e803 {
+                if _e1085 {
+                    phi_1346_ = bool();
                 } else {
-                    phi_1350_ = ((0u & 2u) != 0u);
+                    phi_1346_ = ((0u & 2u) != 0u);
                 }
-                let _e1093 = phi_1350_;
-                phi_1351_ = _e1093;
-                phi_1352_ = _e1087;
+                let _e1091 = phi_1346_;
+                phi_1347_ = _e1091;
+                phi_1348_ = _e1085;
             } else {
-                phi_1351_ = bool();
-                phi_1352_ = true;
+                phi_1347_ = bool();
+                phi_1348_ = true;
             }
-            let _e1095 = phi_1351_;
+            let _e1093 = phi_1347_;
+            let _e1095 = phi_1348_;
+            if _e1095 {
+                phi_1352_ = false;
+            } else {
+                phi_1352_ = _e1093;
+            }
             let _e1097 = phi_1352_;
             if _e1097 {
-                phi_1356_ = false;
-            } else {
-                phi_1356_ = _e1095;
-            }
-            let _e1099 = phi_1356_;
-            if _e1099 {
-                phi_1407_ = 7u;
+                phi_1403_ = 7u;
             } else {
                 if (_e121 != 0.5f) {
-                    if _e805 {
-                        if _e1087 {
-                            phi_1404_ = 6u;
+                    if _e803 {
+                        if _e1085 {
+                            phi_1400_ = 6u;
                         } else {
                             if _e283 {
-                                phi_1379_ = true;
+                                phi_1375_ = true;
                             } else {
-                                if _e1064.any_expands {
-                                    phi_1378_ = false;
+                                if _e1062.any_expands {
+                                    phi_1374_ = false;
                                 } else {
-                                    phi_1378_ = true;
+                                    phi_1374_ = true;
                                 }
-                                let _e1101 = phi_1378_;
-                                phi_1379_ = _e1101;
+                                let _e1099 = phi_1374_;
+                                phi_1375_ = _e1099;
                             }
-                            let _e1103 = phi_1379_;
-                            if _e1103 {
+                            let _e1101 = phi_1375_;
+                            if _e1101 {
                                 if _e283 {
                                     if false {
-                                        if _e1064.all_remove {
-                                            phi_1392_ = false;
+                                        if _e1062.all_remove {
+                                            phi_1388_ = false;
                                         } else {
-                                            phi_1392_ = true;
+                                            phi_1388_ = true;
                                         }
-                                        let _e1105 = phi_1392_;
-                                        phi_1393_ = _e1105;
+                                        let _e1103 = phi_1388_;
+                                        phi_1389_ = _e1103;
                                     } else {
-                                        phi_1393_ = true;
+                                        phi_1389_ = true;
                                     }
-                                    let _e1107 = phi_1393_;
-                                    phi_1394_ = _e1107;
+                                    let _e1105 = phi_1389_;
+                                    phi_1390_ = _e1105;
                                 } else {
-                                    phi_1394_ = true;
+                                    phi_1390_ = true;
                                 }
-                                let _e1109 = phi_1394_;
-                                if _e1109 {
+                                let _e1107 = phi_1390_;
+                                if _e1107 {
                                     if _e283 {
-                                        phi_1401_ = 1u;
+                                        phi_1397_ = 1u;
                                     } else {
-                                        phi_1401_ = 0u;
+                                        phi_1397_ = 0u;
                                     }
-                                    let _e1111 = phi_1401_;
-                                    phi_1402_ = _e1111;
+                                    let _e1109 = phi_1397_;
+                                    phi_1398_ = _e1109;
                                 } else {
-                                    phi_1402_ = 5u;
+                                    phi_1398_ = 5u;
                                 }
-                                let _e1113 = phi_1402_;
-                                phi_1403_ = _e1113;
+                                let _e1111 = phi_1398_;
+                                phi_1399_ = _e1111;
                             } else {
-                                phi_1403_ = 4u;
+                                phi_1399_ = 4u;
                             }
-                            let _e1115 = phi_1403_;
-                            phi_1404_ = _e1115;
+                            let _e1113 = phi_1399_;
+                            phi_1400_ = _e1113;
                         }
-                        let _e1117 = phi_1404_;
-                        phi_1405_ = _e1117;
+                        let _e1115 = phi_1400_;
+                        phi_1401_ = _e1115;
                     } else {
-                        phi_1405_ = 3u;
+                        phi_1401_ = 3u;
                     }
-                    let _e1119 = phi_1405_;
-                    phi_1406_ = _e1119;
+                    let _e1117 = phi_1401_;
+                    phi_1402_ = _e1117;
                 } else {
-                    phi_1406_ = 2u;
+                    phi_1402_ = 2u;
                 }
-                let _e1121 = phi_1406_;
-                phi_1407_ = _e1121;
+                let _e1119 = phi_1402_;
+                phi_1403_ = _e1119;
             }
-            let _e1123 = phi_1407_;
-            if !((_e1123 == 0u)) {
-                if !((_e1123 == 5u)) {
-                    phi_1419_ = !(_e1099);
-                    phi_1420_ = false;
+            let _e1121 = phi_1403_;
+            if !((_e1121 == 0u)) {
+                if !((_e1121 == 5u)) {
+                    phi_1415_ = !(_e1097);
+                    phi_1416_ = false;
                 } else {
-                    phi_1419_ = bool();
-                    phi_1420_ = true;
+                    phi_1415_ = bool();
+                    phi_1416_ = true;
                 }
-                let _e1130 = phi_1419_;
-                let _e1132 = phi_1420_;
-                phi_1421_ = _e1130;
+                let _e1128 = phi_1415_;
+                let _e1130 = phi_1416_;
+                phi_1417_ = _e1128;
+                phi_1418_ = _e1130;
+            } else {
+                phi_1417_ = bool();
+                phi_1418_ = true;
+            }
+            let _e1132 = phi_1417_;
+            let _e1134 = phi_1418_;
+            if _e1134 {
+                phi_1422_ = false;
+            } else {
                 phi_1422_ = _e1132;
-            } else {
-                phi_1421_ = bool();
-                phi_1422_ = true;
             }
-            let _e1134 = phi_1421_;
             let _e1136 = phi_1422_;
+            if _e1097 {
+                phi_1428_ = ((0u & 4u) != 0u);
+            } else {
+                phi_1428_ = _e279;
+            }
+            let _e1140 = phi_1428_;
             if _e1136 {
-                phi_1426_ = false;
-            } else {
-                phi_1426_ = _e1134;
-            }
-            let _e1138 = phi_1426_;
-            if _e1099 {
-                phi_1432_ = ((0u & 4u) != 0u);
-            } else {
-                phi_1432_ = _e279;
-            }
-            let _e1142 = phi_1432_;
-            if _e1138 {
                 if _e279 {
-                    phi_1440_ = (2u | 1u);
+                    phi_1436_ = (2u | 1u);
                 } else {
-                    phi_1440_ = 2u;
+                    phi_1436_ = 2u;
                 }
-                let _e1145 = phi_1440_;
+                let _e1143 = phi_1436_;
                 if false {
-                    phi_1445_ = (_e1145 | 4u);
+                    phi_1441_ = (_e1143 | 4u);
                 } else {
-                    phi_1445_ = _e1145;
+                    phi_1441_ = _e1143;
                 }
-                let _e1148 = phi_1445_;
-                phi_1465_ = _e1148;
+                let _e1146 = phi_1441_;
+                phi_1461_ = _e1146;
             } else {
-                if (_e1123 == 7u) {
+                if (_e1121 == 7u) {
                     if _e279 {
-                        phi_1454_ = (2u | 1u);
+                        phi_1450_ = (2u | 1u);
                     } else {
-                        phi_1454_ = 2u;
+                        phi_1450_ = 2u;
                     }
-                    let _e1152 = phi_1454_;
-                    if _e1142 {
-                        phi_1459_ = (_e1152 | 4u);
+                    let _e1150 = phi_1450_;
+                    if _e1140 {
+                        phi_1455_ = (_e1150 | 4u);
                     } else {
-                        phi_1459_ = _e1152;
+                        phi_1455_ = _e1150;
+                    }
+                    let _e1153 = phi_1455_;
+                    phi_1460_ = _e1153;
+                } else {
+                    if _e279 {
+                        phi_1459_ = 1u;
+                    } else {
+                        phi_1459_ = 0u;
                     }
                     let _e1155 = phi_1459_;
-                    phi_1464_ = _e1155;
-                } else {
-                    if _e279 {
-                        phi_1463_ = 1u;
-                    } else {
-                        phi_1463_ = 0u;
-                    }
-                    let _e1157 = phi_1463_;
-                    phi_1464_ = _e1157;
+                    phi_1460_ = _e1155;
                 }
-                let _e1159 = phi_1464_;
-                phi_1465_ = _e1159;
+                let _e1157 = phi_1460_;
+                phi_1461_ = _e1157;
+            }
+            let _e1159 = phi_1461_;
+            if _e1140 {
+                phi_1465_ = 0f;
+            } else {
+                phi_1465_ = 1f;
             }
             let _e1161 = phi_1465_;
-            if _e1142 {
-                phi_1469_ = 0f;
-            } else {
-                phi_1469_ = 1f;
-            }
-            let _e1163 = phi_1469_;
-            phi_1471_ = mask_Masked(_e1163, _e1161, _e1138);
+            phi_1467_ = mask_Masked(_e1161, _e1159, _e1136);
         }
-        let _e1166 = phi_1471_;
-        visibility.member[_e82.shift] = _e1166.visibility;
-        let _e1171 = p.member.light.number;
-        let _e1172 = (_e1171 * 3u);
-        let _e1174 = (_e1172 % 32u);
-        let _e1176 = p.member.light.mask_words;
-        let _e1178 = ((_e82.shift * _e1176) + (_e1172 / 32u));
-        let _e1180 = bits.member[_e1178];
-        bits.member[_e1178] = ((_e1180 & ~((7u << bitcast<u32>((_e1174 & 31u))))) | (_e1166.bits << bitcast<u32>((_e1174 & 31u))));
-        if (_e1174 > 29u) {
-            let _e1195 = bits.member[(_e1178 + 1u)];
-            let _e1197 = (32u - _e1174);
-            bits.member[(_e1178 + 1u)] = ((_e1195 & ~((7u >> bitcast<u32>((_e1197 & 31u))))) | (_e1166.bits >> bitcast<u32>((_e1197 & 31u))));
+        let _e1164 = phi_1467_;
+        visibility.member[_e82.shift] = _e1164.visibility;
+        let _e1169 = p.member.light.number;
+        let _e1170 = (_e1169 * 3u);
+        let _e1172 = (_e1170 % 32u);
+        let _e1174 = p.member.light.mask_words;
+        let _e1176 = ((_e82.shift * _e1174) + (_e1170 / 32u));
+        let _e1178 = bits.member[_e1176];
+        bits.member[_e1176] = ((_e1178 & ~((7u << bitcast<u32>((_e1172 & 31u))))) | (_e1164.bits << bitcast<u32>((_e1172 & 31u))));
+        if (_e1172 > 29u) {
+            let _e1193 = bits.member[(_e1176 + 1u)];
+            let _e1195 = (32u - _e1172);
+            bits.member[(_e1176 + 1u)] = ((_e1193 & ~((7u >> bitcast<u32>((_e1195 & 31u))))) | (_e1164.bits >> bitcast<u32>((_e1195 & 31u))));
         }
-        let _e1212 = samples.member[_e82.shift].normal[0u];
-        let _e1214 = global[0u];
-        if (_e1212 == _e1214) {
-            let _e1217 = samples.member[_e82.shift].normal[1u];
-            let _e1219 = global[1u];
-            if (_e1217 == _e1219) {
-                let _e1222 = samples.member[_e82.shift].normal[2u];
-                let _e1224 = global[2u];
-                phi_1543_ = (_e1222 == _e1224);
-                phi_1544_ = false;
+        let _e1210 = samples.member[_e82.shift].normal[0u];
+        let _e1212 = global[0u];
+        if (_e1210 == _e1212) {
+            let _e1215 = samples.member[_e82.shift].normal[1u];
+            let _e1217 = global[1u];
+            if (_e1215 == _e1217) {
+                let _e1220 = samples.member[_e82.shift].normal[2u];
+                let _e1222 = global[2u];
+                phi_1539_ = (_e1220 == _e1222);
+                phi_1540_ = false;
             } else {
-                phi_1543_ = bool();
-                phi_1544_ = true;
+                phi_1539_ = bool();
+                phi_1540_ = true;
             }
-            let _e1227 = phi_1543_;
-            let _e1229 = phi_1544_;
-            phi_1545_ = _e1227;
+            let _e1225 = phi_1539_;
+            let _e1227 = phi_1540_;
+            phi_1541_ = _e1225;
+            phi_1542_ = _e1227;
+        } else {
+            phi_1541_ = bool();
+            phi_1542_ = true;
+        }
+        let _e1229 = phi_1541_;
+        let _e1231 = phi_1542_;
+        if _e1231 {
+            phi_1546_ = false;
+        } else {
             phi_1546_ = _e1229;
-        } else {
-            phi_1545_ = bool();
-            phi_1546_ = true;
         }
-        let _e1231 = phi_1545_;
         let _e1233 = phi_1546_;
-        if _e1233 {
-            phi_1550_ = false;
+        if !(_e1233) {
+            let _e1236 = samples.member[_e82.shift].position;
+            let _e1238 = p.member.current.eye;
+            let _e1249 = p.member.current.forward;
+            phi_1574_ = ((((_e1236.x - _e1238.x) * _e1249.x) + ((_e1236.y - _e1238.y) * _e1249.y)) + ((_e1236.z - _e1238.z) * _e1249.z));
         } else {
-            phi_1550_ = _e1231;
+            phi_1574_ = 0f;
         }
-        let _e1235 = phi_1550_;
-        if !(_e1235) {
-            let _e1238 = samples.member[_e82.shift].position;
-            let _e1240 = p.member.current.eye;
-            let _e1251 = p.member.current.forward;
-            phi_1578_ = ((((_e1238.x - _e1240.x) * _e1251.x) + ((_e1238.y - _e1240.y) * _e1251.y)) + ((_e1238.z - _e1240.z) * _e1251.z));
-        } else {
-            phi_1578_ = 0f;
-        }
-        let _e1261 = phi_1578_;
-        depths.member[_e82.shift] = _e1261;
-        phi_1581_ = _e1166.needs_ray;
-        phi_1582_ = _e82.shift;
+        let _e1259 = phi_1574_;
+        depths.member[_e82.shift] = _e1259;
+        phi_1577_ = _e1164.needs_ray;
+        phi_1578_ = _e82.shift;
     } else {
-        phi_1581_ = false;
-        phi_1582_ = 0u;
+        phi_1577_ = false;
+        phi_1578_ = 0u;
     }
-    let _e1265 = phi_1581_;
-    let _e1267 = phi_1582_;
+    let _e1263 = phi_1577_;
+    let _e1265 = phi_1578_;
     if (_e62 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1265 {
-        let _e1271 = atomicAdd((&shared_[0u]), 1u);
-        phi_1593_ = _e1271;
+    if _e1263 {
+        let _e1269 = atomicAdd((&shared_[0u]), 1u);
+        phi_1589_ = _e1269;
     } else {
-        phi_1593_ = 0u;
+        phi_1589_ = 0u;
     }
-    let _e1273 = phi_1593_;
+    let _e1271 = phi_1589_;
     workgroupBarrier();
     if (_e62 == 0u) {
-        let _e1277 = atomicLoad((&shared_[0u]));
-        let _e1278 = atomicAdd((&list.member[3u]), _e1277);
-        atomicStore((&shared_[1u]), _e1278);
+        let _e1275 = atomicLoad((&shared_[0u]));
+        let _e1276 = atomicAdd((&list.member[3u]), _e1275);
+        atomicStore((&shared_[1u]), _e1276);
     }
     workgroupBarrier();
-    if _e1265 {
-        let _e1281 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1281) + _e1273)]), _e1267);
+    if _e1263 {
+        let _e1279 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1279) + _e1271)]), _e1265);
     }
     return;
 }

@@ -304,179 +304,178 @@ fn function_() {
     var phi_521_: bool;
     var phi_522_: bool;
     var phi_526_: bool;
-    var phi_530_: bool;
-    var phi_531_: bool;
-    var phi_739_: f32;
-    var phi_744_: f32;
-    var phi_745_: bool;
-    var phi_746_: f32;
-    var phi_747_: bool;
-    var phi_751_: f32;
-    var phi_772_: f32;
-    var phi_777_: f32;
-    var phi_778_: bool;
-    var phi_779_: f32;
-    var phi_780_: bool;
-    var phi_784_: f32;
-    var phi_805_: bool;
+    var phi_527_: bool;
+    var phi_735_: f32;
+    var phi_740_: f32;
+    var phi_741_: bool;
+    var phi_742_: f32;
+    var phi_743_: bool;
+    var phi_747_: f32;
+    var phi_768_: f32;
+    var phi_773_: f32;
+    var phi_774_: bool;
+    var phi_775_: f32;
+    var phi_776_: bool;
+    var phi_780_: f32;
+    var phi_801_: bool;
+    var phi_820_: vec2<u32>;
+    var phi_821_: bool;
+    var phi_822_: bool;
+    var phi_823_: bool;
     var phi_824_: vec2<u32>;
     var phi_825_: bool;
     var phi_826_: bool;
     var phi_827_: bool;
-    var phi_828_: vec2<u32>;
+    var phi_828_: bool;
     var phi_829_: bool;
     var phi_830_: bool;
-    var phi_831_: bool;
+    var phi_831_: vec2<u32>;
     var phi_832_: bool;
     var phi_833_: bool;
     var phi_834_: bool;
-    var phi_835_: vec2<u32>;
+    var phi_835_: bool;
     var phi_836_: bool;
     var phi_837_: bool;
-    var phi_838_: bool;
+    var phi_838_: vec2<u32>;
     var phi_839_: bool;
     var phi_840_: bool;
     var phi_841_: bool;
-    var phi_842_: vec2<u32>;
-    var phi_843_: bool;
-    var phi_844_: bool;
-    var phi_845_: bool;
-    var phi_846_: bool;
-    var phi_855_: bool;
-    var phi_856_: bool;
-    var phi_857_: bool;
+    var phi_842_: bool;
+    var phi_851_: bool;
+    var phi_852_: bool;
+    var phi_853_: bool;
+    var phi_854_: bool;
     var phi_858_: bool;
-    var phi_862_: bool;
-    var phi_863_: bool;
-    var phi_864_: vec2<u32>;
-    var phi_899_: bool;
-    var phi_901_: lt_mask_Reprojection;
+    var phi_859_: bool;
+    var phi_860_: vec2<u32>;
+    var phi_895_: bool;
+    var phi_897_: lt_mask_Reprojection;
+    var phi_898_: lt_mask_Reprojection;
+    var phi_899_: lt_mask_Reprojection;
+    var phi_900_: bool;
+    var phi_901_: bool;
     var phi_902_: lt_mask_Reprojection;
     var phi_903_: lt_mask_Reprojection;
-    var phi_904_: bool;
+    var phi_904_: lt_mask_Reprojection;
     var phi_905_: bool;
-    var phi_906_: lt_mask_Reprojection;
-    var phi_907_: lt_mask_Reprojection;
-    var phi_908_: lt_mask_Reprojection;
-    var phi_909_: bool;
-    var phi_910_: bool;
-    var phi_962_: bool;
-    var phi_966_: f32;
-    var phi_970_: lt_mask_Reprojection;
-    var phi_971_: bool;
+    var phi_906_: bool;
+    var phi_958_: bool;
+    var phi_962_: f32;
+    var phi_966_: lt_mask_Reprojection;
+    var phi_967_: bool;
+    var phi_979_: bool;
+    var phi_980_: bool;
+    var phi_981_: bool;
+    var phi_982_: lt_mask_Reprojection;
     var phi_983_: bool;
-    var phi_984_: bool;
-    var phi_985_: bool;
-    var phi_986_: lt_mask_Reprojection;
     var phi_987_: bool;
-    var phi_991_: bool;
-    var phi_992_: lt_mask_Reprojection;
-    var phi_1035_: u32;
-    var phi_1054_: u32;
-    var phi_1062_: u32;
-    var phi_1063_: u32;
-    var phi_1064_: bool;
-    var phi_1065_: u32;
+    var phi_988_: lt_mask_Reprojection;
+    var phi_1031_: u32;
+    var phi_1050_: u32;
+    var phi_1058_: u32;
+    var phi_1059_: u32;
+    var phi_1060_: bool;
+    var phi_1061_: u32;
+    var phi_1062_: bool;
+    var phi_1063_: bool;
+    var phi_1064_: u32;
+    var phi_1065_: bool;
     var phi_1066_: bool;
-    var phi_1067_: bool;
-    var phi_1068_: u32;
-    var phi_1069_: bool;
     var phi_1070_: bool;
-    var phi_1074_: bool;
-    var phi_1078_: u32;
-    var phi_1083_: bool;
-    var phi_1105_: u32;
-    var phi_1107_: u32;
-    var phi_1110_: lt_mask_Neighbourhood;
-    var phi_1122_: bool;
-    var phi_1123_: bool;
-    var phi_1132_: u32;
-    var phi_1133_: u32;
-    var phi_1193_: vec2<i32>;
-    var phi_1213_: vec2<i32>;
-    var phi_1240_: u32;
-    var phi_1259_: u32;
-    var phi_1267_: u32;
+    var phi_1074_: u32;
+    var phi_1079_: bool;
+    var phi_1101_: u32;
+    var phi_1103_: u32;
+    var phi_1106_: lt_mask_Neighbourhood;
+    var phi_1118_: bool;
+    var phi_1119_: bool;
+    var phi_1128_: u32;
+    var phi_1129_: u32;
+    var phi_1189_: vec2<i32>;
+    var phi_1209_: vec2<i32>;
+    var phi_1236_: u32;
+    var phi_1255_: u32;
+    var phi_1263_: u32;
+    var phi_1289_: bool;
+    var phi_1290_: bool;
+    var phi_1291_: bool;
+    var phi_1292_: bool;
     var phi_1293_: bool;
     var phi_1294_: bool;
     var phi_1295_: bool;
-    var phi_1296_: bool;
-    var phi_1297_: bool;
-    var phi_1298_: bool;
-    var phi_1299_: bool;
+    var phi_1300_: bool;
+    var phi_1301_: bool;
+    var phi_1302_: bool;
+    var phi_1303_: bool;
     var phi_1304_: bool;
     var phi_1305_: bool;
     var phi_1306_: bool;
     var phi_1307_: bool;
     var phi_1308_: bool;
-    var phi_1309_: bool;
-    var phi_1310_: bool;
-    var phi_1311_: bool;
-    var phi_1312_: bool;
-    var phi_1327_: bool;
-    var phi_1328_: bool;
+    var phi_1323_: bool;
+    var phi_1324_: bool;
+    var phi_1331_: bool;
+    var phi_1332_: bool;
+    var phi_1333_: bool;
+    var phi_1334_: bool;
     var phi_1335_: bool;
-    var phi_1336_: bool;
-    var phi_1337_: bool;
-    var phi_1338_: bool;
     var phi_1339_: bool;
-    var phi_1343_: bool;
-    var phi_1344_: bool;
+    var phi_1340_: bool;
+    var phi_1341_: bool;
     var phi_1345_: bool;
-    var phi_1349_: bool;
+    var phi_1346_: bool;
     var phi_1350_: bool;
-    var phi_1354_: bool;
-    var phi_1355_: bool;
-    var phi_1373_: bool;
-    var phi_1374_: bool;
-    var phi_1375_: bool;
-    var phi_1108_: u32;
-    var phi_1111_: lt_mask_Neighbourhood;
-    var phi_1378_: lt_mask_Neighbourhood;
-    var phi_1379_: lt_mask_Neighbourhood;
-    var phi_1380_: lt_mask_Neighbourhood;
-    var phi_1412_: bool;
-    var phi_1413_: bool;
-    var phi_1435_: bool;
-    var phi_1436_: bool;
+    var phi_1351_: bool;
+    var phi_1369_: bool;
+    var phi_1370_: bool;
+    var phi_1371_: bool;
+    var phi_1104_: u32;
+    var phi_1107_: lt_mask_Neighbourhood;
+    var phi_1374_: lt_mask_Neighbourhood;
+    var phi_1375_: lt_mask_Neighbourhood;
+    var phi_1376_: lt_mask_Neighbourhood;
+    var phi_1408_: bool;
+    var phi_1409_: bool;
+    var phi_1431_: bool;
+    var phi_1432_: bool;
+    var phi_1433_: bool;
     var phi_1437_: bool;
-    var phi_1441_: bool;
-    var phi_1463_: bool;
-    var phi_1464_: bool;
-    var phi_1477_: bool;
-    var phi_1478_: bool;
-    var phi_1479_: bool;
+    var phi_1459_: bool;
+    var phi_1460_: bool;
+    var phi_1473_: bool;
+    var phi_1474_: bool;
+    var phi_1475_: bool;
+    var phi_1482_: u32;
+    var phi_1483_: u32;
+    var phi_1484_: u32;
+    var phi_1485_: u32;
     var phi_1486_: u32;
     var phi_1487_: u32;
     var phi_1488_: u32;
-    var phi_1489_: u32;
-    var phi_1490_: u32;
-    var phi_1491_: u32;
-    var phi_1492_: u32;
-    var phi_1504_: bool;
-    var phi_1505_: bool;
-    var phi_1506_: bool;
+    var phi_1500_: bool;
+    var phi_1501_: bool;
+    var phi_1502_: bool;
+    var phi_1503_: bool;
     var phi_1507_: bool;
-    var phi_1511_: bool;
-    var phi_1517_: bool;
-    var phi_1525_: u32;
-    var phi_1530_: u32;
-    var phi_1539_: u32;
+    var phi_1513_: bool;
+    var phi_1521_: u32;
+    var phi_1526_: u32;
+    var phi_1535_: u32;
+    var phi_1540_: u32;
     var phi_1544_: u32;
-    var phi_1548_: u32;
-    var phi_1549_: u32;
-    var phi_1550_: u32;
-    var phi_1554_: f32;
-    var phi_1556_: mask_Masked;
-    var phi_1628_: bool;
-    var phi_1629_: bool;
-    var phi_1630_: bool;
+    var phi_1545_: u32;
+    var phi_1546_: u32;
+    var phi_1550_: f32;
+    var phi_1552_: mask_Masked;
+    var phi_1624_: bool;
+    var phi_1625_: bool;
+    var phi_1626_: bool;
+    var phi_1627_: bool;
     var phi_1631_: bool;
-    var phi_1635_: bool;
-    var phi_1663_: f32;
-    var phi_1666_: bool;
-    var phi_1667_: u32;
-    var phi_1678_: u32;
+    var phi_1659_: f32;
+    var phi_1662_: bool;
+    var phi_1663_: u32;
+    var phi_1674_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e61 = id_1;
@@ -587,7 +586,7 @@ fn function_() {
         }
         let _e274 = phi_478_;
         if _e274.unnamed_1 {
-            phi_1556_ = mask_Masked(_e274.unnamed.visibility, 0u, false);
+            phi_1552_ = mask_Masked(_e274.unnamed.visibility, 0u, false);
         } else {
             let _e279 = (_e121 < 0.5f);
             if (_e121 > 0f) {
@@ -601,7 +600,7 @@ fn function_() {
             let _e301 = lt_mask_Reprojection(_e297.pixel, true, _e297.has_moved);
             let _e307 = p.member.flags;
             if ((_e307 & 16u) == 0u) {
-                phi_531_ = true;
+                phi_527_ = false;
             } else {
                 let _e312 = samples.member[_e82.shift].position[0u];
                 if (_e116.x == _e312) {
@@ -630,1059 +629,1053 @@ fn function_() {
                     phi_526_ = _e325;
                 }
                 let _e329 = phi_526_;
-                if _e329 {
-                    phi_530_ = false;
-                } else {
-                    phi_530_ = true;
-                }
-                let _e331 = phi_530_;
-                phi_531_ = _e331;
+                phi_527_ = _e329;
             }
-            let _e333 = phi_531_;
-            if _e333 {
-                let _e335 = samples.member[_e82.shift].position;
-                let _e339 = p.member.previous.eye;
-                let _e341 = (_e116.x - _e339.x);
-                let _e343 = (_e116.y - _e339.y);
-                let _e345 = (_e116.z - _e339.z);
-                let _e347 = p.member.previous.forward;
-                let _e355 = (((_e341 * _e347.x) + (_e343 * _e347.y)) + (_e345 * _e347.z));
-                let _e357 = p.member.previous.right;
-                let _e367 = p.member.previous.right;
-                let _e382 = p.member.previous.up;
-                let _e392 = p.member.previous.up;
-                let _e407 = p.member.current.eye;
-                let _e410 = (_e335.x - _e407.x);
-                let _e413 = (_e335.y - _e407.y);
-                let _e416 = (_e335.z - _e407.z);
-                let _e418 = p.member.current.forward;
-                let _e426 = (((_e410 * _e418.x) + (_e413 * _e418.y)) + (_e416 * _e418.z));
-                let _e428 = p.member.current.right;
-                let _e438 = p.member.current.right;
-                let _e453 = p.member.current.up;
-                let _e463 = p.member.current.up;
-                let _e482 = p.member.current.size[0u];
-                let _e484 = (((((((_e341 * _e357.x) + (_e343 * _e357.y)) + (_e345 * _e357.z)) / ((((_e367.x * _e367.x) + (_e367.y * _e367.y)) + (_e367.z * _e367.z)) * _e355)) - ((((_e410 * _e428.x) + (_e413 * _e428.y)) + (_e416 * _e428.z)) / ((((_e438.x * _e438.x) + (_e438.y * _e438.y)) + (_e438.z * _e438.z)) * _e426))) * 0.5f) * f32(_e482));
-                let _e488 = p.member.current.size[1u];
-                let _e490 = (((((((_e341 * _e382.x) + (_e343 * _e382.y)) + (_e345 * _e382.z)) / ((((_e392.x * _e392.x) + (_e392.y * _e392.y)) + (_e392.z * _e392.z)) * _e355)) - ((((_e410 * _e453.x) + (_e413 * _e453.y)) + (_e416 * _e453.z)) / ((((_e463.x * _e463.x) + (_e463.y * _e463.y)) + (_e463.z * _e463.z)) * _e426))) * -0.5f) * f32(_e488));
-                let _e494 = p.member.current.grid[0u];
-                let _e496 = p.member.current.grid[1u];
-                let _e516 = p.member.current.size[0u];
-                let _e518 = p.member.current.size[1u];
-                let _e520 = ((f32(_e61.x) + ((f32((_e61.y & (_e496 - 1u))) + 0.5f) / f32(_e496))) + _e484);
-                if (_e520 > -8388608f) {
-                    let _e532 = f32(select(0i, select(select(i32(_e520), i32(-2147483648), (_e520 < bitcast<f32>(3472883712u))), 2147483647i, (_e520 > bitcast<f32>(1325400063u))), (_e520 == _e520)));
-                    if (_e532 > _e520) {
-                        phi_739_ = 1f;
-                    } else {
-                        phi_739_ = 0f;
-                    }
-                    let _e535 = phi_739_;
-                    if (_e520 < 8388608f) {
-                        phi_744_ = (_e532 - _e535);
-                        phi_745_ = false;
-                    } else {
-                        phi_744_ = f32();
-                        phi_745_ = true;
-                    }
-                    let _e538 = phi_744_;
-                    let _e540 = phi_745_;
-                    phi_746_ = _e538;
-                    phi_747_ = _e540;
-                } else {
-                    phi_746_ = f32();
-                    phi_747_ = true;
-                }
-                let _e542 = phi_746_;
-                let _e544 = phi_747_;
-                if _e544 {
-                    phi_751_ = _e520;
-                } else {
-                    phi_751_ = _e542;
-                }
-                let _e546 = phi_751_;
-                let _e547 = ((f32(_e61.y) + ((f32((_e61.x & (_e494 - 1u))) + 0.5f) / f32(_e494))) + _e490);
-                if (_e547 > -8388608f) {
-                    let _e559 = f32(select(0i, select(select(i32(_e547), i32(-2147483648), (_e547 < bitcast<f32>(3472883712u))), 2147483647i, (_e547 > bitcast<f32>(1325400063u))), (_e547 == _e547)));
-                    if (_e559 > _e547) {
-                        phi_772_ = 1f;
-                    } else {
-                        phi_772_ = 0f;
-                    }
-                    let _e562 = phi_772_;
-                    if (_e547 < 8388608f) {
-                        phi_777_ = (_e559 - _e562);
-                        phi_778_ = false;
-                    } else {
-                        phi_777_ = f32();
-                        phi_778_ = true;
-                    }
-                    let _e565 = phi_777_;
-                    let _e567 = phi_778_;
-                    phi_779_ = _e565;
-                    phi_780_ = _e567;
-                } else {
-                    phi_779_ = f32();
-                    phi_780_ = true;
-                }
-                let _e569 = phi_779_;
-                let _e571 = phi_780_;
-                if _e571 {
-                    phi_784_ = _e547;
-                } else {
-                    phi_784_ = _e569;
-                }
-                let _e573 = phi_784_;
-                if (_e546 >= 0f) {
-                    if (_e573 >= 0f) {
-                        if (_e546 < f32(_e516)) {
-                            let _e579 = (_e573 < f32(_e518));
-                            if (_e484 == 0f) {
-                                phi_805_ = (_e490 == 0f);
-                            } else {
-                                phi_805_ = false;
-                            }
-                            let _e583 = phi_805_;
-                            if _e579 {
-                                phi_824_ = vec2<u32>(select(select(u32(_e546), 0u, (_e546 < bitcast<f32>(0u))), 4294967295u, (_e546 > bitcast<f32>(1333788671u))), select(select(u32(_e573), 0u, (_e573 < bitcast<f32>(0u))), 4294967295u, (_e573 > bitcast<f32>(1333788671u))));
-                                phi_825_ = false;
-                            } else {
-                                phi_824_ = vec2<u32>();
-                                phi_825_ = true;
-                            }
-                            let _e600 = phi_824_;
-                            let _e602 = phi_825_;
-                            phi_826_ = _e583;
-                            phi_827_ = _e579;
-                            phi_828_ = _e600;
-                            phi_829_ = _e583;
-                            phi_830_ = _e579;
-                            phi_831_ = false;
-                            phi_832_ = _e602;
-                        } else {
-                            phi_826_ = bool();
-                            phi_827_ = bool();
-                            phi_828_ = vec2<u32>();
-                            phi_829_ = bool();
-                            phi_830_ = bool();
-                            phi_831_ = true;
-                            phi_832_ = false;
-                        }
-                        let _e604 = phi_826_;
-                        let _e606 = phi_827_;
-                        let _e608 = phi_828_;
-                        let _e610 = phi_829_;
-                        let _e612 = phi_830_;
-                        let _e614 = phi_831_;
-                        let _e616 = phi_832_;
-                        phi_833_ = _e604;
-                        phi_834_ = _e606;
-                        phi_835_ = _e608;
-                        phi_836_ = _e610;
-                        phi_837_ = _e612;
-                        phi_838_ = _e614;
-                        phi_839_ = _e616;
-                    } else {
-                        phi_833_ = bool();
-                        phi_834_ = bool();
-                        phi_835_ = vec2<u32>();
-                        phi_836_ = bool();
-                        phi_837_ = bool();
-                        phi_838_ = true;
-                        phi_839_ = false;
-                    }
-                    let _e618 = phi_833_;
-                    let _e620 = phi_834_;
-                    let _e622 = phi_835_;
-                    let _e624 = phi_836_;
-                    let _e626 = phi_837_;
-                    let _e628 = phi_838_;
-                    let _e630 = phi_839_;
-                    phi_840_ = _e618;
-                    phi_841_ = _e620;
-                    phi_842_ = _e622;
-                    phi_843_ = _e624;
-                    phi_844_ = _e626;
-                    phi_845_ = _e628;
-                    phi_846_ = _e630;
-                } else {
-                    phi_840_ = bool();
-                    phi_841_ = bool();
-                    phi_842_ = vec2<u32>();
-                    phi_843_ = bool();
-                    phi_844_ = bool();
-                    phi_845_ = true;
-                    phi_846_ = false;
-                }
-                let _e632 = phi_840_;
-                let _e634 = phi_841_;
-                let _e636 = phi_842_;
-                let _e638 = phi_843_;
-                let _e640 = phi_844_;
-                let _e642 = phi_845_;
-                let _e644 = phi_846_;
-                if _e642 {
-                    if (_e484 == 0f) {
-                        phi_855_ = (_e490 == 0f);
-                    } else {
-                        phi_855_ = false;
-                    }
-                    let _e648 = phi_855_;
-                    phi_856_ = _e648;
-                    phi_857_ = false;
-                    phi_858_ = true;
-                } else {
-                    phi_856_ = _e638;
-                    phi_857_ = _e640;
-                    phi_858_ = _e644;
-                }
-                let _e650 = phi_856_;
-                let _e652 = phi_857_;
-                let _e654 = phi_858_;
-                if _e654 {
-                    phi_862_ = _e650;
-                    phi_863_ = _e652;
-                    phi_864_ = vec2<u32>(_e61.x, _e61.y);
-                } else {
-                    phi_862_ = _e632;
-                    phi_863_ = _e634;
-                    phi_864_ = _e636;
-                }
-                let _e656 = phi_862_;
-                let _e658 = phi_863_;
-                let _e660 = phi_864_;
-                let _e670 = lt_mask_Reprojection(vec2<u32>(_e660.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e677 = lt_mask_Reprojection(vec2<u32>(_e670.pixel.x, _e660.y), _e670.is_valid, _e670.has_moved);
-                let _e681 = lt_mask_Reprojection(_e677.pixel, _e658, _e677.has_moved);
-                let _e685 = lt_mask_Reprojection(_e681.pixel, _e681.is_valid, !(_e656));
-                if _e658 {
-                    let _e688 = p.member.previous.eye;
-                    let _e696 = p.member.previous.forward;
-                    let _e705 = (((((_e116.x - _e688.x) * _e696.x) + ((_e116.y - _e688.y) * _e696.y)) + ((_e116.z - _e688.z) * _e696.z)) > 0f);
-                    let _e709 = lt_mask_Reprojection(_e685.pixel, _e705, _e685.has_moved);
-                    if _e705 {
-                        phi_899_ = false;
-                    } else {
-                        phi_899_ = true;
-                    }
-                    let _e711 = phi_899_;
-                    phi_901_ = _e709;
-                    phi_902_ = _e709;
-                    phi_903_ = lt_mask_Reprojection();
-                    phi_904_ = _e705;
-                    phi_905_ = _e711;
-                } else {
-                    phi_901_ = lt_mask_Reprojection();
-                    phi_902_ = lt_mask_Reprojection();
-                    phi_903_ = lt_mask_Reprojection(_e685.pixel, false, _e685.has_moved);
-                    phi_904_ = false;
-                    phi_905_ = false;
-                }
-                let _e717 = phi_901_;
-                let _e719 = phi_902_;
-                let _e721 = phi_903_;
-                let _e723 = phi_904_;
-                let _e725 = phi_905_;
-                phi_906_ = _e717;
-                phi_907_ = _e719;
-                phi_908_ = _e721;
-                phi_909_ = _e723;
-                phi_910_ = _e725;
+            let _e331 = phi_527_;
+            if _e331 {
+                phi_902_ = lt_mask_Reprojection(_e301.pixel, _e301.is_valid, false);
+                phi_903_ = lt_mask_Reprojection();
+                phi_904_ = lt_mask_Reprojection();
+                phi_905_ = true;
+                phi_906_ = false;
             } else {
-                phi_906_ = lt_mask_Reprojection(_e301.pixel, _e301.is_valid, false);
-                phi_907_ = lt_mask_Reprojection();
-                phi_908_ = lt_mask_Reprojection();
-                phi_909_ = true;
-                phi_910_ = false;
+                let _e333 = samples.member[_e82.shift].position;
+                let _e337 = p.member.previous.eye;
+                let _e339 = (_e116.x - _e337.x);
+                let _e341 = (_e116.y - _e337.y);
+                let _e343 = (_e116.z - _e337.z);
+                let _e345 = p.member.previous.forward;
+                let _e353 = (((_e339 * _e345.x) + (_e341 * _e345.y)) + (_e343 * _e345.z));
+                let _e355 = p.member.previous.right;
+                let _e365 = p.member.previous.right;
+                let _e380 = p.member.previous.up;
+                let _e390 = p.member.previous.up;
+                let _e405 = p.member.current.eye;
+                let _e408 = (_e333.x - _e405.x);
+                let _e411 = (_e333.y - _e405.y);
+                let _e414 = (_e333.z - _e405.z);
+                let _e416 = p.member.current.forward;
+                let _e424 = (((_e408 * _e416.x) + (_e411 * _e416.y)) + (_e414 * _e416.z));
+                let _e426 = p.member.current.right;
+                let _e436 = p.member.current.right;
+                let _e451 = p.member.current.up;
+                let _e461 = p.member.current.up;
+                let _e480 = p.member.current.size[0u];
+                let _e482 = (((((((_e339 * _e355.x) + (_e341 * _e355.y)) + (_e343 * _e355.z)) / ((((_e365.x * _e365.x) + (_e365.y * _e365.y)) + (_e365.z * _e365.z)) * _e353)) - ((((_e408 * _e426.x) + (_e411 * _e426.y)) + (_e414 * _e426.z)) / ((((_e436.x * _e436.x) + (_e436.y * _e436.y)) + (_e436.z * _e436.z)) * _e424))) * 0.5f) * f32(_e480));
+                let _e486 = p.member.current.size[1u];
+                let _e488 = (((((((_e339 * _e380.x) + (_e341 * _e380.y)) + (_e343 * _e380.z)) / ((((_e390.x * _e390.x) + (_e390.y * _e390.y)) + (_e390.z * _e390.z)) * _e353)) - ((((_e408 * _e451.x) + (_e411 * _e451.y)) + (_e414 * _e451.z)) / ((((_e461.x * _e461.x) + (_e461.y * _e461.y)) + (_e461.z * _e461.z)) * _e424))) * -0.5f) * f32(_e486));
+                let _e492 = p.member.current.grid[0u];
+                let _e494 = p.member.current.grid[1u];
+                let _e514 = p.member.current.size[0u];
+                let _e516 = p.member.current.size[1u];
+                let _e518 = ((f32(_e61.x) + ((f32((_e61.y & (_e494 - 1u))) + 0.5f) / f32(_e494))) + _e482);
+                if (_e518 > -8388608f) {
+                    let _e530 = f32(select(0i, select(select(i32(_e518), i32(-2147483648), (_e518 < bitcast<f32>(3472883712u))), 2147483647i, (_e518 > bitcast<f32>(1325400063u))), (_e518 == _e518)));
+                    if (_e530 > _e518) {
+                        phi_735_ = 1f;
+                    } else {
+                        phi_735_ = 0f;
+                    }
+                    let _e533 = phi_735_;
+                    if (_e518 < 8388608f) {
+                        phi_740_ = (_e530 - _e533);
+                        phi_741_ = false;
+                    } else {
+                        phi_740_ = f32();
+                        phi_741_ = true;
+                    }
+                    let _e536 = phi_740_;
+                    let _e538 = phi_741_;
+                    phi_742_ = _e536;
+                    phi_743_ = _e538;
+                } else {
+                    phi_742_ = f32();
+                    phi_743_ = true;
+                }
+                let _e540 = phi_742_;
+                let _e542 = phi_743_;
+                if _e542 {
+                    phi_747_ = _e518;
+                } else {
+                    phi_747_ = _e540;
+                }
+                let _e544 = phi_747_;
+                let _e545 = ((f32(_e61.y) + ((f32((_e61.x & (_e492 - 1u))) + 0.5f) / f32(_e492))) + _e488);
+                if (_e545 > -8388608f) {
+                    let _e557 = f32(select(0i, select(select(i32(_e545), i32(-2147483648), (_e545 < bitcast<f32>(3472883712u))), 2147483647i, (_e545 > bitcast<f32>(1325400063u))), (_e545 == _e545)));
+                    if (_e557 > _e545) {
+                        phi_768_ = 1f;
+                    } else {
+                        phi_768_ = 0f;
+                    }
+                    let _e560 = phi_768_;
+                    if (_e545 < 8388608f) {
+                        phi_773_ = (_e557 - _e560);
+                        phi_774_ = false;
+                    } else {
+                        phi_773_ = f32();
+                        phi_774_ = true;
+                    }
+                    let _e563 = phi_773_;
+                    let _e565 = phi_774_;
+                    phi_775_ = _e563;
+                    phi_776_ = _e565;
+                } else {
+                    phi_775_ = f32();
+                    phi_776_ = true;
+                }
+                let _e567 = phi_775_;
+                let _e569 = phi_776_;
+                if _e569 {
+                    phi_780_ = _e545;
+                } else {
+                    phi_780_ = _e567;
+                }
+                let _e571 = phi_780_;
+                if (_e544 >= 0f) {
+                    if (_e571 >= 0f) {
+                        if (_e544 < f32(_e514)) {
+                            let _e577 = (_e571 < f32(_e516));
+                            if (_e482 == 0f) {
+                                phi_801_ = (_e488 == 0f);
+                            } else {
+                                phi_801_ = false;
+                            }
+                            let _e581 = phi_801_;
+                            if _e577 {
+                                phi_820_ = vec2<u32>(select(select(u32(_e544), 0u, (_e544 < bitcast<f32>(0u))), 4294967295u, (_e544 > bitcast<f32>(1333788671u))), select(select(u32(_e571), 0u, (_e571 < bitcast<f32>(0u))), 4294967295u, (_e571 > bitcast<f32>(1333788671u))));
+                                phi_821_ = false;
+                            } else {
+                                phi_820_ = vec2<u32>();
+                                phi_821_ = true;
+                            }
+                            let _e598 = phi_820_;
+                            let _e600 = phi_821_;
+                            phi_822_ = _e581;
+                            phi_823_ = _e577;
+                            phi_824_ = _e598;
+                            phi_825_ = _e581;
+                            phi_826_ = _e577;
+                            phi_827_ = false;
+                            phi_828_ = _e600;
+                        } else {
+                            phi_822_ = bool();
+                            phi_823_ = bool();
+                            phi_824_ = vec2<u32>();
+                            phi_825_ = bool();
+                            phi_826_ = bool();
+                            phi_827_ = true;
+                            phi_828_ = false;
+                        }
+                        let _e602 = phi_822_;
+                        let _e604 = phi_823_;
+                        let _e606 = phi_824_;
+                        let _e608 = phi_825_;
+                        let _e610 = phi_826_;
+                        let _e612 = phi_827_;
+                        let _e614 = phi_828_;
+                        phi_829_ = _e602;
+                        phi_830_ = _e604;
+                        phi_831_ = _e606;
+                        phi_832_ = _e608;
+                        phi_833_ = _e610;
+                        phi_834_ = _e612;
+                        phi_835_ = _e614;
+                    } else {
+                        phi_829_ = bool();
+                        phi_830_ = bool();
+                        phi_831_ = vec2<u32>();
+                        phi_832_ = bool();
+                        phi_833_ = bool();
+                        phi_834_ = true;
+                        phi_835_ = false;
+                    }
+                    let _e616 = phi_829_;
+                    let _e618 = phi_830_;
+                    let _e620 = phi_831_;
+                    let _e622 = phi_832_;
+                    let _e624 = phi_833_;
+                    let _e626 = phi_834_;
+                    let _e628 = phi_835_;
+                    phi_836_ = _e616;
+                    phi_837_ = _e618;
+                    phi_838_ = _e620;
+                    phi_839_ = _e622;
+                    phi_840_ = _e624;
+                    phi_841_ = _e626;
+                    phi_842_ = _e628;
+                } else {
+                    phi_836_ = bool();
+                    phi_837_ = bool();
+                    phi_838_ = vec2<u32>();
+                    phi_839_ = bool();
+                    phi_840_ = bool();
+                    phi_841_ = true;
+                    phi_842_ = false;
+                }
+                let _e630 = phi_836_;
+                let _e632 = phi_837_;
+                let _e634 = phi_838_;
+                let _e636 = phi_839_;
+                let _e638 = phi_840_;
+                let _e640 = phi_841_;
+                let _e642 = phi_842_;
+                if _e640 {
+                    if (_e482 == 0f) {
+                        phi_851_ = (_e488 == 0f);
+                    } else {
+                        phi_851_ = false;
+                    }
+                    let _e646 = phi_851_;
+                    phi_852_ = _e646;
+                    phi_853_ = false;
+                    phi_854_ = true;
+                } else {
+                    phi_852_ = _e636;
+                    phi_853_ = _e638;
+                    phi_854_ = _e642;
+                }
+                let _e648 = phi_852_;
+                let _e650 = phi_853_;
+                let _e652 = phi_854_;
+                if _e652 {
+                    phi_858_ = _e648;
+                    phi_859_ = _e650;
+                    phi_860_ = vec2<u32>(_e61.x, _e61.y);
+                } else {
+                    phi_858_ = _e630;
+                    phi_859_ = _e632;
+                    phi_860_ = _e634;
+                }
+                let _e654 = phi_858_;
+                let _e656 = phi_859_;
+                let _e658 = phi_860_;
+                let _e668 = lt_mask_Reprojection(vec2<u32>(_e658.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e675 = lt_mask_Reprojection(vec2<u32>(_e668.pixel.x, _e658.y), _e668.is_valid, _e668.has_moved);
+                let _e679 = lt_mask_Reprojection(_e675.pixel, _e656, _e675.has_moved);
+                let _e683 = lt_mask_Reprojection(_e679.pixel, _e679.is_valid, !(_e654));
+                if _e656 {
+                    let _e686 = p.member.previous.eye;
+                    let _e694 = p.member.previous.forward;
+                    let _e703 = (((((_e116.x - _e686.x) * _e694.x) + ((_e116.y - _e686.y) * _e694.y)) + ((_e116.z - _e686.z) * _e694.z)) > 0f);
+                    let _e707 = lt_mask_Reprojection(_e683.pixel, _e703, _e683.has_moved);
+                    if _e703 {
+                        phi_895_ = false;
+                    } else {
+                        phi_895_ = true;
+                    }
+                    let _e709 = phi_895_;
+                    phi_897_ = _e707;
+                    phi_898_ = _e707;
+                    phi_899_ = lt_mask_Reprojection();
+                    phi_900_ = _e703;
+                    phi_901_ = _e709;
+                } else {
+                    phi_897_ = lt_mask_Reprojection();
+                    phi_898_ = lt_mask_Reprojection();
+                    phi_899_ = lt_mask_Reprojection(_e683.pixel, false, _e683.has_moved);
+                    phi_900_ = false;
+                    phi_901_ = false;
+                }
+                let _e715 = phi_897_;
+                let _e717 = phi_898_;
+                let _e719 = phi_899_;
+                let _e721 = phi_900_;
+                let _e723 = phi_901_;
+                phi_902_ = _e715;
+                phi_903_ = _e717;
+                phi_904_ = _e719;
+                phi_905_ = _e721;
+                phi_906_ = _e723;
             }
-            let _e727 = phi_906_;
-            let _e729 = phi_907_;
-            let _e731 = phi_908_;
-            let _e733 = phi_909_;
-            let _e735 = phi_910_;
-            if _e733 {
-                let _e738 = p.member.previous.eye;
-                let _e746 = p.member.previous.forward;
-                let _e754 = ((((_e116.x - _e738.x) * _e746.x) + ((_e116.y - _e738.y) * _e746.y)) + ((_e116.z - _e738.z) * _e746.z));
-                let _e760 = ((_e727.pixel.y * _e113) + _e727.pixel.x);
-                if (_e760 < arrayLength((&last_depths.member))) {
+            let _e725 = phi_902_;
+            let _e727 = phi_903_;
+            let _e729 = phi_904_;
+            let _e731 = phi_905_;
+            let _e733 = phi_906_;
+            if _e731 {
+                let _e736 = p.member.previous.eye;
+                let _e744 = p.member.previous.forward;
+                let _e752 = ((((_e116.x - _e736.x) * _e744.x) + ((_e116.y - _e736.y) * _e744.y)) + ((_e116.z - _e736.z) * _e744.z));
+                let _e758 = ((_e725.pixel.y * _e113) + _e725.pixel.x);
+                if (_e758 < arrayLength((&last_depths.member))) {
                 } else {
                     return;
                 }
-                let _e764 = last_depths.member[(0u + _e760)];
-                let _e766 = p.member.depth_tolerance;
-                let _e769 = abs(_e754);
-                let _e770 = abs(_e764);
-                if ((bitcast<u32>(_e770) & 2147483647u) > 2139095040u) {
-                    phi_962_ = true;
+                let _e762 = last_depths.member[(0u + _e758)];
+                let _e764 = p.member.depth_tolerance;
+                let _e767 = abs(_e752);
+                let _e768 = abs(_e762);
+                if ((bitcast<u32>(_e768) & 2147483647u) > 2139095040u) {
+                    phi_958_ = true;
                 } else {
-                    let _e774 = (_e770 > _e769);
-                    if _e774 {
+                    let _e772 = (_e768 > _e767);
+                    if _e772 {
                     }
-                    phi_962_ = _e774;
+                    phi_958_ = _e772;
+                }
+                let _e774 = phi_958_;
+                if _e774 {
+                    phi_962_ = _e768;
+                } else {
+                    phi_962_ = _e767;
                 }
                 let _e776 = phi_962_;
-                if _e776 {
-                    phi_966_ = _e770;
-                } else {
-                    phi_966_ = _e769;
-                }
-                let _e778 = phi_966_;
-                phi_970_ = lt_mask_Reprojection(_e727.pixel, (abs((_e754 - _e764)) <= (_e766 * _e778)), _e727.has_moved);
-                phi_971_ = true;
+                phi_966_ = lt_mask_Reprojection(_e725.pixel, (abs((_e752 - _e762)) <= (_e764 * _e776)), _e725.has_moved);
+                phi_967_ = true;
             } else {
-                phi_970_ = _e729;
-                phi_971_ = _e735;
+                phi_966_ = _e727;
+                phi_967_ = _e733;
             }
-            let _e786 = phi_970_;
-            let _e788 = phi_971_;
-            if _e788 {
-                if _e786.is_valid {
-                    let _e791 = p.member.flags;
-                    phi_983_ = ((_e791 & 1u) != 0u);
-                    phi_984_ = false;
+            let _e784 = phi_966_;
+            let _e786 = phi_967_;
+            if _e786 {
+                if _e784.is_valid {
+                    let _e789 = p.member.flags;
+                    phi_979_ = ((_e789 & 1u) != 0u);
+                    phi_980_ = false;
                 } else {
-                    phi_983_ = bool();
-                    phi_984_ = true;
+                    phi_979_ = bool();
+                    phi_980_ = true;
                 }
-                let _e795 = phi_983_;
-                let _e797 = phi_984_;
-                phi_985_ = _e795;
-                phi_986_ = _e786;
+                let _e793 = phi_979_;
+                let _e795 = phi_980_;
+                phi_981_ = _e793;
+                phi_982_ = _e784;
+                phi_983_ = _e795;
+            } else {
+                phi_981_ = bool();
+                phi_982_ = _e729;
+                phi_983_ = true;
+            }
+            let _e797 = phi_981_;
+            let _e799 = phi_982_;
+            let _e801 = phi_983_;
+            if _e801 {
+                phi_987_ = false;
+                phi_988_ = _e799;
+            } else {
                 phi_987_ = _e797;
-            } else {
-                phi_985_ = bool();
-                phi_986_ = _e731;
-                phi_987_ = true;
+                phi_988_ = _e784;
             }
-            let _e799 = phi_985_;
-            let _e801 = phi_986_;
             let _e803 = phi_987_;
-            if _e803 {
-                phi_991_ = false;
-                phi_992_ = _e801;
+            let _e805 = phi_988_;
+            let _e809 = lt_mask_Reprojection(_e805.pixel, _e803, _e805.has_moved);
+            let _e811 = p.member.flags;
+            let _e813 = ((_e811 & 2u) != 0u);
+            let _e815 = p.member.flags;
+            if ((_e815 & 4u) == 0u) {
+                phi_1064_ = u32();
+                phi_1065_ = true;
+                phi_1066_ = false;
             } else {
-                phi_991_ = _e799;
-                phi_992_ = _e786;
-            }
-            let _e805 = phi_991_;
-            let _e807 = phi_992_;
-            let _e811 = lt_mask_Reprojection(_e807.pixel, _e805, _e807.has_moved);
-            let _e813 = p.member.flags;
-            let _e815 = ((_e813 & 2u) != 0u);
-            let _e817 = p.member.flags;
-            if ((_e817 & 4u) == 0u) {
-                phi_1068_ = u32();
-                phi_1069_ = true;
-                phi_1070_ = false;
-            } else {
-                if _e805 {
-                    if !(_e811.has_moved) {
-                        let _e828 = ((((_e61.y * _e113) + _e61.x) * _e109.words) + _e109.light.word);
+                if _e803 {
+                    if !(_e809.has_moved) {
+                        let _e826 = ((((_e61.y * _e113) + _e61.x) * _e109.words) + _e109.light.word);
                         if (_e109.light.shift > 29u) {
-                            let _e832 = (_e828 + 1u);
-                            if (_e832 < _e67) {
+                            let _e830 = (_e826 + 1u);
+                            if (_e830 < _e67) {
                             } else {
                                 return;
                             }
-                            let _e836 = last_bits.member[(0u + _e832)];
-                            phi_1035_ = _e836;
+                            let _e834 = last_bits.member[(0u + _e830)];
+                            phi_1031_ = _e834;
                         } else {
-                            phi_1035_ = 0u;
+                            phi_1031_ = 0u;
                         }
-                        let _e838 = phi_1035_;
-                        if (_e828 < _e67) {
+                        let _e836 = phi_1031_;
+                        if (_e826 < _e67) {
                         } else {
                             return;
                         }
-                        let _e844 = last_bits.member[(0u + _e828)];
-                        let _e847 = (_e844 >> bitcast<u32>((_e109.light.shift & 31u)));
+                        let _e842 = last_bits.member[(0u + _e826)];
+                        let _e845 = (_e842 >> bitcast<u32>((_e109.light.shift & 31u)));
                         if (_e109.light.shift > 29u) {
-                            phi_1054_ = (_e847 | (_e838 << bitcast<u32>(((32u - _e109.light.shift) & 31u))));
+                            phi_1050_ = (_e845 | (_e836 << bitcast<u32>(((32u - _e109.light.shift) & 31u))));
                         } else {
-                            phi_1054_ = _e847;
+                            phi_1050_ = _e845;
                         }
-                        let _e855 = phi_1054_;
-                        if ((_e855 & 2u) == 0u) {
-                            phi_1062_ = (_e855 & 1u);
+                        let _e853 = phi_1050_;
+                        if ((_e853 & 2u) == 0u) {
+                            phi_1058_ = (_e853 & 1u);
                         } else {
-                            phi_1062_ = (_e855 & 7u);
+                            phi_1058_ = (_e853 & 7u);
                         }
-                        let _e861 = phi_1062_;
-                        phi_1063_ = _e861;
-                        phi_1064_ = false;
+                        let _e859 = phi_1058_;
+                        phi_1059_ = _e859;
+                        phi_1060_ = false;
                     } else {
-                        phi_1063_ = u32();
-                        phi_1064_ = true;
+                        phi_1059_ = u32();
+                        phi_1060_ = true;
                     }
-                    let _e863 = phi_1063_;
-                    let _e865 = phi_1064_;
-                    phi_1065_ = _e863;
-                    phi_1066_ = false;
-                    phi_1067_ = _e865;
+                    let _e861 = phi_1059_;
+                    let _e863 = phi_1060_;
+                    phi_1061_ = _e861;
+                    phi_1062_ = false;
+                    phi_1063_ = _e863;
                 } else {
-                    phi_1065_ = u32();
-                    phi_1066_ = true;
-                    phi_1067_ = false;
+                    phi_1061_ = u32();
+                    phi_1062_ = true;
+                    phi_1063_ = false;
                 }
-                let _e867 = phi_1065_;
-                let _e869 = phi_1066_;
-                let _e871 = phi_1067_;
-                phi_1068_ = _e867;
-                phi_1069_ = _e869;
-                phi_1070_ = _e871;
+                let _e865 = phi_1061_;
+                let _e867 = phi_1062_;
+                let _e869 = phi_1063_;
+                phi_1064_ = _e865;
+                phi_1065_ = _e867;
+                phi_1066_ = _e869;
             }
-            let _e873 = phi_1068_;
-            let _e875 = phi_1069_;
-            let _e877 = phi_1070_;
-            if _e875 {
-                phi_1074_ = true;
+            let _e871 = phi_1064_;
+            let _e873 = phi_1065_;
+            let _e875 = phi_1066_;
+            if _e873 {
+                phi_1070_ = true;
             } else {
-                phi_1074_ = _e877;
+                phi_1070_ = _e875;
+            }
+            let _e877 = phi_1070_;
+            if _e877 {
+                phi_1074_ = 0u;
+            } else {
+                phi_1074_ = _e871;
             }
             let _e879 = phi_1074_;
-            if _e879 {
-                phi_1078_ = 0u;
-            } else {
-                phi_1078_ = _e873;
-            }
-            let _e881 = phi_1078_;
-            let _e882 = lt_mask_Neighbourhood(false, true);
+            let _e880 = lt_mask_Neighbourhood(false, true);
             if _e283 {
-                phi_1083_ = _e815;
+                phi_1079_ = _e813;
             } else {
-                phi_1083_ = false;
+                phi_1079_ = false;
             }
-            let _e884 = phi_1083_;
-            if _e884 {
-                if _e805 {
-                    if ((_e881 & 2u) != 0u) {
-                        phi_1378_ = _e882;
+            let _e882 = phi_1079_;
+            if _e882 {
+                if _e803 {
+                    if ((_e879 & 2u) != 0u) {
+                        phi_1374_ = _e880;
                     } else {
-                        let _e888 = p.member.expansion;
-                        if _e811.has_moved {
-                            let _e891 = p.member.moving_pattern;
-                            phi_1105_ = _e891;
+                        let _e886 = p.member.expansion;
+                        if _e809.has_moved {
+                            let _e889 = p.member.moving_pattern;
+                            phi_1101_ = _e889;
                         } else {
-                            let _e893 = p.member.still_pattern;
-                            phi_1105_ = _e893;
+                            let _e891 = p.member.still_pattern;
+                            phi_1101_ = _e891;
                         }
-                        let _e895 = phi_1105_;
-                        phi_1107_ = 0u;
-                        phi_1110_ = _e882;
+                        let _e893 = phi_1101_;
+                        phi_1103_ = 0u;
+                        phi_1106_ = _e880;
                         loop {
-                            let _e897 = phi_1107_;
-                            let _e899 = phi_1110_;
-                            local_1 = _e899;
-                            if (1u <= _e895) {
-                                if (_e895 <= 4u) {
-                                    phi_1122_ = false;
+                            let _e895 = phi_1103_;
+                            let _e897 = phi_1106_;
+                            local_1 = _e897;
+                            if (1u <= _e893) {
+                                if (_e893 <= 4u) {
+                                    phi_1118_ = false;
                                 } else {
-                                    phi_1122_ = true;
+                                    phi_1118_ = true;
                                 }
-                                let _e903 = phi_1122_;
-                                phi_1123_ = _e903;
+                                let _e901 = phi_1118_;
+                                phi_1119_ = _e901;
                             } else {
-                                phi_1123_ = true;
+                                phi_1119_ = true;
                             }
-                            let _e905 = phi_1123_;
-                            if _e905 {
-                                switch bitcast<i32>(_e895) {
+                            let _e903 = phi_1119_;
+                            if _e903 {
+                                switch bitcast<i32>(_e893) {
                                     case 5: {
-                                        phi_1132_ = 4u;
+                                        phi_1128_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_1132_ = 25u;
+                                        phi_1128_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_1132_ = 13u;
+                                        phi_1128_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_1132_ = 9u;
+                                        phi_1128_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e908 = phi_1132_;
-                                phi_1133_ = _e908;
+                                let _e906 = phi_1128_;
+                                phi_1129_ = _e906;
                             } else {
-                                phi_1133_ = 5u;
+                                phi_1129_ = 5u;
                             }
-                            let _e910 = phi_1133_;
-                            let _e911 = (_e897 < _e910);
-                            if _e911 {
-                                let _e917 = p.member.frame;
-                                let _e921 = p.member.current.size[0u];
-                                let _e923 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e895) {
+                            let _e908 = phi_1129_;
+                            let _e909 = (_e895 < _e908);
+                            if _e909 {
+                                let _e915 = p.member.frame;
+                                let _e919 = p.member.current.size[0u];
+                                let _e921 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e893) {
                                     case 1: {
-                                        let _e933 = lt_mask_pattern_plus(_e897);
-                                        phi_1213_ = vec2<i32>(_e933.x, _e933.y);
+                                        let _e931 = lt_mask_pattern_plus(_e895);
+                                        phi_1209_ = vec2<i32>(_e931.x, _e931.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e937 = lt_mask_pattern_cross(_e897);
-                                        phi_1213_ = vec2<i32>(_e937.x, _e937.y);
+                                        let _e935 = lt_mask_pattern_cross(_e895);
+                                        phi_1209_ = vec2<i32>(_e935.x, _e935.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e943 = lt_mask_pattern_plus_or_cross(_e897, ((_e811.pixel.x + _e811.pixel.y) & 1u));
-                                        phi_1213_ = vec2<i32>(_e943.x, _e943.y);
+                                        let _e941 = lt_mask_pattern_plus_or_cross(_e895, ((_e809.pixel.x + _e809.pixel.y) & 1u));
+                                        phi_1209_ = vec2<i32>(_e941.x, _e941.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e948 = lt_mask_pattern_plus_or_cross(_e897, (_e917 & 1u));
-                                        phi_1213_ = vec2<i32>(_e948.x, _e948.y);
+                                        let _e946 = lt_mask_pattern_plus_or_cross(_e895, (_e915 & 1u));
+                                        phi_1209_ = vec2<i32>(_e946.x, _e946.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e917 & 3u)) {
+                                        switch bitcast<i32>((_e915 & 3u)) {
                                             case 0: {
-                                                phi_1193_ = vec2(-1i);
+                                                phi_1189_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1193_ = vec2(0i);
+                                                phi_1189_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1193_ = vec2<i32>(0i, -1i);
+                                                phi_1189_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1193_ = vec2<i32>(-1i, 0i);
+                                                phi_1189_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e959 = phi_1193_;
-                                        phi_1213_ = (_e959 + vec2<i32>(bitcast<i32>((_e897 & 1u)), bitcast<i32>(((_e897 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e957 = phi_1189_;
+                                        phi_1209_ = (_e957 + vec2<i32>(bitcast<i32>((_e895 & 1u)), bitcast<i32>(((_e895 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1213_ = vec2<i32>((bitcast<i32>((_e897 % 5u)) - 2i), (bitcast<i32>(((_e897 / 5u) % 5u)) - 2i));
+                                        phi_1209_ = vec2<i32>((bitcast<i32>((_e895 % 5u)) - 2i), (bitcast<i32>(((_e895 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e976 = lt_mask_pattern_diamond(_e897);
-                                        phi_1213_ = vec2<i32>(_e976.x, _e976.y);
+                                        let _e974 = lt_mask_pattern_diamond(_e895);
+                                        phi_1209_ = vec2<i32>(_e974.x, _e974.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1213_ = vec2<i32>((bitcast<i32>((_e897 % 3u)) - 1i), (bitcast<i32>(((_e897 / 3u) % 3u)) - 1i));
+                                        phi_1209_ = vec2<i32>((bitcast<i32>((_e895 % 3u)) - 1i), (bitcast<i32>(((_e895 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e981 = phi_1213_;
-                                let _e984 = lt_mask_pattern_step_clamped(_e811.pixel.x, _e981.x, _e921);
-                                let _e985 = lt_mask_pattern_step_clamped(_e811.pixel.y, _e981.y, _e923);
-                                let _e992 = ((((_e985 * _e113) + _e984) * _e109.words) + _e109.light.word);
+                                let _e979 = phi_1209_;
+                                let _e982 = lt_mask_pattern_step_clamped(_e809.pixel.x, _e979.x, _e919);
+                                let _e983 = lt_mask_pattern_step_clamped(_e809.pixel.y, _e979.y, _e921);
+                                let _e990 = ((((_e983 * _e113) + _e982) * _e109.words) + _e109.light.word);
                                 if (_e109.light.shift > 29u) {
-                                    let _e996 = (_e992 + 1u);
-                                    if (_e996 < _e67) {
+                                    let _e994 = (_e990 + 1u);
+                                    if (_e994 < _e67) {
                                     } else {
                                         return;
                                     }
-                                    let _e1000 = last_bits.member[(0u + _e996)];
-                                    phi_1240_ = _e1000;
+                                    let _e998 = last_bits.member[(0u + _e994)];
+                                    phi_1236_ = _e998;
                                 } else {
-                                    phi_1240_ = 0u;
+                                    phi_1236_ = 0u;
                                 }
-                                let _e1002 = phi_1240_;
-                                if (_e992 < _e67) {
+                                let _e1000 = phi_1236_;
+                                if (_e990 < _e67) {
                                 } else {
                                     return;
                                 }
-                                let _e1008 = last_bits.member[(0u + _e992)];
-                                let _e1011 = (_e1008 >> bitcast<u32>((_e109.light.shift & 31u)));
+                                let _e1006 = last_bits.member[(0u + _e990)];
+                                let _e1009 = (_e1006 >> bitcast<u32>((_e109.light.shift & 31u)));
                                 if (_e109.light.shift > 29u) {
-                                    phi_1259_ = (_e1011 | (_e1002 << bitcast<u32>(((32u - _e109.light.shift) & 31u))));
+                                    phi_1255_ = (_e1009 | (_e1000 << bitcast<u32>(((32u - _e109.light.shift) & 31u))));
                                 } else {
-                                    phi_1259_ = _e1011;
+                                    phi_1255_ = _e1009;
                                 }
-                                let _e1019 = phi_1259_;
-                                if ((_e1019 & 2u) == 0u) {
-                                    phi_1267_ = (_e1019 & 1u);
+                                let _e1017 = phi_1255_;
+                                if ((_e1017 & 2u) == 0u) {
+                                    phi_1263_ = (_e1017 & 1u);
                                 } else {
-                                    phi_1267_ = (_e1019 & 7u);
+                                    phi_1263_ = (_e1017 & 7u);
                                 }
-                                let _e1025 = phi_1267_;
-                                if _e899.any_expands {
-                                    phi_1355_ = true;
+                                let _e1023 = phi_1263_;
+                                if _e897.any_expands {
+                                    phi_1351_ = true;
                                 } else {
-                                    if ((_e1025 & 2u) != 0u) {
-                                        let _e1032 = (((_e1025 & 4u) != 0u) != _e279);
-                                        switch bitcast<i32>(_e888) {
+                                    if ((_e1023 & 2u) != 0u) {
+                                        let _e1030 = (((_e1023 & 4u) != 0u) != _e279);
+                                        switch bitcast<i32>(_e886) {
                                             case 1: {
-                                                phi_1295_ = bool();
-                                                phi_1296_ = false;
-                                                phi_1297_ = true;
-                                                phi_1298_ = false;
-                                                phi_1299_ = false;
+                                                phi_1291_ = bool();
+                                                phi_1292_ = false;
+                                                phi_1293_ = true;
+                                                phi_1294_ = false;
+                                                phi_1295_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e1032 {
-                                                    phi_1293_ = (((_e1025 & 4u) != 0u) != ((_e1025 & 1u) != 0u));
-                                                    phi_1294_ = false;
+                                                if _e1030 {
+                                                    phi_1289_ = (((_e1023 & 4u) != 0u) != ((_e1023 & 1u) != 0u));
+                                                    phi_1290_ = false;
                                                 } else {
-                                                    phi_1293_ = bool();
-                                                    phi_1294_ = true;
+                                                    phi_1289_ = bool();
+                                                    phi_1290_ = true;
                                                 }
-                                                let _e1040 = phi_1293_;
-                                                let _e1042 = phi_1294_;
-                                                phi_1295_ = _e1040;
-                                                phi_1296_ = false;
-                                                phi_1297_ = false;
-                                                phi_1298_ = _e1042;
-                                                phi_1299_ = _e1032;
+                                                let _e1038 = phi_1289_;
+                                                let _e1040 = phi_1290_;
+                                                phi_1291_ = _e1038;
+                                                phi_1292_ = false;
+                                                phi_1293_ = false;
+                                                phi_1294_ = _e1040;
+                                                phi_1295_ = _e1030;
                                                 break;
                                             }
                                             default: {
-                                                phi_1295_ = bool();
-                                                phi_1296_ = true;
-                                                phi_1297_ = false;
-                                                phi_1298_ = false;
-                                                phi_1299_ = false;
+                                                phi_1291_ = bool();
+                                                phi_1292_ = true;
+                                                phi_1293_ = false;
+                                                phi_1294_ = false;
+                                                phi_1295_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e1044 = phi_1295_;
-                                        let _e1046 = phi_1296_;
-                                        let _e1048 = phi_1297_;
-                                        let _e1050 = phi_1298_;
-                                        let _e1052 = phi_1299_;
-                                        phi_1307_ = _e1032;
-                                        phi_1308_ = _e1044;
-                                        phi_1309_ = _e1046;
-                                        phi_1310_ = _e1048;
-                                        phi_1311_ = _e1050;
-                                        phi_1312_ = _e1052;
+                                        let _e1042 = phi_1291_;
+                                        let _e1044 = phi_1292_;
+                                        let _e1046 = phi_1293_;
+                                        let _e1048 = phi_1294_;
+                                        let _e1050 = phi_1295_;
+                                        phi_1303_ = _e1030;
+                                        phi_1304_ = _e1042;
+                                        phi_1305_ = _e1044;
+                                        phi_1306_ = _e1046;
+                                        phi_1307_ = _e1048;
+                                        phi_1308_ = _e1050;
                                     } else {
-                                        switch bitcast<i32>(_e888) {
+                                        switch bitcast<i32>(_e886) {
                                             case 1: {
-                                                phi_1304_ = false;
-                                                phi_1305_ = true;
-                                                phi_1306_ = false;
+                                                phi_1300_ = false;
+                                                phi_1301_ = true;
+                                                phi_1302_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1304_ = false;
-                                                phi_1305_ = false;
-                                                phi_1306_ = true;
+                                                phi_1300_ = false;
+                                                phi_1301_ = false;
+                                                phi_1302_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_1304_ = true;
-                                                phi_1305_ = false;
-                                                phi_1306_ = false;
+                                                phi_1300_ = true;
+                                                phi_1301_ = false;
+                                                phi_1302_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e1055 = phi_1304_;
-                                        let _e1057 = phi_1305_;
-                                        let _e1059 = phi_1306_;
-                                        phi_1307_ = false;
-                                        phi_1308_ = bool();
-                                        phi_1309_ = _e1055;
-                                        phi_1310_ = _e1057;
-                                        phi_1311_ = _e1059;
-                                        phi_1312_ = false;
+                                        let _e1053 = phi_1300_;
+                                        let _e1055 = phi_1301_;
+                                        let _e1057 = phi_1302_;
+                                        phi_1303_ = false;
+                                        phi_1304_ = bool();
+                                        phi_1305_ = _e1053;
+                                        phi_1306_ = _e1055;
+                                        phi_1307_ = _e1057;
+                                        phi_1308_ = false;
                                     }
-                                    let _e1061 = phi_1307_;
-                                    let _e1063 = phi_1308_;
-                                    let _e1065 = phi_1309_;
-                                    let _e1067 = phi_1310_;
-                                    let _e1069 = phi_1311_;
-                                    let _e1071 = phi_1312_;
-                                    if _e1065 {
-                                        if ((_e1025 & 2u) != 0u) {
-                                            if (((_e1025 & 4u) != 0u) != _e279) {
-                                                phi_1327_ = false;
+                                    let _e1059 = phi_1303_;
+                                    let _e1061 = phi_1304_;
+                                    let _e1063 = phi_1305_;
+                                    let _e1065 = phi_1306_;
+                                    let _e1067 = phi_1307_;
+                                    let _e1069 = phi_1308_;
+                                    if _e1063 {
+                                        if ((_e1023 & 2u) != 0u) {
+                                            if (((_e1023 & 4u) != 0u) != _e279) {
+                                                phi_1323_ = false;
                                             } else {
-                                                phi_1327_ = true;
+                                                phi_1323_ = true;
                                             }
-                                            let _e1078 = phi_1327_;
-                                            phi_1328_ = _e1078;
+                                            let _e1076 = phi_1323_;
+                                            phi_1324_ = _e1076;
                                         } else {
-                                            phi_1328_ = true;
+                                            phi_1324_ = true;
                                         }
-                                        let _e1080 = phi_1328_;
-                                        if _e1080 {
-                                            phi_1335_ = (((_e1025 & 1u) != 0u) != _e279);
+                                        let _e1078 = phi_1324_;
+                                        if _e1078 {
+                                            phi_1331_ = (((_e1023 & 1u) != 0u) != _e279);
                                         } else {
-                                            phi_1335_ = true;
+                                            phi_1331_ = true;
                                         }
-                                        let _e1085 = phi_1335_;
-                                        phi_1336_ = _e1085;
-                                        phi_1337_ = false;
-                                        phi_1338_ = false;
-                                        phi_1339_ = false;
+                                        let _e1083 = phi_1331_;
+                                        phi_1332_ = _e1083;
+                                        phi_1333_ = false;
+                                        phi_1334_ = false;
+                                        phi_1335_ = false;
                                     } else {
-                                        phi_1336_ = bool();
-                                        phi_1337_ = _e1067;
-                                        phi_1338_ = _e1069;
-                                        phi_1339_ = _e1071;
+                                        phi_1332_ = bool();
+                                        phi_1333_ = _e1065;
+                                        phi_1334_ = _e1067;
+                                        phi_1335_ = _e1069;
                                     }
-                                    let _e1087 = phi_1336_;
-                                    let _e1089 = phi_1337_;
-                                    let _e1091 = phi_1338_;
+                                    let _e1085 = phi_1332_;
+                                    let _e1087 = phi_1333_;
+                                    let _e1089 = phi_1334_;
+                                    let _e1091 = phi_1335_;
+                                    if _e1087 {
+                                        phi_1339_ = _e1059;
+                                        phi_1340_ = false;
+                                        phi_1341_ = false;
+                                    } else {
+                                        phi_1339_ = _e1085;
+                                        phi_1340_ = _e1089;
+                                        phi_1341_ = _e1091;
+                                    }
                                     let _e1093 = phi_1339_;
-                                    if _e1089 {
-                                        phi_1343_ = _e1061;
-                                        phi_1344_ = false;
+                                    let _e1095 = phi_1340_;
+                                    let _e1097 = phi_1341_;
+                                    if _e1095 {
                                         phi_1345_ = false;
+                                        phi_1346_ = true;
                                     } else {
-                                        phi_1343_ = _e1087;
-                                        phi_1344_ = _e1091;
-                                        phi_1345_ = _e1093;
+                                        phi_1345_ = _e1061;
+                                        phi_1346_ = _e1097;
                                     }
-                                    let _e1095 = phi_1343_;
-                                    let _e1097 = phi_1344_;
                                     let _e1099 = phi_1345_;
-                                    if _e1097 {
-                                        phi_1349_ = false;
-                                        phi_1350_ = true;
-                                    } else {
-                                        phi_1349_ = _e1063;
+                                    let _e1101 = phi_1346_;
+                                    if _e1101 {
                                         phi_1350_ = _e1099;
+                                    } else {
+                                        phi_1350_ = _e1093;
                                     }
-                                    let _e1101 = phi_1349_;
                                     let _e1103 = phi_1350_;
-                                    if _e1103 {
-                                        phi_1354_ = _e1101;
-                                    } else {
-                                        phi_1354_ = _e1095;
-                                    }
-                                    let _e1105 = phi_1354_;
-                                    phi_1355_ = _e1105;
+                                    phi_1351_ = _e1103;
                                 }
-                                let _e1107 = phi_1355_;
-                                if _e899.all_remove {
-                                    if (((_e1025 & 1u) != 0u) == _e279) {
-                                        if ((_e1025 & 2u) != 0u) {
-                                            phi_1373_ = (((_e1025 & 4u) != 0u) == _e279);
+                                let _e1105 = phi_1351_;
+                                if _e897.all_remove {
+                                    if (((_e1023 & 1u) != 0u) == _e279) {
+                                        if ((_e1023 & 2u) != 0u) {
+                                            phi_1369_ = (((_e1023 & 4u) != 0u) == _e279);
                                         } else {
-                                            phi_1373_ = true;
+                                            phi_1369_ = true;
                                         }
-                                        let _e1117 = phi_1373_;
-                                        phi_1374_ = _e1117;
+                                        let _e1115 = phi_1369_;
+                                        phi_1370_ = _e1115;
                                     } else {
-                                        phi_1374_ = false;
+                                        phi_1370_ = false;
                                     }
-                                    let _e1119 = phi_1374_;
-                                    phi_1375_ = _e1119;
+                                    let _e1117 = phi_1370_;
+                                    phi_1371_ = _e1117;
                                 } else {
-                                    phi_1375_ = false;
+                                    phi_1371_ = false;
                                 }
-                                let _e1121 = phi_1375_;
-                                phi_1108_ = (_e897 + 1u);
-                                phi_1111_ = lt_mask_Neighbourhood(_e1107, _e1121);
+                                let _e1119 = phi_1371_;
+                                phi_1104_ = (_e895 + 1u);
+                                phi_1107_ = lt_mask_Neighbourhood(_e1105, _e1119);
                             } else {
-                                phi_1108_ = u32();
-                                phi_1111_ = lt_mask_Neighbourhood();
+                                phi_1104_ = u32();
+                                phi_1107_ = lt_mask_Neighbourhood();
                             }
-                            let _e1125 = phi_1108_;
-                            let _e1127 = phi_1111_;
+                            let _e1123 = phi_1104_;
+                            let _e1125 = phi_1107_;
                             continue;
                             continuing {
-                                phi_1107_ = _e1125;
-                                phi_1110_ = _e1127;
-                                break if !(_e911);
+                                phi_1103_ = _e1123;
+                                phi_1106_ = _e1125;
+                                break if !(_e909);
                             }
                         }
-                        let _e1504 = local_1;
-                        phi_1378_ = _e1504;
+                        let _e1501 = local_1;
+                        phi_1374_ = _e1501;
                     }
-                    let _e1130 = phi_1378_;
-                    phi_1379_ = _e1130;
+                    let _e1128 = phi_1374_;
+                    phi_1375_ = _e1128;
                 } else {
-                    phi_1379_ = _e882;
+                    phi_1375_ = _e880;
                 }
-                let _e1132 = phi_1379_;
-                phi_1380_ = _e1132;
+                let _e1130 = phi_1375_;
+                phi_1376_ = _e1130;
             } else {
-                phi_1380_ = _e882;
+                phi_1376_ = _e880;
             }
-            let _e1134 = phi_1380_;
-            let _e1137 = p.member.frame;
-            let _e1139 = p.member.refresh;
-            if (_e1139 == 0u) {
-                phi_1413_ = false;
+            let _e1132 = phi_1376_;
+            let _e1135 = p.member.frame;
+            let _e1137 = p.member.refresh;
+            if (_e1137 == 0u) {
+                phi_1409_ = false;
             } else {
-                if (_e1139 == 0u) {
+                if (_e1137 == 0u) {
                     return;
                 }
-                let _e1148 = ((_e61.x + (_e61.y * (((_e1139 * 5u) / 8u) | 1u))) + (_e1137 % _e1139));
-                if (_e1139 == 0u) {
-                    phi_1412_ = (_e1148 == 0u);
+                let _e1146 = ((_e61.x + (_e61.y * (((_e1137 * 5u) / 8u) | 1u))) + (_e1135 % _e1137));
+                if (_e1137 == 0u) {
+                    phi_1408_ = (_e1146 == 0u);
                 } else {
-                    if (_e1139 == 0u) {
+                    if (_e1137 == 0u) {
                         return;
                     }
-                    phi_1412_ = ((_e1148 % _e1139) == 0u);
+                    phi_1408_ = ((_e1146 % _e1137) == 0u);
                 }
-                let _e1155 = phi_1412_;
-                phi_1413_ = _e1155;
+                let _e1153 = phi_1408_;
+                phi_1409_ = _e1153;
             }
-            let _e1157 = phi_1413_;
-            if _e805 {
-                if _e1157 {
-                    phi_1435_ = bool();
+            let _e1155 = phi_1409_;
+            if _e803 {
+                if _e1155 {
+                    phi_1431_ = bool();
                 } else {
-                    phi_1435_ = ((_e881 & 2u) != 0u);
+                    phi_1431_ = ((_e879 & 2u) != 0u);
                 }
-                let _e1163 = phi_1435_;
-                phi_1436_ = _e1163;
-                phi_1437_ = _e1157;
+                let _e1161 = phi_1431_;
+                phi_1432_ = _e1161;
+                phi_1433_ = _e1155;
             } else {
-                phi_1436_ = bool();
-                phi_1437_ = true;
+                phi_1432_ = bool();
+                phi_1433_ = true;
             }
-            let _e1165 = phi_1436_;
+            let _e1163 = phi_1432_;
+            let _e1165 = phi_1433_;
+            if _e1165 {
+                phi_1437_ = false;
+            } else {
+                phi_1437_ = _e1163;
+            }
             let _e1167 = phi_1437_;
             if _e1167 {
-                phi_1441_ = false;
-            } else {
-                phi_1441_ = _e1165;
-            }
-            let _e1169 = phi_1441_;
-            if _e1169 {
-                phi_1492_ = 7u;
+                phi_1488_ = 7u;
             } else {
                 if (_e121 != 0.5f) {
-                    if _e805 {
-                        if _e1157 {
-                            phi_1489_ = 6u;
+                    if _e803 {
+                        if _e1155 {
+                            phi_1485_ = 6u;
                         } else {
                             if _e283 {
-                                phi_1464_ = true;
+                                phi_1460_ = true;
                             } else {
-                                if _e1134.any_expands {
-                                    phi_1463_ = false;
+                                if _e1132.any_expands {
+                                    phi_1459_ = false;
                                 } else {
-                                    phi_1463_ = true;
+                                    phi_1459_ = true;
                                 }
-                                let _e1171 = phi_1463_;
-                                phi_1464_ = _e1171;
+                                let _e1169 = phi_1459_;
+                                phi_1460_ = _e1169;
                             }
-                            let _e1173 = phi_1464_;
-                            if _e1173 {
+                            let _e1171 = phi_1460_;
+                            if _e1171 {
                                 if _e283 {
-                                    if _e815 {
-                                        if _e1134.all_remove {
-                                            phi_1477_ = false;
+                                    if _e813 {
+                                        if _e1132.all_remove {
+                                            phi_1473_ = false;
                                         } else {
-                                            phi_1477_ = true;
+                                            phi_1473_ = true;
                                         }
-                                        let _e1175 = phi_1477_;
-                                        phi_1478_ = _e1175;
+                                        let _e1173 = phi_1473_;
+                                        phi_1474_ = _e1173;
                                     } else {
-                                        phi_1478_ = true;
+                                        phi_1474_ = true;
                                     }
-                                    let _e1177 = phi_1478_;
-                                    phi_1479_ = _e1177;
+                                    let _e1175 = phi_1474_;
+                                    phi_1475_ = _e1175;
                                 } else {
-                                    phi_1479_ = true;
+                                    phi_1475_ = true;
                                 }
-                                let _e1179 = phi_1479_;
-                                if _e1179 {
+                                let _e1177 = phi_1475_;
+                                if _e1177 {
                                     if _e283 {
-                                        phi_1486_ = 1u;
+                                        phi_1482_ = 1u;
                                     } else {
-                                        phi_1486_ = 0u;
+                                        phi_1482_ = 0u;
                                     }
-                                    let _e1181 = phi_1486_;
-                                    phi_1487_ = _e1181;
+                                    let _e1179 = phi_1482_;
+                                    phi_1483_ = _e1179;
                                 } else {
-                                    phi_1487_ = 5u;
+                                    phi_1483_ = 5u;
                                 }
-                                let _e1183 = phi_1487_;
-                                phi_1488_ = _e1183;
+                                let _e1181 = phi_1483_;
+                                phi_1484_ = _e1181;
                             } else {
-                                phi_1488_ = 4u;
+                                phi_1484_ = 4u;
                             }
-                            let _e1185 = phi_1488_;
-                            phi_1489_ = _e1185;
+                            let _e1183 = phi_1484_;
+                            phi_1485_ = _e1183;
                         }
-                        let _e1187 = phi_1489_;
-                        phi_1490_ = _e1187;
+                        let _e1185 = phi_1485_;
+                        phi_1486_ = _e1185;
                     } else {
-                        phi_1490_ = 3u;
+                        phi_1486_ = 3u;
                     }
-                    let _e1189 = phi_1490_;
-                    phi_1491_ = _e1189;
+                    let _e1187 = phi_1486_;
+                    phi_1487_ = _e1187;
                 } else {
-                    phi_1491_ = 2u;
+                    phi_1487_ = 2u;
                 }
-                let _e1191 = phi_1491_;
-                phi_1492_ = _e1191;
+                let _e1189 = phi_1487_;
+                phi_1488_ = _e1189;
             }
-            let _e1193 = phi_1492_;
-            if !((_e1193 == 0u)) {
-                if !((_e1193 == 5u)) {
-                    phi_1504_ = !(_e1169);
-                    phi_1505_ = false;
+            let _e1191 = phi_1488_;
+            if !((_e1191 == 0u)) {
+                if !((_e1191 == 5u)) {
+                    phi_1500_ = !(_e1167);
+                    phi_1501_ = false;
                 } else {
-                    phi_1504_ = bool();
-                    phi_1505_ = true;
+                    phi_1500_ = bool();
+                    phi_1501_ = true;
                 }
-                let _e1200 = phi_1504_;
-                let _e1202 = phi_1505_;
-                phi_1506_ = _e1200;
+                let _e1198 = phi_1500_;
+                let _e1200 = phi_1501_;
+                phi_1502_ = _e1198;
+                phi_1503_ = _e1200;
+            } else {
+                phi_1502_ = bool();
+                phi_1503_ = true;
+            }
+            let _e1202 = phi_1502_;
+            let _e1204 = phi_1503_;
+            if _e1204 {
+                phi_1507_ = false;
+            } else {
                 phi_1507_ = _e1202;
-            } else {
-                phi_1506_ = bool();
-                phi_1507_ = true;
             }
-            let _e1204 = phi_1506_;
             let _e1206 = phi_1507_;
+            if _e1167 {
+                phi_1513_ = ((_e879 & 4u) != 0u);
+            } else {
+                phi_1513_ = _e279;
+            }
+            let _e1210 = phi_1513_;
             if _e1206 {
-                phi_1511_ = false;
-            } else {
-                phi_1511_ = _e1204;
-            }
-            let _e1208 = phi_1511_;
-            if _e1169 {
-                phi_1517_ = ((_e881 & 4u) != 0u);
-            } else {
-                phi_1517_ = _e279;
-            }
-            let _e1212 = phi_1517_;
-            if _e1208 {
                 if _e279 {
-                    phi_1525_ = (2u | 1u);
+                    phi_1521_ = (2u | 1u);
                 } else {
-                    phi_1525_ = 2u;
+                    phi_1521_ = 2u;
                 }
-                let _e1215 = phi_1525_;
+                let _e1213 = phi_1521_;
                 if false {
-                    phi_1530_ = (_e1215 | 4u);
+                    phi_1526_ = (_e1213 | 4u);
                 } else {
-                    phi_1530_ = _e1215;
+                    phi_1526_ = _e1213;
                 }
-                let _e1218 = phi_1530_;
-                phi_1550_ = _e1218;
+                let _e1216 = phi_1526_;
+                phi_1546_ = _e1216;
             } else {
-                if (_e1193 == 7u) {
+                if (_e1191 == 7u) {
                     if _e279 {
-                        phi_1539_ = (2u | 1u);
+                        phi_1535_ = (2u | 1u);
                     } else {
-                        phi_1539_ = 2u;
+                        phi_1535_ = 2u;
                     }
-                    let _e1222 = phi_1539_;
-                    if _e1212 {
-                        phi_1544_ = (_e1222 | 4u);
+                    let _e1220 = phi_1535_;
+                    if _e1210 {
+                        phi_1540_ = (_e1220 | 4u);
                     } else {
-                        phi_1544_ = _e1222;
+                        phi_1540_ = _e1220;
+                    }
+                    let _e1223 = phi_1540_;
+                    phi_1545_ = _e1223;
+                } else {
+                    if _e279 {
+                        phi_1544_ = 1u;
+                    } else {
+                        phi_1544_ = 0u;
                     }
                     let _e1225 = phi_1544_;
-                    phi_1549_ = _e1225;
-                } else {
-                    if _e279 {
-                        phi_1548_ = 1u;
-                    } else {
-                        phi_1548_ = 0u;
-                    }
-                    let _e1227 = phi_1548_;
-                    phi_1549_ = _e1227;
+                    phi_1545_ = _e1225;
                 }
-                let _e1229 = phi_1549_;
-                phi_1550_ = _e1229;
+                let _e1227 = phi_1545_;
+                phi_1546_ = _e1227;
+            }
+            let _e1229 = phi_1546_;
+            if _e1210 {
+                phi_1550_ = 0f;
+            } else {
+                phi_1550_ = 1f;
             }
             let _e1231 = phi_1550_;
-            if _e1212 {
-                phi_1554_ = 0f;
-            } else {
-                phi_1554_ = 1f;
-            }
-            let _e1233 = phi_1554_;
-            phi_1556_ = mask_Masked(_e1233, _e1231, _e1208);
+            phi_1552_ = mask_Masked(_e1231, _e1229, _e1206);
         }
-        let _e1236 = phi_1556_;
-        visibility.member[_e82.shift] = _e1236.visibility;
-        let _e1241 = p.member.light.number;
-        let _e1242 = (_e1241 * 3u);
-        let _e1244 = (_e1242 % 32u);
-        let _e1246 = p.member.light.mask_words;
-        let _e1248 = ((_e82.shift * _e1246) + (_e1242 / 32u));
-        let _e1250 = bits.member[_e1248];
-        bits.member[_e1248] = ((_e1250 & ~((7u << bitcast<u32>((_e1244 & 31u))))) | (_e1236.bits << bitcast<u32>((_e1244 & 31u))));
-        if (_e1244 > 29u) {
-            let _e1265 = bits.member[(_e1248 + 1u)];
-            let _e1267 = (32u - _e1244);
-            bits.member[(_e1248 + 1u)] = ((_e1265 & ~((7u >> bitcast<u32>((_e1267 & 31u))))) | (_e1236.bits >> bitcast<u32>((_e1267 & 31u))));
+        let _e1234 = phi_1552_;
+        visibility.member[_e82.shift] = _e1234.visibility;
+        let _e1239 = p.member.light.number;
+        let _e1240 = (_e1239 * 3u);
+        let _e1242 = (_e1240 % 32u);
+        let _e1244 = p.member.light.mask_words;
+        let _e1246 = ((_e82.shift * _e1244) + (_e1240 / 32u));
+        let _e1248 = bits.member[_e1246];
+        bits.member[_e1246] = ((_e1248 & ~((7u << bitcast<u32>((_e1242 & 31u))))) | (_e1234.bits << bitcast<u32>((_e1242 & 31u))));
+        if (_e1242 > 29u) {
+            let _e1263 = bits.member[(_e1246 + 1u)];
+            let _e1265 = (32u - _e1242);
+            bits.member[(_e1246 + 1u)] = ((_e1263 & ~((7u >> bitcast<u32>((_e1265 & 31u))))) | (_e1234.bits >> bitcast<u32>((_e1265 & 31u))));
         }
-        let _e1282 = samples.member[_e82.shift].normal[0u];
-        let _e1284 = global[0u];
-        if (_e1282 == _e1284) {
-            let _e1287 = samples.member[_e82.shift].normal[1u];
-            let _e1289 = global[1u];
-            if (_e1287 == _e1289) {
-                let _e1292 = samples.member[_e82.shift].normal[2u];
-                let _e1294 = global[2u];
-                phi_1628_ = (_e1292 == _e1294);
-                phi_1629_ = false;
+        let _e1280 = samples.member[_e82.shift].normal[0u];
+        let _e1282 = global[0u];
+        if (_e1280 == _e1282) {
+            let _e1285 = samples.member[_e82.shift].normal[1u];
+            let _e1287 = global[1u];
+            if (_e1285 == _e1287) {
+                let _e1290 = samples.member[_e82.shift].normal[2u];
+                let _e1292 = global[2u];
+                phi_1624_ = (_e1290 == _e1292);
+                phi_1625_ = false;
             } else {
-                phi_1628_ = bool();
-                phi_1629_ = true;
+                phi_1624_ = bool();
+                phi_1625_ = true;
             }
-            let _e1297 = phi_1628_;
-            let _e1299 = phi_1629_;
-            phi_1630_ = _e1297;
+            let _e1295 = phi_1624_;
+            let _e1297 = phi_1625_;
+            phi_1626_ = _e1295;
+            phi_1627_ = _e1297;
+        } else {
+            phi_1626_ = bool();
+            phi_1627_ = true;
+        }
+        let _e1299 = phi_1626_;
+        let _e1301 = phi_1627_;
+        if _e1301 {
+            phi_1631_ = false;
+        } else {
             phi_1631_ = _e1299;
-        } else {
-            phi_1630_ = bool();
-            phi_1631_ = true;
         }
-        let _e1301 = phi_1630_;
         let _e1303 = phi_1631_;
-        if _e1303 {
-            phi_1635_ = false;
+        if !(_e1303) {
+            let _e1306 = samples.member[_e82.shift].position;
+            let _e1308 = p.member.current.eye;
+            let _e1319 = p.member.current.forward;
+            phi_1659_ = ((((_e1306.x - _e1308.x) * _e1319.x) + ((_e1306.y - _e1308.y) * _e1319.y)) + ((_e1306.z - _e1308.z) * _e1319.z));
         } else {
-            phi_1635_ = _e1301;
+            phi_1659_ = 0f;
         }
-        let _e1305 = phi_1635_;
-        if !(_e1305) {
-            let _e1308 = samples.member[_e82.shift].position;
-            let _e1310 = p.member.current.eye;
-            let _e1321 = p.member.current.forward;
-            phi_1663_ = ((((_e1308.x - _e1310.x) * _e1321.x) + ((_e1308.y - _e1310.y) * _e1321.y)) + ((_e1308.z - _e1310.z) * _e1321.z));
-        } else {
-            phi_1663_ = 0f;
-        }
-        let _e1331 = phi_1663_;
-        depths.member[_e82.shift] = _e1331;
-        phi_1666_ = _e1236.needs_ray;
-        phi_1667_ = _e82.shift;
+        let _e1329 = phi_1659_;
+        depths.member[_e82.shift] = _e1329;
+        phi_1662_ = _e1234.needs_ray;
+        phi_1663_ = _e82.shift;
     } else {
-        phi_1666_ = false;
-        phi_1667_ = 0u;
+        phi_1662_ = false;
+        phi_1663_ = 0u;
     }
-    let _e1335 = phi_1666_;
-    let _e1337 = phi_1667_;
+    let _e1333 = phi_1662_;
+    let _e1335 = phi_1663_;
     if (_e62 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1335 {
-        let _e1341 = atomicAdd((&shared_[0u]), 1u);
-        phi_1678_ = _e1341;
+    if _e1333 {
+        let _e1339 = atomicAdd((&shared_[0u]), 1u);
+        phi_1674_ = _e1339;
     } else {
-        phi_1678_ = 0u;
+        phi_1674_ = 0u;
     }
-    let _e1343 = phi_1678_;
+    let _e1341 = phi_1674_;
     workgroupBarrier();
     if (_e62 == 0u) {
-        let _e1347 = atomicLoad((&shared_[0u]));
-        let _e1348 = atomicAdd((&list.member[3u]), _e1347);
-        atomicStore((&shared_[1u]), _e1348);
+        let _e1345 = atomicLoad((&shared_[0u]));
+        let _e1346 = atomicAdd((&list.member[3u]), _e1345);
+        atomicStore((&shared_[1u]), _e1346);
     }
     workgroupBarrier();
-    if _e1335 {
-        let _e1351 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1351) + _e1343)]), _e1337);
+    if _e1333 {
+        let _e1349 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1349) + _e1341)]), _e1335);
     }
     return;
 }

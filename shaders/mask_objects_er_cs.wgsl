@@ -295,148 +295,147 @@ fn function_() {
     var phi_510_: bool;
     var phi_511_: bool;
     var phi_515_: bool;
-    var phi_519_: bool;
-    var phi_520_: bool;
-    var phi_728_: f32;
-    var phi_733_: f32;
-    var phi_734_: bool;
-    var phi_735_: f32;
-    var phi_736_: bool;
-    var phi_740_: f32;
-    var phi_761_: f32;
-    var phi_766_: f32;
-    var phi_767_: bool;
-    var phi_768_: f32;
-    var phi_769_: bool;
-    var phi_773_: f32;
-    var phi_794_: bool;
+    var phi_516_: bool;
+    var phi_724_: f32;
+    var phi_729_: f32;
+    var phi_730_: bool;
+    var phi_731_: f32;
+    var phi_732_: bool;
+    var phi_736_: f32;
+    var phi_757_: f32;
+    var phi_762_: f32;
+    var phi_763_: bool;
+    var phi_764_: f32;
+    var phi_765_: bool;
+    var phi_769_: f32;
+    var phi_790_: bool;
+    var phi_809_: vec2<u32>;
+    var phi_810_: bool;
+    var phi_811_: bool;
+    var phi_812_: bool;
     var phi_813_: vec2<u32>;
     var phi_814_: bool;
     var phi_815_: bool;
     var phi_816_: bool;
-    var phi_817_: vec2<u32>;
+    var phi_817_: bool;
     var phi_818_: bool;
     var phi_819_: bool;
-    var phi_820_: bool;
+    var phi_820_: vec2<u32>;
     var phi_821_: bool;
     var phi_822_: bool;
     var phi_823_: bool;
-    var phi_824_: vec2<u32>;
+    var phi_824_: bool;
     var phi_825_: bool;
     var phi_826_: bool;
-    var phi_827_: bool;
+    var phi_827_: vec2<u32>;
     var phi_828_: bool;
     var phi_829_: bool;
     var phi_830_: bool;
-    var phi_831_: vec2<u32>;
-    var phi_832_: bool;
-    var phi_833_: bool;
-    var phi_834_: bool;
-    var phi_835_: bool;
-    var phi_844_: bool;
-    var phi_845_: bool;
-    var phi_846_: bool;
+    var phi_831_: bool;
+    var phi_840_: bool;
+    var phi_841_: bool;
+    var phi_842_: bool;
+    var phi_843_: bool;
     var phi_847_: bool;
-    var phi_851_: bool;
-    var phi_852_: bool;
-    var phi_853_: vec2<u32>;
+    var phi_848_: bool;
+    var phi_849_: vec2<u32>;
+    var phi_884_: bool;
+    var phi_886_: lt_mask_Reprojection;
+    var phi_887_: lt_mask_Reprojection;
     var phi_888_: bool;
-    var phi_890_: lt_mask_Reprojection;
-    var phi_891_: lt_mask_Reprojection;
     var phi_892_: bool;
-    var phi_896_: bool;
-    var phi_897_: lt_mask_Reprojection;
-    var phi_898_: lt_mask_Reprojection;
-    var phi_899_: bool;
-    var phi_907_: bool;
-    var phi_908_: lt_mask_Reprojection;
-    var phi_914_: bool;
-    var phi_936_: u32;
-    var phi_938_: u32;
-    var phi_941_: lt_mask_Neighbourhood;
-    var phi_953_: bool;
-    var phi_954_: bool;
-    var phi_963_: u32;
-    var phi_964_: u32;
-    var phi_1024_: vec2<i32>;
-    var phi_1044_: vec2<i32>;
-    var phi_1069_: u32;
-    var phi_1088_: u32;
-    var phi_1096_: u32;
+    var phi_893_: lt_mask_Reprojection;
+    var phi_894_: lt_mask_Reprojection;
+    var phi_895_: bool;
+    var phi_903_: bool;
+    var phi_904_: lt_mask_Reprojection;
+    var phi_910_: bool;
+    var phi_932_: u32;
+    var phi_934_: u32;
+    var phi_937_: lt_mask_Neighbourhood;
+    var phi_949_: bool;
+    var phi_950_: bool;
+    var phi_959_: u32;
+    var phi_960_: u32;
+    var phi_1020_: vec2<i32>;
+    var phi_1040_: vec2<i32>;
+    var phi_1065_: u32;
+    var phi_1084_: u32;
+    var phi_1092_: u32;
+    var phi_1118_: bool;
+    var phi_1119_: bool;
+    var phi_1120_: bool;
+    var phi_1121_: bool;
     var phi_1122_: bool;
     var phi_1123_: bool;
     var phi_1124_: bool;
-    var phi_1125_: bool;
-    var phi_1126_: bool;
-    var phi_1127_: bool;
-    var phi_1128_: bool;
+    var phi_1129_: bool;
+    var phi_1130_: bool;
+    var phi_1131_: bool;
+    var phi_1132_: bool;
     var phi_1133_: bool;
     var phi_1134_: bool;
     var phi_1135_: bool;
     var phi_1136_: bool;
     var phi_1137_: bool;
-    var phi_1138_: bool;
-    var phi_1139_: bool;
-    var phi_1140_: bool;
-    var phi_1141_: bool;
-    var phi_1156_: bool;
-    var phi_1157_: bool;
+    var phi_1152_: bool;
+    var phi_1153_: bool;
+    var phi_1160_: bool;
+    var phi_1161_: bool;
+    var phi_1162_: bool;
+    var phi_1163_: bool;
     var phi_1164_: bool;
-    var phi_1165_: bool;
-    var phi_1166_: bool;
-    var phi_1167_: bool;
     var phi_1168_: bool;
-    var phi_1172_: bool;
-    var phi_1173_: bool;
+    var phi_1169_: bool;
+    var phi_1170_: bool;
     var phi_1174_: bool;
-    var phi_1178_: bool;
+    var phi_1175_: bool;
     var phi_1179_: bool;
-    var phi_1183_: bool;
-    var phi_1184_: bool;
-    var phi_1202_: bool;
-    var phi_1203_: bool;
-    var phi_1204_: bool;
-    var phi_939_: u32;
-    var phi_942_: lt_mask_Neighbourhood;
-    var phi_1207_: lt_mask_Neighbourhood;
-    var phi_1208_: lt_mask_Neighbourhood;
-    var phi_1209_: lt_mask_Neighbourhood;
-    var phi_1241_: bool;
-    var phi_1242_: bool;
-    var phi_1264_: bool;
-    var phi_1265_: bool;
+    var phi_1180_: bool;
+    var phi_1198_: bool;
+    var phi_1199_: bool;
+    var phi_1200_: bool;
+    var phi_935_: u32;
+    var phi_938_: lt_mask_Neighbourhood;
+    var phi_1203_: lt_mask_Neighbourhood;
+    var phi_1204_: lt_mask_Neighbourhood;
+    var phi_1205_: lt_mask_Neighbourhood;
+    var phi_1237_: bool;
+    var phi_1238_: bool;
+    var phi_1260_: bool;
+    var phi_1261_: bool;
+    var phi_1262_: bool;
     var phi_1266_: bool;
-    var phi_1270_: bool;
-    var phi_1292_: bool;
-    var phi_1293_: bool;
-    var phi_1306_: bool;
-    var phi_1307_: bool;
-    var phi_1308_: bool;
+    var phi_1288_: bool;
+    var phi_1289_: bool;
+    var phi_1302_: bool;
+    var phi_1303_: bool;
+    var phi_1304_: bool;
+    var phi_1311_: u32;
+    var phi_1312_: u32;
+    var phi_1313_: u32;
+    var phi_1314_: u32;
     var phi_1315_: u32;
     var phi_1316_: u32;
     var phi_1317_: u32;
-    var phi_1318_: u32;
-    var phi_1319_: u32;
-    var phi_1320_: u32;
-    var phi_1321_: u32;
-    var phi_1333_: bool;
-    var phi_1334_: bool;
-    var phi_1335_: bool;
+    var phi_1329_: bool;
+    var phi_1330_: bool;
+    var phi_1331_: bool;
+    var phi_1332_: bool;
     var phi_1336_: bool;
-    var phi_1340_: bool;
-    var phi_1346_: bool;
-    var phi_1354_: u32;
-    var phi_1359_: u32;
-    var phi_1368_: u32;
+    var phi_1342_: bool;
+    var phi_1350_: u32;
+    var phi_1355_: u32;
+    var phi_1364_: u32;
+    var phi_1369_: u32;
     var phi_1373_: u32;
-    var phi_1377_: u32;
-    var phi_1378_: u32;
-    var phi_1379_: u32;
-    var phi_1383_: f32;
-    var phi_1385_: mask_Masked;
-    var phi_1435_: bool;
-    var phi_1436_: u32;
-    var phi_1447_: u32;
+    var phi_1374_: u32;
+    var phi_1375_: u32;
+    var phi_1379_: f32;
+    var phi_1381_: mask_Masked;
+    var phi_1431_: bool;
+    var phi_1432_: u32;
+    var phi_1443_: u32;
     var local_1: lt_mask_Neighbourhood;
 
     let _e56 = id_1;
@@ -545,7 +544,7 @@ fn function_() {
         }
         let _e250 = phi_467_;
         if _e250.unnamed_1 {
-            phi_1385_ = mask_Masked(_e250.unnamed.visibility, 0u, false);
+            phi_1381_ = mask_Masked(_e250.unnamed.visibility, 0u, false);
         } else {
             let _e255 = (_e97 < 0.5f);
             if (_e97 > 0f) {
@@ -559,7 +558,7 @@ fn function_() {
             let _e277 = lt_mask_Reprojection(_e273.pixel, true, _e273.has_moved);
             let _e283 = p.member.flags;
             if ((_e283 & 16u) == 0u) {
-                phi_520_ = true;
+                phi_516_ = false;
             } else {
                 let _e288 = samples.member[_e73.shift].position[0u];
                 if (_e92.x == _e288) {
@@ -588,877 +587,871 @@ fn function_() {
                     phi_515_ = _e301;
                 }
                 let _e305 = phi_515_;
-                if _e305 {
-                    phi_519_ = false;
-                } else {
-                    phi_519_ = true;
-                }
-                let _e307 = phi_519_;
-                phi_520_ = _e307;
+                phi_516_ = _e305;
             }
-            let _e309 = phi_520_;
-            if _e309 {
-                let _e311 = samples.member[_e73.shift].position;
-                let _e315 = p.member.previous.eye;
-                let _e317 = (_e92.x - _e315.x);
-                let _e319 = (_e92.y - _e315.y);
-                let _e321 = (_e92.z - _e315.z);
-                let _e323 = p.member.previous.forward;
-                let _e331 = (((_e317 * _e323.x) + (_e319 * _e323.y)) + (_e321 * _e323.z));
-                let _e333 = p.member.previous.right;
-                let _e343 = p.member.previous.right;
-                let _e358 = p.member.previous.up;
-                let _e368 = p.member.previous.up;
-                let _e383 = p.member.current.eye;
-                let _e386 = (_e311.x - _e383.x);
-                let _e389 = (_e311.y - _e383.y);
-                let _e392 = (_e311.z - _e383.z);
-                let _e394 = p.member.current.forward;
-                let _e402 = (((_e386 * _e394.x) + (_e389 * _e394.y)) + (_e392 * _e394.z));
-                let _e404 = p.member.current.right;
-                let _e414 = p.member.current.right;
-                let _e429 = p.member.current.up;
-                let _e439 = p.member.current.up;
-                let _e458 = p.member.current.size[0u];
-                let _e460 = (((((((_e317 * _e333.x) + (_e319 * _e333.y)) + (_e321 * _e333.z)) / ((((_e343.x * _e343.x) + (_e343.y * _e343.y)) + (_e343.z * _e343.z)) * _e331)) - ((((_e386 * _e404.x) + (_e389 * _e404.y)) + (_e392 * _e404.z)) / ((((_e414.x * _e414.x) + (_e414.y * _e414.y)) + (_e414.z * _e414.z)) * _e402))) * 0.5f) * f32(_e458));
-                let _e464 = p.member.current.size[1u];
-                let _e466 = (((((((_e317 * _e358.x) + (_e319 * _e358.y)) + (_e321 * _e358.z)) / ((((_e368.x * _e368.x) + (_e368.y * _e368.y)) + (_e368.z * _e368.z)) * _e331)) - ((((_e386 * _e429.x) + (_e389 * _e429.y)) + (_e392 * _e429.z)) / ((((_e439.x * _e439.x) + (_e439.y * _e439.y)) + (_e439.z * _e439.z)) * _e402))) * -0.5f) * f32(_e464));
-                let _e470 = p.member.current.grid[0u];
-                let _e472 = p.member.current.grid[1u];
-                let _e492 = p.member.current.size[0u];
-                let _e494 = p.member.current.size[1u];
-                let _e496 = ((f32(_e56.x) + ((f32((_e56.y & (_e472 - 1u))) + 0.5f) / f32(_e472))) + _e460);
-                if (_e496 > -8388608f) {
-                    let _e508 = f32(select(0i, select(select(i32(_e496), i32(-2147483648), (_e496 < bitcast<f32>(3472883712u))), 2147483647i, (_e496 > bitcast<f32>(1325400063u))), (_e496 == _e496)));
-                    if (_e508 > _e496) {
-                        phi_728_ = 1f;
+            let _e307 = phi_516_;
+            if _e307 {
+                phi_893_ = lt_mask_Reprojection(_e277.pixel, _e277.is_valid, false);
+                phi_894_ = lt_mask_Reprojection();
+                phi_895_ = true;
+            } else {
+                let _e309 = samples.member[_e73.shift].position;
+                let _e313 = p.member.previous.eye;
+                let _e315 = (_e92.x - _e313.x);
+                let _e317 = (_e92.y - _e313.y);
+                let _e319 = (_e92.z - _e313.z);
+                let _e321 = p.member.previous.forward;
+                let _e329 = (((_e315 * _e321.x) + (_e317 * _e321.y)) + (_e319 * _e321.z));
+                let _e331 = p.member.previous.right;
+                let _e341 = p.member.previous.right;
+                let _e356 = p.member.previous.up;
+                let _e366 = p.member.previous.up;
+                let _e381 = p.member.current.eye;
+                let _e384 = (_e309.x - _e381.x);
+                let _e387 = (_e309.y - _e381.y);
+                let _e390 = (_e309.z - _e381.z);
+                let _e392 = p.member.current.forward;
+                let _e400 = (((_e384 * _e392.x) + (_e387 * _e392.y)) + (_e390 * _e392.z));
+                let _e402 = p.member.current.right;
+                let _e412 = p.member.current.right;
+                let _e427 = p.member.current.up;
+                let _e437 = p.member.current.up;
+                let _e456 = p.member.current.size[0u];
+                let _e458 = (((((((_e315 * _e331.x) + (_e317 * _e331.y)) + (_e319 * _e331.z)) / ((((_e341.x * _e341.x) + (_e341.y * _e341.y)) + (_e341.z * _e341.z)) * _e329)) - ((((_e384 * _e402.x) + (_e387 * _e402.y)) + (_e390 * _e402.z)) / ((((_e412.x * _e412.x) + (_e412.y * _e412.y)) + (_e412.z * _e412.z)) * _e400))) * 0.5f) * f32(_e456));
+                let _e462 = p.member.current.size[1u];
+                let _e464 = (((((((_e315 * _e356.x) + (_e317 * _e356.y)) + (_e319 * _e356.z)) / ((((_e366.x * _e366.x) + (_e366.y * _e366.y)) + (_e366.z * _e366.z)) * _e329)) - ((((_e384 * _e427.x) + (_e387 * _e427.y)) + (_e390 * _e427.z)) / ((((_e437.x * _e437.x) + (_e437.y * _e437.y)) + (_e437.z * _e437.z)) * _e400))) * -0.5f) * f32(_e462));
+                let _e468 = p.member.current.grid[0u];
+                let _e470 = p.member.current.grid[1u];
+                let _e490 = p.member.current.size[0u];
+                let _e492 = p.member.current.size[1u];
+                let _e494 = ((f32(_e56.x) + ((f32((_e56.y & (_e470 - 1u))) + 0.5f) / f32(_e470))) + _e458);
+                if (_e494 > -8388608f) {
+                    let _e506 = f32(select(0i, select(select(i32(_e494), i32(-2147483648), (_e494 < bitcast<f32>(3472883712u))), 2147483647i, (_e494 > bitcast<f32>(1325400063u))), (_e494 == _e494)));
+                    if (_e506 > _e494) {
+                        phi_724_ = 1f;
                     } else {
-                        phi_728_ = 0f;
+                        phi_724_ = 0f;
                     }
-                    let _e511 = phi_728_;
-                    if (_e496 < 8388608f) {
-                        phi_733_ = (_e508 - _e511);
-                        phi_734_ = false;
+                    let _e509 = phi_724_;
+                    if (_e494 < 8388608f) {
+                        phi_729_ = (_e506 - _e509);
+                        phi_730_ = false;
                     } else {
-                        phi_733_ = f32();
-                        phi_734_ = true;
+                        phi_729_ = f32();
+                        phi_730_ = true;
                     }
-                    let _e514 = phi_733_;
-                    let _e516 = phi_734_;
-                    phi_735_ = _e514;
+                    let _e512 = phi_729_;
+                    let _e514 = phi_730_;
+                    phi_731_ = _e512;
+                    phi_732_ = _e514;
+                } else {
+                    phi_731_ = f32();
+                    phi_732_ = true;
+                }
+                let _e516 = phi_731_;
+                let _e518 = phi_732_;
+                if _e518 {
+                    phi_736_ = _e494;
+                } else {
                     phi_736_ = _e516;
-                } else {
-                    phi_735_ = f32();
-                    phi_736_ = true;
                 }
-                let _e518 = phi_735_;
                 let _e520 = phi_736_;
-                if _e520 {
-                    phi_740_ = _e496;
+                let _e521 = ((f32(_e56.y) + ((f32((_e56.x & (_e468 - 1u))) + 0.5f) / f32(_e468))) + _e464);
+                if (_e521 > -8388608f) {
+                    let _e533 = f32(select(0i, select(select(i32(_e521), i32(-2147483648), (_e521 < bitcast<f32>(3472883712u))), 2147483647i, (_e521 > bitcast<f32>(1325400063u))), (_e521 == _e521)));
+                    if (_e533 > _e521) {
+                        phi_757_ = 1f;
+                    } else {
+                        phi_757_ = 0f;
+                    }
+                    let _e536 = phi_757_;
+                    if (_e521 < 8388608f) {
+                        phi_762_ = (_e533 - _e536);
+                        phi_763_ = false;
+                    } else {
+                        phi_762_ = f32();
+                        phi_763_ = true;
+                    }
+                    let _e539 = phi_762_;
+                    let _e541 = phi_763_;
+                    phi_764_ = _e539;
+                    phi_765_ = _e541;
                 } else {
-                    phi_740_ = _e518;
+                    phi_764_ = f32();
+                    phi_765_ = true;
                 }
-                let _e522 = phi_740_;
-                let _e523 = ((f32(_e56.y) + ((f32((_e56.x & (_e470 - 1u))) + 0.5f) / f32(_e470))) + _e466);
-                if (_e523 > -8388608f) {
-                    let _e535 = f32(select(0i, select(select(i32(_e523), i32(-2147483648), (_e523 < bitcast<f32>(3472883712u))), 2147483647i, (_e523 > bitcast<f32>(1325400063u))), (_e523 == _e523)));
-                    if (_e535 > _e523) {
-                        phi_761_ = 1f;
-                    } else {
-                        phi_761_ = 0f;
-                    }
-                    let _e538 = phi_761_;
-                    if (_e523 < 8388608f) {
-                        phi_766_ = (_e535 - _e538);
-                        phi_767_ = false;
-                    } else {
-                        phi_766_ = f32();
-                        phi_767_ = true;
-                    }
-                    let _e541 = phi_766_;
-                    let _e543 = phi_767_;
-                    phi_768_ = _e541;
+                let _e543 = phi_764_;
+                let _e545 = phi_765_;
+                if _e545 {
+                    phi_769_ = _e521;
+                } else {
                     phi_769_ = _e543;
-                } else {
-                    phi_768_ = f32();
-                    phi_769_ = true;
                 }
-                let _e545 = phi_768_;
                 let _e547 = phi_769_;
-                if _e547 {
-                    phi_773_ = _e523;
-                } else {
-                    phi_773_ = _e545;
-                }
-                let _e549 = phi_773_;
-                if (_e522 >= 0f) {
-                    if (_e549 >= 0f) {
-                        if (_e522 < f32(_e492)) {
-                            let _e555 = (_e549 < f32(_e494));
-                            if (_e460 == 0f) {
-                                phi_794_ = (_e466 == 0f);
+                if (_e520 >= 0f) {
+                    if (_e547 >= 0f) {
+                        if (_e520 < f32(_e490)) {
+                            let _e553 = (_e547 < f32(_e492));
+                            if (_e458 == 0f) {
+                                phi_790_ = (_e464 == 0f);
                             } else {
-                                phi_794_ = false;
+                                phi_790_ = false;
                             }
-                            let _e559 = phi_794_;
-                            if _e555 {
-                                phi_813_ = vec2<u32>(select(select(u32(_e522), 0u, (_e522 < bitcast<f32>(0u))), 4294967295u, (_e522 > bitcast<f32>(1333788671u))), select(select(u32(_e549), 0u, (_e549 < bitcast<f32>(0u))), 4294967295u, (_e549 > bitcast<f32>(1333788671u))));
-                                phi_814_ = false;
+                            let _e557 = phi_790_;
+                            if _e553 {
+                                phi_809_ = vec2<u32>(select(select(u32(_e520), 0u, (_e520 < bitcast<f32>(0u))), 4294967295u, (_e520 > bitcast<f32>(1333788671u))), select(select(u32(_e547), 0u, (_e547 < bitcast<f32>(0u))), 4294967295u, (_e547 > bitcast<f32>(1333788671u))));
+                                phi_810_ = false;
                             } else {
-                                phi_813_ = vec2<u32>();
-                                phi_814_ = true;
+                                phi_809_ = vec2<u32>();
+                                phi_810_ = true;
                             }
-                            let _e576 = phi_813_;
-                            let _e578 = phi_814_;
-                            phi_815_ = _e559;
-                            phi_816_ = _e555;
+                            let _e574 = phi_809_;
+                            let _e576 = phi_810_;
+                            phi_811_ = _e557;
+                            phi_812_ = _e553;
+                            phi_813_ = _e574;
+                            phi_814_ = _e557;
+                            phi_815_ = _e553;
+                            phi_816_ = false;
                             phi_817_ = _e576;
-                            phi_818_ = _e559;
-                            phi_819_ = _e555;
-                            phi_820_ = false;
-                            phi_821_ = _e578;
                         } else {
+                            phi_811_ = bool();
+                            phi_812_ = bool();
+                            phi_813_ = vec2<u32>();
+                            phi_814_ = bool();
                             phi_815_ = bool();
-                            phi_816_ = bool();
-                            phi_817_ = vec2<u32>();
-                            phi_818_ = bool();
-                            phi_819_ = bool();
-                            phi_820_ = true;
-                            phi_821_ = false;
+                            phi_816_ = true;
+                            phi_817_ = false;
                         }
-                        let _e580 = phi_815_;
-                        let _e582 = phi_816_;
-                        let _e584 = phi_817_;
-                        let _e586 = phi_818_;
-                        let _e588 = phi_819_;
-                        let _e590 = phi_820_;
-                        let _e592 = phi_821_;
-                        phi_822_ = _e580;
-                        phi_823_ = _e582;
-                        phi_824_ = _e584;
-                        phi_825_ = _e586;
-                        phi_826_ = _e588;
-                        phi_827_ = _e590;
-                        phi_828_ = _e592;
+                        let _e578 = phi_811_;
+                        let _e580 = phi_812_;
+                        let _e582 = phi_813_;
+                        let _e584 = phi_814_;
+                        let _e586 = phi_815_;
+                        let _e588 = phi_816_;
+                        let _e590 = phi_817_;
+                        phi_818_ = _e578;
+                        phi_819_ = _e580;
+                        phi_820_ = _e582;
+                        phi_821_ = _e584;
+                        phi_822_ = _e586;
+                        phi_823_ = _e588;
+                        phi_824_ = _e590;
                     } else {
+                        phi_818_ = bool();
+                        phi_819_ = bool();
+                        phi_820_ = vec2<u32>();
+                        phi_821_ = bool();
                         phi_822_ = bool();
-                        phi_823_ = bool();
-                        phi_824_ = vec2<u32>();
-                        phi_825_ = bool();
-                        phi_826_ = bool();
-                        phi_827_ = true;
-                        phi_828_ = false;
+                        phi_823_ = true;
+                        phi_824_ = false;
                     }
-                    let _e594 = phi_822_;
-                    let _e596 = phi_823_;
-                    let _e598 = phi_824_;
-                    let _e600 = phi_825_;
-                    let _e602 = phi_826_;
-                    let _e604 = phi_827_;
-                    let _e606 = phi_828_;
-                    phi_829_ = _e594;
-                    phi_830_ = _e596;
-                    phi_831_ = _e598;
-                    phi_832_ = _e600;
-                    phi_833_ = _e602;
-                    phi_834_ = _e604;
-                    phi_835_ = _e606;
+                    let _e592 = phi_818_;
+                    let _e594 = phi_819_;
+                    let _e596 = phi_820_;
+                    let _e598 = phi_821_;
+                    let _e600 = phi_822_;
+                    let _e602 = phi_823_;
+                    let _e604 = phi_824_;
+                    phi_825_ = _e592;
+                    phi_826_ = _e594;
+                    phi_827_ = _e596;
+                    phi_828_ = _e598;
+                    phi_829_ = _e600;
+                    phi_830_ = _e602;
+                    phi_831_ = _e604;
                 } else {
+                    phi_825_ = bool();
+                    phi_826_ = bool();
+                    phi_827_ = vec2<u32>();
+                    phi_828_ = bool();
                     phi_829_ = bool();
-                    phi_830_ = bool();
-                    phi_831_ = vec2<u32>();
-                    phi_832_ = bool();
-                    phi_833_ = bool();
-                    phi_834_ = true;
-                    phi_835_ = false;
+                    phi_830_ = true;
+                    phi_831_ = false;
                 }
-                let _e608 = phi_829_;
-                let _e610 = phi_830_;
-                let _e612 = phi_831_;
-                let _e614 = phi_832_;
-                let _e616 = phi_833_;
-                let _e618 = phi_834_;
-                let _e620 = phi_835_;
-                if _e618 {
-                    if (_e460 == 0f) {
-                        phi_844_ = (_e466 == 0f);
+                let _e606 = phi_825_;
+                let _e608 = phi_826_;
+                let _e610 = phi_827_;
+                let _e612 = phi_828_;
+                let _e614 = phi_829_;
+                let _e616 = phi_830_;
+                let _e618 = phi_831_;
+                if _e616 {
+                    if (_e458 == 0f) {
+                        phi_840_ = (_e464 == 0f);
                     } else {
-                        phi_844_ = false;
+                        phi_840_ = false;
                     }
-                    let _e624 = phi_844_;
-                    phi_845_ = _e624;
-                    phi_846_ = false;
-                    phi_847_ = true;
+                    let _e622 = phi_840_;
+                    phi_841_ = _e622;
+                    phi_842_ = false;
+                    phi_843_ = true;
                 } else {
-                    phi_845_ = _e614;
-                    phi_846_ = _e616;
-                    phi_847_ = _e620;
+                    phi_841_ = _e612;
+                    phi_842_ = _e614;
+                    phi_843_ = _e618;
                 }
-                let _e626 = phi_845_;
-                let _e628 = phi_846_;
+                let _e624 = phi_841_;
+                let _e626 = phi_842_;
+                let _e628 = phi_843_;
+                if _e628 {
+                    phi_847_ = _e624;
+                    phi_848_ = _e626;
+                    phi_849_ = vec2<u32>(_e56.x, _e56.y);
+                } else {
+                    phi_847_ = _e606;
+                    phi_848_ = _e608;
+                    phi_849_ = _e610;
+                }
                 let _e630 = phi_847_;
-                if _e630 {
-                    phi_851_ = _e626;
-                    phi_852_ = _e628;
-                    phi_853_ = vec2<u32>(_e56.x, _e56.y);
-                } else {
-                    phi_851_ = _e608;
-                    phi_852_ = _e610;
-                    phi_853_ = _e612;
-                }
-                let _e632 = phi_851_;
-                let _e634 = phi_852_;
-                let _e636 = phi_853_;
-                let _e646 = lt_mask_Reprojection(vec2<u32>(_e636.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e653 = lt_mask_Reprojection(vec2<u32>(_e646.pixel.x, _e636.y), _e646.is_valid, _e646.has_moved);
-                let _e657 = lt_mask_Reprojection(_e653.pixel, _e634, _e653.has_moved);
-                let _e661 = lt_mask_Reprojection(_e657.pixel, _e657.is_valid, !(_e632));
-                if _e634 {
-                    let _e664 = p.member.previous.eye;
-                    let _e672 = p.member.previous.forward;
-                    let _e681 = (((((_e92.x - _e664.x) * _e672.x) + ((_e92.y - _e664.y) * _e672.y)) + ((_e92.z - _e664.z) * _e672.z)) > 0f);
-                    let _e685 = lt_mask_Reprojection(_e661.pixel, _e681, _e661.has_moved);
-                    if _e681 {
-                        phi_888_ = false;
+                let _e632 = phi_848_;
+                let _e634 = phi_849_;
+                let _e644 = lt_mask_Reprojection(vec2<u32>(_e634.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e651 = lt_mask_Reprojection(vec2<u32>(_e644.pixel.x, _e634.y), _e644.is_valid, _e644.has_moved);
+                let _e655 = lt_mask_Reprojection(_e651.pixel, _e632, _e651.has_moved);
+                let _e659 = lt_mask_Reprojection(_e655.pixel, _e655.is_valid, !(_e630));
+                if _e632 {
+                    let _e662 = p.member.previous.eye;
+                    let _e670 = p.member.previous.forward;
+                    let _e679 = (((((_e92.x - _e662.x) * _e670.x) + ((_e92.y - _e662.y) * _e670.y)) + ((_e92.z - _e662.z) * _e670.z)) > 0f);
+                    let _e683 = lt_mask_Reprojection(_e659.pixel, _e679, _e659.has_moved);
+                    if _e679 {
+                        phi_884_ = false;
                     } else {
-                        phi_888_ = true;
+                        phi_884_ = true;
                     }
-                    let _e687 = phi_888_;
-                    phi_890_ = _e685;
-                    phi_891_ = _e685;
-                    phi_892_ = _e687;
+                    let _e685 = phi_884_;
+                    phi_886_ = _e683;
+                    phi_887_ = _e683;
+                    phi_888_ = _e685;
                 } else {
-                    phi_890_ = lt_mask_Reprojection();
-                    phi_891_ = lt_mask_Reprojection(_e661.pixel, false, _e661.has_moved);
+                    phi_886_ = lt_mask_Reprojection();
+                    phi_887_ = lt_mask_Reprojection(_e659.pixel, false, _e659.has_moved);
+                    phi_888_ = true;
+                }
+                let _e691 = phi_886_;
+                let _e693 = phi_887_;
+                let _e695 = phi_888_;
+                if _e695 {
+                    phi_892_ = false;
+                } else {
                     phi_892_ = true;
                 }
-                let _e693 = phi_890_;
-                let _e695 = phi_891_;
                 let _e697 = phi_892_;
-                if _e697 {
-                    phi_896_ = false;
-                } else {
-                    phi_896_ = true;
-                }
-                let _e699 = phi_896_;
-                phi_897_ = _e695;
-                phi_898_ = _e693;
-                phi_899_ = _e699;
-            } else {
-                phi_897_ = lt_mask_Reprojection();
-                phi_898_ = lt_mask_Reprojection(_e277.pixel, _e277.is_valid, false);
-                phi_899_ = true;
+                phi_893_ = _e691;
+                phi_894_ = _e693;
+                phi_895_ = _e697;
             }
-            let _e701 = phi_897_;
-            let _e703 = phi_898_;
-            let _e705 = phi_899_;
-            if _e705 {
-                let _e707 = p.member.flags;
-                phi_907_ = ((_e707 & 1u) != 0u);
-                phi_908_ = _e703;
+            let _e699 = phi_893_;
+            let _e701 = phi_894_;
+            let _e703 = phi_895_;
+            if _e703 {
+                let _e705 = p.member.flags;
+                phi_903_ = ((_e705 & 1u) != 0u);
+                phi_904_ = _e699;
             } else {
-                phi_907_ = false;
-                phi_908_ = _e701;
+                phi_903_ = false;
+                phi_904_ = _e701;
             }
-            let _e711 = phi_907_;
-            let _e713 = phi_908_;
-            let _e717 = lt_mask_Reprojection(_e713.pixel, _e711, _e713.has_moved);
-            let _e718 = lt_mask_Neighbourhood(false, true);
+            let _e709 = phi_903_;
+            let _e711 = phi_904_;
+            let _e715 = lt_mask_Reprojection(_e711.pixel, _e709, _e711.has_moved);
+            let _e716 = lt_mask_Neighbourhood(false, true);
             if _e259 {
-                phi_914_ = false;
+                phi_910_ = false;
             } else {
-                phi_914_ = true;
+                phi_910_ = true;
             }
-            let _e720 = phi_914_;
-            if _e720 {
-                if _e711 {
+            let _e718 = phi_910_;
+            if _e718 {
+                if _e709 {
                     if ((0u & 2u) != 0u) {
-                        phi_1207_ = _e718;
+                        phi_1203_ = _e716;
                     } else {
-                        let _e724 = p.member.expansion;
-                        if _e717.has_moved {
-                            let _e727 = p.member.moving_pattern;
-                            phi_936_ = _e727;
+                        let _e722 = p.member.expansion;
+                        if _e715.has_moved {
+                            let _e725 = p.member.moving_pattern;
+                            phi_932_ = _e725;
                         } else {
-                            let _e729 = p.member.still_pattern;
-                            phi_936_ = _e729;
+                            let _e727 = p.member.still_pattern;
+                            phi_932_ = _e727;
                         }
-                        let _e731 = phi_936_;
-                        phi_938_ = 0u;
-                        phi_941_ = _e718;
+                        let _e729 = phi_932_;
+                        phi_934_ = 0u;
+                        phi_937_ = _e716;
                         loop {
-                            let _e733 = phi_938_;
-                            let _e735 = phi_941_;
-                            local_1 = _e735;
-                            if (1u <= _e731) {
-                                if (_e731 <= 4u) {
-                                    phi_953_ = false;
+                            let _e731 = phi_934_;
+                            let _e733 = phi_937_;
+                            local_1 = _e733;
+                            if (1u <= _e729) {
+                                if (_e729 <= 4u) {
+                                    phi_949_ = false;
                                 } else {
-                                    phi_953_ = true;
+                                    phi_949_ = true;
                                 }
-                                let _e739 = phi_953_;
-                                phi_954_ = _e739;
+                                let _e737 = phi_949_;
+                                phi_950_ = _e737;
                             } else {
-                                phi_954_ = true;
+                                phi_950_ = true;
                             }
-                            let _e741 = phi_954_;
-                            if _e741 {
-                                switch bitcast<i32>(_e731) {
+                            let _e739 = phi_950_;
+                            if _e739 {
+                                switch bitcast<i32>(_e729) {
                                     case 5: {
-                                        phi_963_ = 4u;
+                                        phi_959_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_963_ = 25u;
+                                        phi_959_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_963_ = 13u;
+                                        phi_959_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_963_ = 9u;
+                                        phi_959_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e744 = phi_963_;
-                                phi_964_ = _e744;
+                                let _e742 = phi_959_;
+                                phi_960_ = _e742;
                             } else {
-                                phi_964_ = 5u;
+                                phi_960_ = 5u;
                             }
-                            let _e746 = phi_964_;
-                            let _e747 = (_e733 < _e746);
-                            if _e747 {
-                                let _e753 = p.member.frame;
-                                let _e757 = p.member.current.size[0u];
-                                let _e759 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e731) {
+                            let _e744 = phi_960_;
+                            let _e745 = (_e731 < _e744);
+                            if _e745 {
+                                let _e751 = p.member.frame;
+                                let _e755 = p.member.current.size[0u];
+                                let _e757 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e729) {
                                     case 1: {
-                                        let _e769 = lt_mask_pattern_plus(_e733);
-                                        phi_1044_ = vec2<i32>(_e769.x, _e769.y);
+                                        let _e767 = lt_mask_pattern_plus(_e731);
+                                        phi_1040_ = vec2<i32>(_e767.x, _e767.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e773 = lt_mask_pattern_cross(_e733);
-                                        phi_1044_ = vec2<i32>(_e773.x, _e773.y);
+                                        let _e771 = lt_mask_pattern_cross(_e731);
+                                        phi_1040_ = vec2<i32>(_e771.x, _e771.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e779 = lt_mask_pattern_plus_or_cross(_e733, ((_e717.pixel.x + _e717.pixel.y) & 1u));
-                                        phi_1044_ = vec2<i32>(_e779.x, _e779.y);
+                                        let _e777 = lt_mask_pattern_plus_or_cross(_e731, ((_e715.pixel.x + _e715.pixel.y) & 1u));
+                                        phi_1040_ = vec2<i32>(_e777.x, _e777.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e784 = lt_mask_pattern_plus_or_cross(_e733, (_e753 & 1u));
-                                        phi_1044_ = vec2<i32>(_e784.x, _e784.y);
+                                        let _e782 = lt_mask_pattern_plus_or_cross(_e731, (_e751 & 1u));
+                                        phi_1040_ = vec2<i32>(_e782.x, _e782.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e753 & 3u)) {
+                                        switch bitcast<i32>((_e751 & 3u)) {
                                             case 0: {
-                                                phi_1024_ = vec2(-1i);
+                                                phi_1020_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_1024_ = vec2(0i);
+                                                phi_1020_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1024_ = vec2<i32>(0i, -1i);
+                                                phi_1020_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_1024_ = vec2<i32>(-1i, 0i);
+                                                phi_1020_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e795 = phi_1024_;
-                                        phi_1044_ = (_e795 + vec2<i32>(bitcast<i32>((_e733 & 1u)), bitcast<i32>(((_e733 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e793 = phi_1020_;
+                                        phi_1040_ = (_e793 + vec2<i32>(bitcast<i32>((_e731 & 1u)), bitcast<i32>(((_e731 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_1044_ = vec2<i32>((bitcast<i32>((_e733 % 5u)) - 2i), (bitcast<i32>(((_e733 / 5u) % 5u)) - 2i));
+                                        phi_1040_ = vec2<i32>((bitcast<i32>((_e731 % 5u)) - 2i), (bitcast<i32>(((_e731 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e812 = lt_mask_pattern_diamond(_e733);
-                                        phi_1044_ = vec2<i32>(_e812.x, _e812.y);
+                                        let _e810 = lt_mask_pattern_diamond(_e731);
+                                        phi_1040_ = vec2<i32>(_e810.x, _e810.y);
                                         break;
                                     }
                                     default: {
-                                        phi_1044_ = vec2<i32>((bitcast<i32>((_e733 % 3u)) - 1i), (bitcast<i32>(((_e733 / 3u) % 3u)) - 1i));
+                                        phi_1040_ = vec2<i32>((bitcast<i32>((_e731 % 3u)) - 1i), (bitcast<i32>(((_e731 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e817 = phi_1044_;
-                                let _e820 = lt_mask_pattern_step_clamped(_e717.pixel.x, _e817.x, _e757);
-                                let _e821 = lt_mask_pattern_step_clamped(_e717.pixel.y, _e817.y, _e759);
-                                let _e825 = ((((_e821 * _e89) + _e820) * _e85) + (_e81 / 32u));
+                                let _e815 = phi_1040_;
+                                let _e818 = lt_mask_pattern_step_clamped(_e715.pixel.x, _e815.x, _e755);
+                                let _e819 = lt_mask_pattern_step_clamped(_e715.pixel.y, _e815.y, _e757);
+                                let _e823 = ((((_e819 * _e89) + _e818) * _e85) + (_e81 / 32u));
                                 if (_e83 > 29u) {
-                                    let _e827 = (_e825 + 1u);
-                                    if (_e827 < _e62) {
+                                    let _e825 = (_e823 + 1u);
+                                    if (_e825 < _e62) {
                                     } else {
                                         return;
                                     }
-                                    let _e831 = last_bits.member[(0u + _e827)];
-                                    phi_1069_ = _e831;
+                                    let _e829 = last_bits.member[(0u + _e825)];
+                                    phi_1065_ = _e829;
                                 } else {
-                                    phi_1069_ = 0u;
+                                    phi_1065_ = 0u;
                                 }
-                                let _e833 = phi_1069_;
-                                if (_e825 < _e62) {
+                                let _e831 = phi_1065_;
+                                if (_e823 < _e62) {
                                 } else {
                                     return;
                                 }
-                                let _e837 = last_bits.member[(0u + _e825)];
-                                let _e840 = (_e837 >> bitcast<u32>((_e83 & 31u)));
+                                let _e835 = last_bits.member[(0u + _e823)];
+                                let _e838 = (_e835 >> bitcast<u32>((_e83 & 31u)));
                                 if (_e83 > 29u) {
-                                    phi_1088_ = (_e840 | (_e833 << bitcast<u32>(((32u - _e83) & 31u))));
+                                    phi_1084_ = (_e838 | (_e831 << bitcast<u32>(((32u - _e83) & 31u))));
                                 } else {
-                                    phi_1088_ = _e840;
+                                    phi_1084_ = _e838;
                                 }
-                                let _e848 = phi_1088_;
-                                if ((_e848 & 2u) == 0u) {
-                                    phi_1096_ = (_e848 & 1u);
+                                let _e846 = phi_1084_;
+                                if ((_e846 & 2u) == 0u) {
+                                    phi_1092_ = (_e846 & 1u);
                                 } else {
-                                    phi_1096_ = (_e848 & 7u);
+                                    phi_1092_ = (_e846 & 7u);
                                 }
-                                let _e854 = phi_1096_;
-                                if _e735.any_expands {
-                                    phi_1184_ = true;
+                                let _e852 = phi_1092_;
+                                if _e733.any_expands {
+                                    phi_1180_ = true;
                                 } else {
-                                    if ((_e854 & 2u) != 0u) {
-                                        let _e861 = (((_e854 & 4u) != 0u) != _e255);
-                                        switch bitcast<i32>(_e724) {
+                                    if ((_e852 & 2u) != 0u) {
+                                        let _e859 = (((_e852 & 4u) != 0u) != _e255);
+                                        switch bitcast<i32>(_e722) {
                                             case 1: {
-                                                phi_1124_ = bool();
-                                                phi_1125_ = false;
-                                                phi_1126_ = true;
-                                                phi_1127_ = false;
-                                                phi_1128_ = false;
+                                                phi_1120_ = bool();
+                                                phi_1121_ = false;
+                                                phi_1122_ = true;
+                                                phi_1123_ = false;
+                                                phi_1124_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e861 {
-                                                    phi_1122_ = (((_e854 & 4u) != 0u) != ((_e854 & 1u) != 0u));
-                                                    phi_1123_ = false;
+                                                if _e859 {
+                                                    phi_1118_ = (((_e852 & 4u) != 0u) != ((_e852 & 1u) != 0u));
+                                                    phi_1119_ = false;
                                                 } else {
-                                                    phi_1122_ = bool();
-                                                    phi_1123_ = true;
+                                                    phi_1118_ = bool();
+                                                    phi_1119_ = true;
                                                 }
-                                                let _e869 = phi_1122_;
-                                                let _e871 = phi_1123_;
-                                                phi_1124_ = _e869;
-                                                phi_1125_ = false;
-                                                phi_1126_ = false;
-                                                phi_1127_ = _e871;
-                                                phi_1128_ = _e861;
+                                                let _e867 = phi_1118_;
+                                                let _e869 = phi_1119_;
+                                                phi_1120_ = _e867;
+                                                phi_1121_ = false;
+                                                phi_1122_ = false;
+                                                phi_1123_ = _e869;
+                                                phi_1124_ = _e859;
                                                 break;
                                             }
                                             default: {
-                                                phi_1124_ = bool();
-                                                phi_1125_ = true;
-                                                phi_1126_ = false;
-                                                phi_1127_ = false;
-                                                phi_1128_ = false;
+                                                phi_1120_ = bool();
+                                                phi_1121_ = true;
+                                                phi_1122_ = false;
+                                                phi_1123_ = false;
+                                                phi_1124_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e873 = phi_1124_;
-                                        let _e875 = phi_1125_;
-                                        let _e877 = phi_1126_;
-                                        let _e879 = phi_1127_;
-                                        let _e881 = phi_1128_;
-                                        phi_1136_ = _e861;
-                                        phi_1137_ = _e873;
-                                        phi_1138_ = _e875;
-                                        phi_1139_ = _e877;
-                                        phi_1140_ = _e879;
-                                        phi_1141_ = _e881;
+                                        let _e871 = phi_1120_;
+                                        let _e873 = phi_1121_;
+                                        let _e875 = phi_1122_;
+                                        let _e877 = phi_1123_;
+                                        let _e879 = phi_1124_;
+                                        phi_1132_ = _e859;
+                                        phi_1133_ = _e871;
+                                        phi_1134_ = _e873;
+                                        phi_1135_ = _e875;
+                                        phi_1136_ = _e877;
+                                        phi_1137_ = _e879;
                                     } else {
-                                        switch bitcast<i32>(_e724) {
+                                        switch bitcast<i32>(_e722) {
                                             case 1: {
-                                                phi_1133_ = false;
-                                                phi_1134_ = true;
-                                                phi_1135_ = false;
+                                                phi_1129_ = false;
+                                                phi_1130_ = true;
+                                                phi_1131_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_1133_ = false;
-                                                phi_1134_ = false;
-                                                phi_1135_ = true;
+                                                phi_1129_ = false;
+                                                phi_1130_ = false;
+                                                phi_1131_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_1133_ = true;
-                                                phi_1134_ = false;
-                                                phi_1135_ = false;
+                                                phi_1129_ = true;
+                                                phi_1130_ = false;
+                                                phi_1131_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e884 = phi_1133_;
-                                        let _e886 = phi_1134_;
-                                        let _e888 = phi_1135_;
-                                        phi_1136_ = false;
-                                        phi_1137_ = bool();
-                                        phi_1138_ = _e884;
-                                        phi_1139_ = _e886;
-                                        phi_1140_ = _e888;
-                                        phi_1141_ = false;
+                                        let _e882 = phi_1129_;
+                                        let _e884 = phi_1130_;
+                                        let _e886 = phi_1131_;
+                                        phi_1132_ = false;
+                                        phi_1133_ = bool();
+                                        phi_1134_ = _e882;
+                                        phi_1135_ = _e884;
+                                        phi_1136_ = _e886;
+                                        phi_1137_ = false;
                                     }
-                                    let _e890 = phi_1136_;
-                                    let _e892 = phi_1137_;
-                                    let _e894 = phi_1138_;
-                                    let _e896 = phi_1139_;
-                                    let _e898 = phi_1140_;
-                                    let _e900 = phi_1141_;
-                                    if _e894 {
-                                        if ((_e854 & 2u) != 0u) {
-                                            if (((_e854 & 4u) != 0u) != _e255) {
-                                                phi_1156_ = false;
+                                    let _e888 = phi_1132_;
+                                    let _e890 = phi_1133_;
+                                    let _e892 = phi_1134_;
+                                    let _e894 = phi_1135_;
+                                    let _e896 = phi_1136_;
+                                    let _e898 = phi_1137_;
+                                    if _e892 {
+                                        if ((_e852 & 2u) != 0u) {
+                                            if (((_e852 & 4u) != 0u) != _e255) {
+                                                phi_1152_ = false;
                                             } else {
-                                                phi_1156_ = true;
+                                                phi_1152_ = true;
                                             }
-                                            let _e907 = phi_1156_;
-                                            phi_1157_ = _e907;
+                                            let _e905 = phi_1152_;
+                                            phi_1153_ = _e905;
                                         } else {
-                                            phi_1157_ = true;
+                                            phi_1153_ = true;
                                         }
-                                        let _e909 = phi_1157_;
-                                        if _e909 {
-                                            phi_1164_ = (((_e854 & 1u) != 0u) != _e255);
+                                        let _e907 = phi_1153_;
+                                        if _e907 {
+                                            phi_1160_ = (((_e852 & 1u) != 0u) != _e255);
                                         } else {
-                                            phi_1164_ = true;
+                                            phi_1160_ = true;
                                         }
-                                        let _e914 = phi_1164_;
-                                        phi_1165_ = _e914;
-                                        phi_1166_ = false;
-                                        phi_1167_ = false;
-                                        phi_1168_ = false;
+                                        let _e912 = phi_1160_;
+                                        phi_1161_ = _e912;
+                                        phi_1162_ = false;
+                                        phi_1163_ = false;
+                                        phi_1164_ = false;
                                     } else {
-                                        phi_1165_ = bool();
-                                        phi_1166_ = _e896;
-                                        phi_1167_ = _e898;
-                                        phi_1168_ = _e900;
+                                        phi_1161_ = bool();
+                                        phi_1162_ = _e894;
+                                        phi_1163_ = _e896;
+                                        phi_1164_ = _e898;
                                     }
-                                    let _e916 = phi_1165_;
-                                    let _e918 = phi_1166_;
-                                    let _e920 = phi_1167_;
+                                    let _e914 = phi_1161_;
+                                    let _e916 = phi_1162_;
+                                    let _e918 = phi_1163_;
+                                    let _e920 = phi_1164_;
+                                    if _e916 {
+                                        phi_1168_ = _e888;
+                                        phi_1169_ = false;
+                                        phi_1170_ = false;
+                                    } else {
+                                        phi_1168_ = _e914;
+                                        phi_1169_ = _e918;
+                                        phi_1170_ = _e920;
+                                    }
                                     let _e922 = phi_1168_;
-                                    if _e918 {
-                                        phi_1172_ = _e890;
-                                        phi_1173_ = false;
+                                    let _e924 = phi_1169_;
+                                    let _e926 = phi_1170_;
+                                    if _e924 {
                                         phi_1174_ = false;
+                                        phi_1175_ = true;
                                     } else {
-                                        phi_1172_ = _e916;
-                                        phi_1173_ = _e920;
-                                        phi_1174_ = _e922;
+                                        phi_1174_ = _e890;
+                                        phi_1175_ = _e926;
                                     }
-                                    let _e924 = phi_1172_;
-                                    let _e926 = phi_1173_;
                                     let _e928 = phi_1174_;
-                                    if _e926 {
-                                        phi_1178_ = false;
-                                        phi_1179_ = true;
-                                    } else {
-                                        phi_1178_ = _e892;
+                                    let _e930 = phi_1175_;
+                                    if _e930 {
                                         phi_1179_ = _e928;
+                                    } else {
+                                        phi_1179_ = _e922;
                                     }
-                                    let _e930 = phi_1178_;
                                     let _e932 = phi_1179_;
-                                    if _e932 {
-                                        phi_1183_ = _e930;
-                                    } else {
-                                        phi_1183_ = _e924;
-                                    }
-                                    let _e934 = phi_1183_;
-                                    phi_1184_ = _e934;
+                                    phi_1180_ = _e932;
                                 }
-                                let _e936 = phi_1184_;
-                                if _e735.all_remove {
-                                    if (((_e854 & 1u) != 0u) == _e255) {
-                                        if ((_e854 & 2u) != 0u) {
-                                            phi_1202_ = (((_e854 & 4u) != 0u) == _e255);
+                                let _e934 = phi_1180_;
+                                if _e733.all_remove {
+                                    if (((_e852 & 1u) != 0u) == _e255) {
+                                        if ((_e852 & 2u) != 0u) {
+                                            phi_1198_ = (((_e852 & 4u) != 0u) == _e255);
                                         } else {
-                                            phi_1202_ = true;
+                                            phi_1198_ = true;
                                         }
-                                        let _e946 = phi_1202_;
-                                        phi_1203_ = _e946;
+                                        let _e944 = phi_1198_;
+                                        phi_1199_ = _e944;
                                     } else {
-                                        phi_1203_ = false;
+                                        phi_1199_ = false;
                                     }
-                                    let _e948 = phi_1203_;
-                                    phi_1204_ = _e948;
+                                    let _e946 = phi_1199_;
+                                    phi_1200_ = _e946;
                                 } else {
-                                    phi_1204_ = false;
+                                    phi_1200_ = false;
                                 }
-                                let _e950 = phi_1204_;
-                                phi_939_ = (_e733 + 1u);
-                                phi_942_ = lt_mask_Neighbourhood(_e936, _e950);
+                                let _e948 = phi_1200_;
+                                phi_935_ = (_e731 + 1u);
+                                phi_938_ = lt_mask_Neighbourhood(_e934, _e948);
                             } else {
-                                phi_939_ = u32();
-                                phi_942_ = lt_mask_Neighbourhood();
+                                phi_935_ = u32();
+                                phi_938_ = lt_mask_Neighbourhood();
                             }
-                            let _e954 = phi_939_;
-                            let _e956 = phi_942_;
+                            let _e952 = phi_935_;
+                            let _e954 = phi_938_;
                             continue;
                             continuing {
-                                phi_938_ = _e954;
-                                phi_941_ = _e956;
-                                break if !(_e747);
+                                phi_934_ = _e952;
+                                phi_937_ = _e954;
+                                break if !(_e745);
                             }
                         }
-                        let _e1254 = local_1;
-                        phi_1207_ = _e1254;
+                        let _e1251 = local_1;
+                        phi_1203_ = _e1251;
                     }
-                    let _e959 = phi_1207_;
-                    phi_1208_ = _e959;
+                    let _e957 = phi_1203_;
+                    phi_1204_ = _e957;
                 } else {
-                    phi_1208_ = _e718;
+                    phi_1204_ = _e716;
                 }
-                let _e961 = phi_1208_;
-                phi_1209_ = _e961;
+                let _e959 = phi_1204_;
+                phi_1205_ = _e959;
             } else {
-                phi_1209_ = _e718;
+                phi_1205_ = _e716;
             }
-            let _e963 = phi_1209_;
-            let _e966 = p.member.frame;
-            let _e968 = p.member.refresh;
-            if (_e968 == 0u) {
-                phi_1242_ = false;
+            let _e961 = phi_1205_;
+            let _e964 = p.member.frame;
+            let _e966 = p.member.refresh;
+            if (_e966 == 0u) {
+                phi_1238_ = false;
             } else {
-                if (_e968 == 0u) {
+                if (_e966 == 0u) {
                     return;
                 }
-                let _e977 = ((_e56.x + (_e56.y * (((_e968 * 5u) / 8u) | 1u))) + (_e966 % _e968));
-                if (_e968 == 0u) {
-                    phi_1241_ = (_e977 == 0u);
+                let _e975 = ((_e56.x + (_e56.y * (((_e966 * 5u) / 8u) | 1u))) + (_e964 % _e966));
+                if (_e966 == 0u) {
+                    phi_1237_ = (_e975 == 0u);
                 } else {
-                    if (_e968 == 0u) {
+                    if (_e966 == 0u) {
                         return;
                     }
-                    phi_1241_ = ((_e977 % _e968) == 0u);
+                    phi_1237_ = ((_e975 % _e966) == 0u);
                 }
-                let _e984 = phi_1241_;
-                phi_1242_ = _e984;
+                let _e982 = phi_1237_;
+                phi_1238_ = _e982;
             }
-            let _e986 = phi_1242_;
-            if _e711 {
-                if _e986 {
-                    phi_1264_ = bool();
+            let _e984 = phi_1238_;
+            if _e709 {
+                if _e984 {
+                    phi_1260_ = bool();
                 } else {
-                    phi_1264_ = ((0u & 2u) != 0u);
+                    phi_1260_ = ((0u & 2u) != 0u);
                 }
-                let _e992 = phi_1264_;
-                phi_1265_ = _e992;
-                phi_1266_ = _e986;
+                let _e990 = phi_1260_;
+                phi_1261_ = _e990;
+                phi_1262_ = _e984;
             } else {
-                phi_1265_ = bool();
-                phi_1266_ = true;
+                phi_1261_ = bool();
+                phi_1262_ = true;
             }
-            let _e994 = phi_1265_;
+            let _e992 = phi_1261_;
+            let _e994 = phi_1262_;
+            if _e994 {
+                phi_1266_ = false;
+            } else {
+                phi_1266_ = _e992;
+            }
             let _e996 = phi_1266_;
             if _e996 {
-                phi_1270_ = false;
-            } else {
-                phi_1270_ = _e994;
-            }
-            let _e998 = phi_1270_;
-            if _e998 {
-                phi_1321_ = 7u;
+                phi_1317_ = 7u;
             } else {
                 if (_e97 != 0.5f) {
-                    if _e711 {
-                        if _e986 {
-                            phi_1318_ = 6u;
+                    if _e709 {
+                        if _e984 {
+                            phi_1314_ = 6u;
                         } else {
                             if _e259 {
-                                phi_1293_ = true;
+                                phi_1289_ = true;
                             } else {
-                                if _e963.any_expands {
-                                    phi_1292_ = false;
+                                if _e961.any_expands {
+                                    phi_1288_ = false;
                                 } else {
-                                    phi_1292_ = true;
+                                    phi_1288_ = true;
                                 }
-                                let _e1000 = phi_1292_;
-                                phi_1293_ = _e1000;
+                                let _e998 = phi_1288_;
+                                phi_1289_ = _e998;
                             }
-                            let _e1002 = phi_1293_;
-                            if _e1002 {
+                            let _e1000 = phi_1289_;
+                            if _e1000 {
                                 if _e259 {
                                     if false {
-                                        if _e963.all_remove {
-                                            phi_1306_ = false;
+                                        if _e961.all_remove {
+                                            phi_1302_ = false;
                                         } else {
-                                            phi_1306_ = true;
+                                            phi_1302_ = true;
                                         }
-                                        let _e1004 = phi_1306_;
-                                        phi_1307_ = _e1004;
+                                        let _e1002 = phi_1302_;
+                                        phi_1303_ = _e1002;
                                     } else {
-                                        phi_1307_ = true;
+                                        phi_1303_ = true;
                                     }
-                                    let _e1006 = phi_1307_;
-                                    phi_1308_ = _e1006;
+                                    let _e1004 = phi_1303_;
+                                    phi_1304_ = _e1004;
                                 } else {
-                                    phi_1308_ = true;
+                                    phi_1304_ = true;
                                 }
-                                let _e1008 = phi_1308_;
-                                if _e1008 {
+                                let _e1006 = phi_1304_;
+                                if _e1006 {
                                     if _e259 {
-                                        phi_1315_ = 1u;
+                                        phi_1311_ = 1u;
                                     } else {
-                                        phi_1315_ = 0u;
+                                        phi_1311_ = 0u;
                                     }
-                                    let _e1010 = phi_1315_;
-                                    phi_1316_ = _e1010;
+                                    let _e1008 = phi_1311_;
+                                    phi_1312_ = _e1008;
                                 } else {
-                                    phi_1316_ = 5u;
+                                    phi_1312_ = 5u;
                                 }
-                                let _e1012 = phi_1316_;
-                                phi_1317_ = _e1012;
+                                let _e1010 = phi_1312_;
+                                phi_1313_ = _e1010;
                             } else {
-                                phi_1317_ = 4u;
+                                phi_1313_ = 4u;
                             }
-                            let _e1014 = phi_1317_;
-                            phi_1318_ = _e1014;
+                            let _e1012 = phi_1313_;
+                            phi_1314_ = _e1012;
                         }
-                        let _e1016 = phi_1318_;
-                        phi_1319_ = _e1016;
+                        let _e1014 = phi_1314_;
+                        phi_1315_ = _e1014;
                     } else {
-                        phi_1319_ = 3u;
+                        phi_1315_ = 3u;
                     }
-                    let _e1018 = phi_1319_;
-                    phi_1320_ = _e1018;
+                    let _e1016 = phi_1315_;
+                    phi_1316_ = _e1016;
                 } else {
-                    phi_1320_ = 2u;
+                    phi_1316_ = 2u;
                 }
-                let _e1020 = phi_1320_;
-                phi_1321_ = _e1020;
+                let _e1018 = phi_1316_;
+                phi_1317_ = _e1018;
             }
-            let _e1022 = phi_1321_;
-            if !((_e1022 == 0u)) {
-                if !((_e1022 == 5u)) {
-                    phi_1333_ = !(_e998);
-                    phi_1334_ = false;
+            let _e1020 = phi_1317_;
+            if !((_e1020 == 0u)) {
+                if !((_e1020 == 5u)) {
+                    phi_1329_ = !(_e996);
+                    phi_1330_ = false;
                 } else {
-                    phi_1333_ = bool();
-                    phi_1334_ = true;
+                    phi_1329_ = bool();
+                    phi_1330_ = true;
                 }
-                let _e1029 = phi_1333_;
-                let _e1031 = phi_1334_;
-                phi_1335_ = _e1029;
+                let _e1027 = phi_1329_;
+                let _e1029 = phi_1330_;
+                phi_1331_ = _e1027;
+                phi_1332_ = _e1029;
+            } else {
+                phi_1331_ = bool();
+                phi_1332_ = true;
+            }
+            let _e1031 = phi_1331_;
+            let _e1033 = phi_1332_;
+            if _e1033 {
+                phi_1336_ = false;
+            } else {
                 phi_1336_ = _e1031;
-            } else {
-                phi_1335_ = bool();
-                phi_1336_ = true;
             }
-            let _e1033 = phi_1335_;
             let _e1035 = phi_1336_;
+            if _e996 {
+                phi_1342_ = ((0u & 4u) != 0u);
+            } else {
+                phi_1342_ = _e255;
+            }
+            let _e1039 = phi_1342_;
             if _e1035 {
-                phi_1340_ = false;
-            } else {
-                phi_1340_ = _e1033;
-            }
-            let _e1037 = phi_1340_;
-            if _e998 {
-                phi_1346_ = ((0u & 4u) != 0u);
-            } else {
-                phi_1346_ = _e255;
-            }
-            let _e1041 = phi_1346_;
-            if _e1037 {
                 if _e255 {
-                    phi_1354_ = (2u | 1u);
+                    phi_1350_ = (2u | 1u);
                 } else {
-                    phi_1354_ = 2u;
+                    phi_1350_ = 2u;
                 }
-                let _e1044 = phi_1354_;
+                let _e1042 = phi_1350_;
                 if false {
-                    phi_1359_ = (_e1044 | 4u);
+                    phi_1355_ = (_e1042 | 4u);
                 } else {
-                    phi_1359_ = _e1044;
+                    phi_1355_ = _e1042;
                 }
-                let _e1047 = phi_1359_;
-                phi_1379_ = _e1047;
+                let _e1045 = phi_1355_;
+                phi_1375_ = _e1045;
             } else {
-                if (_e1022 == 7u) {
+                if (_e1020 == 7u) {
                     if _e255 {
-                        phi_1368_ = (2u | 1u);
+                        phi_1364_ = (2u | 1u);
                     } else {
-                        phi_1368_ = 2u;
+                        phi_1364_ = 2u;
                     }
-                    let _e1051 = phi_1368_;
-                    if _e1041 {
-                        phi_1373_ = (_e1051 | 4u);
+                    let _e1049 = phi_1364_;
+                    if _e1039 {
+                        phi_1369_ = (_e1049 | 4u);
                     } else {
-                        phi_1373_ = _e1051;
+                        phi_1369_ = _e1049;
+                    }
+                    let _e1052 = phi_1369_;
+                    phi_1374_ = _e1052;
+                } else {
+                    if _e255 {
+                        phi_1373_ = 1u;
+                    } else {
+                        phi_1373_ = 0u;
                     }
                     let _e1054 = phi_1373_;
-                    phi_1378_ = _e1054;
-                } else {
-                    if _e255 {
-                        phi_1377_ = 1u;
-                    } else {
-                        phi_1377_ = 0u;
-                    }
-                    let _e1056 = phi_1377_;
-                    phi_1378_ = _e1056;
+                    phi_1374_ = _e1054;
                 }
-                let _e1058 = phi_1378_;
-                phi_1379_ = _e1058;
+                let _e1056 = phi_1374_;
+                phi_1375_ = _e1056;
+            }
+            let _e1058 = phi_1375_;
+            if _e1039 {
+                phi_1379_ = 0f;
+            } else {
+                phi_1379_ = 1f;
             }
             let _e1060 = phi_1379_;
-            if _e1041 {
-                phi_1383_ = 0f;
-            } else {
-                phi_1383_ = 1f;
-            }
-            let _e1062 = phi_1383_;
-            phi_1385_ = mask_Masked(_e1062, _e1060, _e1037);
+            phi_1381_ = mask_Masked(_e1060, _e1058, _e1035);
         }
-        let _e1065 = phi_1385_;
-        visibility.member[_e73.shift] = _e1065.visibility;
-        let _e1070 = p.member.light.number;
-        let _e1071 = (_e1070 * 3u);
-        let _e1073 = (_e1071 % 32u);
-        let _e1075 = p.member.light.mask_words;
-        let _e1077 = ((_e73.shift * _e1075) + (_e1071 / 32u));
-        let _e1079 = bits.member[_e1077];
-        bits.member[_e1077] = ((_e1079 & ~((7u << bitcast<u32>((_e1073 & 31u))))) | (_e1065.bits << bitcast<u32>((_e1073 & 31u))));
-        if (_e1073 > 29u) {
-            let _e1094 = bits.member[(_e1077 + 1u)];
-            let _e1096 = (32u - _e1073);
-            bits.member[(_e1077 + 1u)] = ((_e1094 & ~((7u >> bitcast<u32>((_e1096 & 31u))))) | (_e1065.bits >> bitcast<u32>((_e1096 & 31u))));
+        let _e1063 = phi_1381_;
+        visibility.member[_e73.shift] = _e1063.visibility;
+        let _e1068 = p.member.light.number;
+        let _e1069 = (_e1068 * 3u);
+        let _e1071 = (_e1069 % 32u);
+        let _e1073 = p.member.light.mask_words;
+        let _e1075 = ((_e73.shift * _e1073) + (_e1069 / 32u));
+        let _e1077 = bits.member[_e1075];
+        bits.member[_e1075] = ((_e1077 & ~((7u << bitcast<u32>((_e1071 & 31u))))) | (_e1063.bits << bitcast<u32>((_e1071 & 31u))));
+        if (_e1071 > 29u) {
+            let _e1092 = bits.member[(_e1075 + 1u)];
+            let _e1094 = (32u - _e1071);
+            bits.member[(_e1075 + 1u)] = ((_e1092 & ~((7u >> bitcast<u32>((_e1094 & 31u))))) | (_e1063.bits >> bitcast<u32>((_e1094 & 31u))));
         }
-        phi_1435_ = _e1065.needs_ray;
-        phi_1436_ = _e73.shift;
+        phi_1431_ = _e1063.needs_ray;
+        phi_1432_ = _e73.shift;
     } else {
-        phi_1435_ = false;
-        phi_1436_ = 0u;
+        phi_1431_ = false;
+        phi_1432_ = 0u;
     }
-    let _e1110 = phi_1435_;
-    let _e1112 = phi_1436_;
+    let _e1108 = phi_1431_;
+    let _e1110 = phi_1432_;
     if (_e57 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1110 {
-        let _e1116 = atomicAdd((&shared_[0u]), 1u);
-        phi_1447_ = _e1116;
+    if _e1108 {
+        let _e1114 = atomicAdd((&shared_[0u]), 1u);
+        phi_1443_ = _e1114;
     } else {
-        phi_1447_ = 0u;
+        phi_1443_ = 0u;
     }
-    let _e1118 = phi_1447_;
+    let _e1116 = phi_1443_;
     workgroupBarrier();
     if (_e57 == 0u) {
-        let _e1122 = atomicLoad((&shared_[0u]));
-        let _e1123 = atomicAdd((&list.member[3u]), _e1122);
-        atomicStore((&shared_[1u]), _e1123);
+        let _e1120 = atomicLoad((&shared_[0u]));
+        let _e1121 = atomicAdd((&list.member[3u]), _e1120);
+        atomicStore((&shared_[1u]), _e1121);
     }
     workgroupBarrier();
-    if _e1110 {
-        let _e1126 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1126) + _e1118)]), _e1112);
+    if _e1108 {
+        let _e1124 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1124) + _e1116)]), _e1110);
     }
     return;
 }

@@ -108,1081 +108,1070 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_157_: lt_mask_LightPlace;
-    var phi_158_: bool;
-    var phi_159_: lt_mask_LightPlace;
-    var phi_160_: bool;
-    var phi_165_: lt_mask_LightPlace;
+    var phi_156_: lt_mask_LightPlace;
+    var phi_157_: bool;
+    var phi_158_: lt_mask_LightPlace;
+    var phi_159_: bool;
+    var phi_164_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_157_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_158_ = false;
+            phi_156_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_157_ = false;
         } else {
-            phi_157_ = lt_mask_LightPlace();
-            phi_158_ = true;
+            phi_156_ = lt_mask_LightPlace();
+            phi_157_ = true;
         }
-        let _e56 = phi_157_;
-        let _e58 = phi_158_;
-        phi_159_ = _e56;
-        phi_160_ = _e58;
+        let _e55 = phi_156_;
+        let _e57 = phi_157_;
+        phi_158_ = _e55;
+        phi_159_ = _e57;
     } else {
-        phi_159_ = lt_mask_LightPlace();
-        phi_160_ = true;
+        phi_158_ = lt_mask_LightPlace();
+        phi_159_ = true;
     }
-    let _e60 = phi_159_;
-    let _e62 = phi_160_;
-    if _e62 {
-        phi_165_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e59 = phi_158_;
+    let _e61 = phi_159_;
+    if _e61 {
+        phi_164_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_165_ = _e60;
+        phi_164_ = _e59;
     }
-    let _e67 = phi_165_;
-    return lt_mask_LightPlace(_e67.word, _e67.shift);
+    let _e66 = phi_164_;
+    return lt_mask_LightPlace(_e66.word, _e66.shift);
 }
 
 fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_183_: vec2<i32>;
+    var phi_182_: vec2<i32>;
 
     switch bitcast<i32>((param_3 % 5u)) {
         case 0: {
-            phi_183_ = vec2(0i);
+            phi_182_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_183_ = vec2<i32>(0i, -1i);
+            phi_182_ = vec2<i32>(0i, -1i);
             break;
         }
         case 2: {
-            phi_183_ = vec2<i32>(-1i, 0i);
+            phi_182_ = vec2<i32>(-1i, 0i);
             break;
         }
         case 3: {
-            phi_183_ = vec2<i32>(1i, 0i);
+            phi_182_ = vec2<i32>(1i, 0i);
             break;
         }
         default: {
-            phi_183_ = vec2<i32>(0i, 1i);
+            phi_182_ = vec2<i32>(0i, 1i);
             break;
         }
     }
-    let _e52 = phi_183_;
-    return vec2<i32>(_e52.x, _e52.y);
+    let _e51 = phi_182_;
+    return vec2<i32>(_e51.x, _e51.y);
 }
 
 fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_201_: vec2<i32>;
+    var phi_200_: vec2<i32>;
 
     switch bitcast<i32>((param_4 % 5u)) {
         case 0: {
-            phi_201_ = vec2(0i);
+            phi_200_ = vec2(0i);
             break;
         }
         case 1: {
-            phi_201_ = vec2(-1i);
+            phi_200_ = vec2(-1i);
             break;
         }
         case 2: {
-            phi_201_ = vec2<i32>(1i, -1i);
+            phi_200_ = vec2<i32>(1i, -1i);
             break;
         }
         case 3: {
-            phi_201_ = vec2<i32>(-1i, 1i);
+            phi_200_ = vec2<i32>(-1i, 1i);
             break;
         }
         default: {
-            phi_201_ = vec2(1i);
+            phi_200_ = vec2(1i);
             break;
         }
     }
-    let _e52 = phi_201_;
-    return vec2<i32>(_e52.x, _e52.y);
+    let _e51 = phi_200_;
+    return vec2<i32>(_e51.x, _e51.y);
 }
 
 fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_220_: vec2<i32>;
+    var phi_219_: vec2<i32>;
 
     if (param_6 == 0u) {
-        let _e46 = lt_mask_pattern_plus(param_5);
-        phi_220_ = vec2<i32>(_e46.x, _e46.y);
+        let _e45 = lt_mask_pattern_plus(param_5);
+        phi_219_ = vec2<i32>(_e45.x, _e45.y);
     } else {
-        let _e50 = lt_mask_pattern_cross(param_5);
-        phi_220_ = vec2<i32>(_e50.x, _e50.y);
+        let _e49 = lt_mask_pattern_cross(param_5);
+        phi_219_ = vec2<i32>(_e49.x, _e49.y);
     }
-    let _e55 = phi_220_;
-    return vec2<i32>(_e55.x, _e55.y);
+    let _e54 = phi_219_;
+    return vec2<i32>(_e54.x, _e54.y);
 }
 
 fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_245_: vec2<i32>;
+    var phi_244_: vec2<i32>;
 
-    let _e44 = (param_7 % 13u);
-    switch bitcast<i32>(_e44) {
+    let _e43 = (param_7 % 13u);
+    switch bitcast<i32>(_e43) {
         case 9: {
-            phi_245_ = vec2<i32>(0i, -2i);
+            phi_244_ = vec2<i32>(0i, -2i);
             break;
         }
         case 10: {
-            phi_245_ = vec2<i32>(-2i, 0i);
+            phi_244_ = vec2<i32>(-2i, 0i);
             break;
         }
         case 11: {
-            phi_245_ = vec2<i32>(2i, 0i);
+            phi_244_ = vec2<i32>(2i, 0i);
             break;
         }
         case 12: {
-            phi_245_ = vec2<i32>(0i, 2i);
+            phi_244_ = vec2<i32>(0i, 2i);
             break;
         }
         default: {
-            phi_245_ = vec2<i32>((bitcast<i32>((_e44 % 3u)) - 1i), (bitcast<i32>(((_e44 / 3u) % 3u)) - 1i));
+            phi_244_ = vec2<i32>((bitcast<i32>((_e43 % 3u)) - 1i), (bitcast<i32>(((_e43 / 3u) % 3u)) - 1i));
             break;
         }
     }
-    let _e59 = phi_245_;
-    return vec2<i32>(_e59.x, _e59.y);
+    let _e58 = phi_244_;
+    return vec2<i32>(_e58.x, _e58.y);
 }
 
 fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
+    var phi_265_: u32;
     var phi_266_: u32;
-    var phi_267_: u32;
 
-    let _e47 = (bitcast<i32>(param_8) + param_9);
-    if (_e47 < 0i) {
-        phi_267_ = 0u;
+    let _e46 = (bitcast<i32>(param_8) + param_9);
+    if (_e46 < 0i) {
+        phi_266_ = 0u;
     } else {
-        if (_e47 >= bitcast<i32>(param_10)) {
-            phi_266_ = (param_10 - 1u);
+        if (_e46 >= bitcast<i32>(param_10)) {
+            phi_265_ = (param_10 - 1u);
         } else {
-            phi_266_ = bitcast<u32>(_e47);
+            phi_265_ = bitcast<u32>(_e46);
         }
-        let _e54 = phi_266_;
-        phi_267_ = _e54;
+        let _e53 = phi_265_;
+        phi_266_ = _e53;
     }
-    let _e56 = phi_267_;
-    return _e56;
+    let _e55 = phi_266_;
+    return _e55;
 }
 
 fn function_() {
+    var phi_338_: bool;
     var phi_339_: bool;
     var phi_340_: bool;
     var phi_341_: bool;
-    var phi_342_: bool;
-    var phi_346_: bool;
+    var phi_345_: bool;
+    var phi_415_: bool;
     var phi_416_: bool;
-    var phi_417_: bool;
-    var phi_428_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_429_: bool;
-    var phi_430_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_431_: bool;
-    var phi_438_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_442_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_455_: bool;
-    var phi_527_: u32;
-    var phi_546_: u32;
-    var phi_554_: u32;
-    var phi_555_: u32;
-    var phi_556_: bool;
-    var phi_557_: u32;
-    var phi_558_: bool;
-    var phi_559_: bool;
-    var phi_560_: u32;
-    var phi_561_: bool;
-    var phi_562_: bool;
-    var phi_566_: bool;
-    var phi_570_: u32;
-    var phi_575_: bool;
-    var phi_596_: u32;
+    var phi_427_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_428_: bool;
+    var phi_429_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_430_: bool;
+    var phi_437_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_441_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_454_: bool;
+    var phi_502_: u32;
+    var phi_521_: u32;
+    var phi_529_: u32;
+    var phi_530_: u32;
+    var phi_531_: bool;
+    var phi_532_: u32;
+    var phi_533_: bool;
+    var phi_534_: bool;
+    var phi_535_: u32;
+    var phi_536_: bool;
+    var phi_537_: bool;
+    var phi_541_: bool;
+    var phi_545_: u32;
+    var phi_550_: bool;
+    var phi_571_: u32;
+    var phi_573_: u32;
+    var phi_576_: lt_mask_Neighbourhood;
+    var phi_588_: bool;
+    var phi_589_: bool;
     var phi_598_: u32;
-    var phi_601_: lt_mask_Neighbourhood;
-    var phi_613_: bool;
-    var phi_614_: bool;
-    var phi_623_: u32;
-    var phi_624_: u32;
-    var phi_684_: vec2<i32>;
-    var phi_704_: vec2<i32>;
-    var phi_729_: u32;
-    var phi_748_: u32;
-    var phi_756_: u32;
-    var phi_782_: bool;
-    var phi_783_: bool;
-    var phi_784_: bool;
-    var phi_785_: bool;
-    var phi_786_: bool;
-    var phi_787_: bool;
-    var phi_788_: bool;
-    var phi_793_: bool;
-    var phi_794_: bool;
-    var phi_795_: bool;
-    var phi_796_: bool;
-    var phi_797_: bool;
-    var phi_798_: bool;
+    var phi_599_: u32;
+    var phi_659_: vec2<i32>;
+    var phi_679_: vec2<i32>;
+    var phi_704_: u32;
+    var phi_723_: u32;
+    var phi_731_: u32;
+    var phi_757_: bool;
+    var phi_758_: bool;
+    var phi_759_: bool;
+    var phi_760_: bool;
+    var phi_761_: bool;
+    var phi_762_: bool;
+    var phi_763_: bool;
+    var phi_768_: bool;
+    var phi_769_: bool;
+    var phi_770_: bool;
+    var phi_771_: bool;
+    var phi_772_: bool;
+    var phi_773_: bool;
+    var phi_774_: bool;
+    var phi_775_: bool;
+    var phi_776_: bool;
+    var phi_791_: bool;
+    var phi_792_: bool;
     var phi_799_: bool;
     var phi_800_: bool;
     var phi_801_: bool;
-    var phi_816_: bool;
-    var phi_817_: bool;
-    var phi_824_: bool;
-    var phi_825_: bool;
-    var phi_826_: bool;
-    var phi_827_: bool;
-    var phi_828_: bool;
-    var phi_832_: bool;
-    var phi_833_: bool;
-    var phi_834_: bool;
+    var phi_802_: bool;
+    var phi_803_: bool;
+    var phi_807_: bool;
+    var phi_808_: bool;
+    var phi_809_: bool;
+    var phi_813_: bool;
+    var phi_814_: bool;
+    var phi_818_: bool;
+    var phi_819_: bool;
+    var phi_837_: bool;
     var phi_838_: bool;
     var phi_839_: bool;
-    var phi_843_: bool;
-    var phi_844_: bool;
-    var phi_862_: bool;
-    var phi_863_: bool;
-    var phi_864_: bool;
-    var phi_599_: u32;
-    var phi_602_: lt_mask_Neighbourhood;
-    var phi_867_: lt_mask_Neighbourhood;
-    var phi_868_: lt_mask_Neighbourhood;
-    var phi_869_: lt_mask_Neighbourhood;
+    var phi_574_: u32;
+    var phi_577_: lt_mask_Neighbourhood;
+    var phi_842_: lt_mask_Neighbourhood;
+    var phi_843_: lt_mask_Neighbourhood;
+    var phi_844_: lt_mask_Neighbourhood;
+    var phi_876_: bool;
+    var phi_877_: bool;
+    var phi_899_: bool;
+    var phi_900_: bool;
     var phi_901_: bool;
-    var phi_902_: bool;
-    var phi_924_: bool;
-    var phi_925_: bool;
-    var phi_926_: bool;
-    var phi_930_: bool;
-    var phi_952_: bool;
-    var phi_953_: bool;
-    var phi_966_: bool;
-    var phi_967_: bool;
+    var phi_905_: bool;
+    var phi_927_: bool;
+    var phi_928_: bool;
+    var phi_941_: bool;
+    var phi_942_: bool;
+    var phi_943_: bool;
+    var phi_950_: u32;
+    var phi_951_: u32;
+    var phi_952_: u32;
+    var phi_953_: u32;
+    var phi_954_: u32;
+    var phi_955_: u32;
+    var phi_956_: u32;
     var phi_968_: bool;
-    var phi_975_: u32;
-    var phi_976_: u32;
-    var phi_977_: u32;
-    var phi_978_: u32;
-    var phi_979_: u32;
-    var phi_980_: u32;
-    var phi_981_: u32;
-    var phi_993_: bool;
-    var phi_994_: bool;
-    var phi_995_: bool;
-    var phi_996_: bool;
-    var phi_1000_: bool;
-    var phi_1006_: bool;
+    var phi_969_: bool;
+    var phi_970_: bool;
+    var phi_971_: bool;
+    var phi_975_: bool;
+    var phi_981_: bool;
+    var phi_989_: u32;
+    var phi_994_: u32;
+    var phi_1003_: u32;
+    var phi_1008_: u32;
+    var phi_1012_: u32;
+    var phi_1013_: u32;
     var phi_1014_: u32;
-    var phi_1019_: u32;
-    var phi_1028_: u32;
-    var phi_1033_: u32;
-    var phi_1037_: u32;
-    var phi_1038_: u32;
-    var phi_1039_: u32;
-    var phi_1043_: f32;
-    var phi_1045_: mask_Masked;
-    var phi_1095_: bool;
-    var phi_1096_: u32;
-    var phi_1107_: u32;
+    var phi_1018_: f32;
+    var phi_1020_: mask_Masked;
+    var phi_1070_: bool;
+    var phi_1071_: u32;
+    var phi_1082_: u32;
     var local_1: lt_mask_Neighbourhood;
 
-    let _e43 = id_1;
-    let _e44 = local_2;
-    let _e49 = arrayLength((&last_bits.member));
-    let _e56 = p.member.current.size[0u];
-    let _e58 = p.member.current.size[1u];
-    let _e59 = lt_shaders_entry_pixel_index(_e43, _e56, _e58);
-    if (bitcast<i32>(_e59.word) != 0i) {
-        let _e66 = p.member.light.number;
-        let _e67 = (_e66 * 3u);
-        let _e68 = (_e67 / 32u);
-        let _e69 = (_e67 % 32u);
-        let _e71 = p.member.light.mask_words;
-        let _e75 = p.member.current.size[0u];
-        let _e78 = samples.member[_e59.shift].position;
-        let _e80 = visibility.member[_e59.shift];
-        let _e86 = samples.member[_e59.shift].normal[0u];
-        let _e88 = global[0u];
-        if (_e86 == _e88) {
-            let _e91 = samples.member[_e59.shift].normal[1u];
-            let _e93 = global[1u];
-            if (_e91 == _e93) {
-                let _e96 = samples.member[_e59.shift].normal[2u];
-                let _e98 = global[2u];
-                phi_339_ = (_e96 == _e98);
-                phi_340_ = false;
+    let _e42 = id_1;
+    let _e43 = local_2;
+    let _e48 = arrayLength((&last_bits.member));
+    let _e55 = p.member.current.size[0u];
+    let _e57 = p.member.current.size[1u];
+    let _e58 = lt_shaders_entry_pixel_index(_e42, _e55, _e57);
+    if (bitcast<i32>(_e58.word) != 0i) {
+        let _e65 = p.member.light.number;
+        let _e66 = (_e65 * 3u);
+        let _e67 = (_e66 / 32u);
+        let _e68 = (_e66 % 32u);
+        let _e70 = p.member.light.mask_words;
+        let _e74 = p.member.current.size[0u];
+        let _e79 = visibility.member[_e58.shift];
+        let _e85 = samples.member[_e58.shift].normal[0u];
+        let _e87 = global[0u];
+        if (_e85 == _e87) {
+            let _e90 = samples.member[_e58.shift].normal[1u];
+            let _e92 = global[1u];
+            if (_e90 == _e92) {
+                let _e95 = samples.member[_e58.shift].normal[2u];
+                let _e97 = global[2u];
+                phi_338_ = (_e95 == _e97);
+                phi_339_ = false;
             } else {
-                phi_339_ = bool();
-                phi_340_ = true;
+                phi_338_ = bool();
+                phi_339_ = true;
             }
-            let _e101 = phi_339_;
-            let _e103 = phi_340_;
-            phi_341_ = _e101;
-            phi_342_ = _e103;
+            let _e100 = phi_338_;
+            let _e102 = phi_339_;
+            phi_340_ = _e100;
+            phi_341_ = _e102;
         } else {
-            phi_341_ = bool();
-            phi_342_ = true;
+            phi_340_ = bool();
+            phi_341_ = true;
         }
-        let _e105 = phi_341_;
-        let _e107 = phi_342_;
-        if _e107 {
-            phi_346_ = false;
+        let _e104 = phi_340_;
+        let _e106 = phi_341_;
+        if _e106 {
+            phi_345_ = false;
         } else {
-            phi_346_ = _e105;
+            phi_345_ = _e104;
         }
-        let _e109 = phi_346_;
-        if !(_e109) {
-            let _e112 = samples.member[_e59.shift].position;
-            let _e114 = p.member.light.place;
-            let _e120 = p.member.light.place[3u];
-            let _e127 = (_e114.x - (_e112.x * _e120));
-            let _e128 = (_e114.y - (_e112.y * _e120));
-            let _e129 = (_e114.z - (_e112.z * _e120));
-            let _e131 = samples.member[_e59.shift].normal;
-            if ((((_e131.x * _e127) + (_e131.y * _e128)) + (_e131.z * _e129)) > 0f) {
-                let _e145 = (((_e127 * _e127) + (_e128 * _e128)) + (_e129 * _e129));
-                let _e147 = p.member.light.axis;
-                let _e159 = p.member.light.place[3u];
-                if (_e159 == 0f) {
-                    phi_417_ = true;
+        let _e108 = phi_345_;
+        if !(_e108) {
+            let _e111 = samples.member[_e58.shift].position;
+            let _e113 = p.member.light.place;
+            let _e119 = p.member.light.place[3u];
+            let _e126 = (_e113.x - (_e111.x * _e119));
+            let _e127 = (_e113.y - (_e111.y * _e119));
+            let _e128 = (_e113.z - (_e111.z * _e119));
+            let _e130 = samples.member[_e58.shift].normal;
+            if ((((_e130.x * _e126) + (_e130.y * _e127)) + (_e130.z * _e128)) > 0f) {
+                let _e144 = (((_e126 * _e126) + (_e127 * _e127)) + (_e128 * _e128));
+                let _e146 = p.member.light.axis;
+                let _e158 = p.member.light.place[3u];
+                if (_e158 == 0f) {
+                    phi_416_ = true;
                 } else {
-                    let _e162 = p.member.light.range_squared;
-                    if (_e145 <= _e162) {
-                        let _e165 = p.member.light.cos_outer;
-                        phi_416_ = (-((((_e127 * _e147.x) + (_e128 * _e147.y)) + (_e129 * _e147.z))) >= (_e165 * sqrt(_e145)));
+                    let _e161 = p.member.light.range_squared;
+                    if (_e144 <= _e161) {
+                        let _e164 = p.member.light.cos_outer;
+                        phi_415_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
                     } else {
-                        phi_416_ = false;
+                        phi_415_ = false;
                     }
-                    let _e170 = phi_416_;
-                    phi_417_ = _e170;
+                    let _e169 = phi_415_;
+                    phi_416_ = _e169;
                 }
-                let _e172 = phi_417_;
-                if _e172 {
-                    let _e174 = samples.member[_e59.shift].flags;
-                    let _e182 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e188 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e182.unnamed.visibility, false), _e182.unnamed_1);
-                    phi_428_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e188.unnamed, ((_e174 & 1u) == 0u));
-                    phi_429_ = false;
+                let _e171 = phi_416_;
+                if _e171 {
+                    let _e173 = samples.member[_e58.shift].flags;
+                    let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
+                    phi_427_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
+                    phi_428_ = false;
                 } else {
-                    phi_428_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_429_ = true;
+                    phi_427_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_428_ = true;
                 }
-                let _e193 = phi_428_;
-                let _e195 = phi_429_;
-                phi_430_ = _e193;
-                phi_431_ = _e195;
+                let _e192 = phi_427_;
+                let _e194 = phi_428_;
+                phi_429_ = _e192;
+                phi_430_ = _e194;
             } else {
-                phi_430_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_431_ = true;
+                phi_429_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_430_ = true;
             }
-            let _e197 = phi_430_;
-            let _e199 = phi_431_;
-            if _e199 {
-                let _e205 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e205.unnamed.visibility, false), _e205.unnamed_1);
-                phi_438_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e211.unnamed, true);
+            let _e196 = phi_429_;
+            let _e198 = phi_430_;
+            if _e198 {
+                let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
+                phi_437_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
             } else {
-                phi_438_ = _e197;
+                phi_437_ = _e196;
             }
-            let _e216 = phi_438_;
-            phi_442_ = _e216;
+            let _e215 = phi_437_;
+            phi_441_ = _e215;
         } else {
-            let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
-            phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, true);
+            let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
+            phi_441_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
         }
-        let _e233 = phi_442_;
-        if _e233.unnamed_1 {
-            phi_1045_ = mask_Masked(_e233.unnamed.visibility, 0u, false);
+        let _e232 = phi_441_;
+        if _e232.unnamed_1 {
+            phi_1020_ = mask_Masked(_e232.unnamed.visibility, 0u, false);
         } else {
-            let _e238 = (_e80 < 0.5f);
-            if (_e80 > 0f) {
-                phi_455_ = (_e80 < 1f);
+            let _e237 = (_e79 < 0.5f);
+            if (_e79 > 0f) {
+                phi_454_ = (_e79 < 1f);
             } else {
-                phi_455_ = false;
+                phi_454_ = false;
             }
-            let _e242 = phi_455_;
-            let _e244 = p.member.flags;
-            if ((_e244 & 16u) == 0u) {
+            let _e241 = phi_454_;
+            let _e243 = p.member.flags;
+            let _e245 = ((_e243 & 1u) != 0u);
+            let _e247 = p.member.flags;
+            let _e249 = ((_e247 & 2u) != 0u);
+            let _e251 = p.member.flags;
+            if ((_e251 & 4u) == 0u) {
+                phi_535_ = u32();
+                phi_536_ = true;
+                phi_537_ = false;
             } else {
-                let _e250 = samples.member[_e59.shift].position[0u];
-                if (_e78.x == _e250) {
-                    let _e254 = samples.member[_e59.shift].position[1u];
-                    if (_e78.y == _e254) {
-                    }
-                }
-            }
-            let _e259 = p.member.flags;
-            let _e261 = ((_e259 & 1u) != 0u);
-            let _e263 = p.member.flags;
-            let _e265 = ((_e263 & 2u) != 0u);
-            let _e267 = p.member.flags;
-            if ((_e267 & 4u) == 0u) {
-                phi_560_ = u32();
-                phi_561_ = true;
-                phi_562_ = false;
-            } else {
-                if _e261 {
+                if _e245 {
                     if !(false) {
-                        let _e274 = ((((_e43.y * _e75) + _e43.x) * _e71) + _e68);
-                        if (_e69 > 29u) {
-                            let _e276 = (_e274 + 1u);
-                            if (_e276 < _e49) {
+                        let _e258 = ((((_e42.y * _e74) + _e42.x) * _e70) + _e67);
+                        if (_e68 > 29u) {
+                            let _e260 = (_e258 + 1u);
+                            if (_e260 < _e48) {
                             } else {
                                 return;
                             }
-                            let _e280 = last_bits.member[(0u + _e276)];
-                            phi_527_ = _e280;
+                            let _e264 = last_bits.member[(0u + _e260)];
+                            phi_502_ = _e264;
                         } else {
-                            phi_527_ = 0u;
+                            phi_502_ = 0u;
                         }
-                        let _e282 = phi_527_;
-                        if (_e274 < _e49) {
+                        let _e266 = phi_502_;
+                        if (_e258 < _e48) {
                         } else {
                             return;
                         }
-                        let _e286 = last_bits.member[(0u + _e274)];
-                        let _e289 = (_e286 >> bitcast<u32>((_e69 & 31u)));
-                        if (_e69 > 29u) {
-                            phi_546_ = (_e289 | (_e282 << bitcast<u32>(((32u - _e69) & 31u))));
+                        let _e270 = last_bits.member[(0u + _e258)];
+                        let _e273 = (_e270 >> bitcast<u32>((_e68 & 31u)));
+                        if (_e68 > 29u) {
+                            phi_521_ = (_e273 | (_e266 << bitcast<u32>(((32u - _e68) & 31u))));
                         } else {
-                            phi_546_ = _e289;
+                            phi_521_ = _e273;
                         }
-                        let _e297 = phi_546_;
-                        if ((_e297 & 2u) == 0u) {
-                            phi_554_ = (_e297 & 1u);
+                        let _e281 = phi_521_;
+                        if ((_e281 & 2u) == 0u) {
+                            phi_529_ = (_e281 & 1u);
                         } else {
-                            phi_554_ = (_e297 & 7u);
+                            phi_529_ = (_e281 & 7u);
                         }
-                        let _e303 = phi_554_;
-                        phi_555_ = _e303;
-                        phi_556_ = false;
+                        let _e287 = phi_529_;
+                        phi_530_ = _e287;
+                        phi_531_ = false;
                     } else {
-                        phi_555_ = u32();
-                        phi_556_ = true;
+                        phi_530_ = u32();
+                        phi_531_ = true;
                     }
-                    let _e305 = phi_555_;
-                    let _e307 = phi_556_;
-                    phi_557_ = _e305;
-                    phi_558_ = false;
-                    phi_559_ = _e307;
+                    let _e289 = phi_530_;
+                    let _e291 = phi_531_;
+                    phi_532_ = _e289;
+                    phi_533_ = false;
+                    phi_534_ = _e291;
                 } else {
-                    phi_557_ = u32();
-                    phi_558_ = true;
-                    phi_559_ = false;
+                    phi_532_ = u32();
+                    phi_533_ = true;
+                    phi_534_ = false;
                 }
-                let _e309 = phi_557_;
-                let _e311 = phi_558_;
-                let _e313 = phi_559_;
-                phi_560_ = _e309;
-                phi_561_ = _e311;
-                phi_562_ = _e313;
+                let _e293 = phi_532_;
+                let _e295 = phi_533_;
+                let _e297 = phi_534_;
+                phi_535_ = _e293;
+                phi_536_ = _e295;
+                phi_537_ = _e297;
             }
-            let _e315 = phi_560_;
-            let _e317 = phi_561_;
-            let _e319 = phi_562_;
-            if _e317 {
-                phi_566_ = true;
+            let _e299 = phi_535_;
+            let _e301 = phi_536_;
+            let _e303 = phi_537_;
+            if _e301 {
+                phi_541_ = true;
             } else {
-                phi_566_ = _e319;
+                phi_541_ = _e303;
             }
-            let _e321 = phi_566_;
-            if _e321 {
-                phi_570_ = 0u;
+            let _e305 = phi_541_;
+            if _e305 {
+                phi_545_ = 0u;
             } else {
-                phi_570_ = _e315;
+                phi_545_ = _e299;
             }
-            let _e323 = phi_570_;
-            let _e324 = lt_mask_Neighbourhood(false, true);
-            if _e242 {
-                phi_575_ = _e265;
+            let _e307 = phi_545_;
+            let _e308 = lt_mask_Neighbourhood(false, true);
+            if _e241 {
+                phi_550_ = _e249;
             } else {
-                phi_575_ = false;
+                phi_550_ = false;
             }
-            let _e326 = phi_575_;
-            if _e326 {
-                if _e261 {
-                    if ((_e323 & 2u) != 0u) {
-                        phi_867_ = _e324;
+            let _e310 = phi_550_;
+            if _e310 {
+                if _e245 {
+                    if ((_e307 & 2u) != 0u) {
+                        phi_842_ = _e308;
                     } else {
-                        let _e330 = p.member.expansion;
+                        let _e314 = p.member.expansion;
                         if false {
-                            let _e332 = p.member.moving_pattern;
-                            phi_596_ = _e332;
+                            let _e316 = p.member.moving_pattern;
+                            phi_571_ = _e316;
                         } else {
-                            let _e334 = p.member.still_pattern;
-                            phi_596_ = _e334;
+                            let _e318 = p.member.still_pattern;
+                            phi_571_ = _e318;
                         }
-                        let _e336 = phi_596_;
-                        phi_598_ = 0u;
-                        phi_601_ = _e324;
+                        let _e320 = phi_571_;
+                        phi_573_ = 0u;
+                        phi_576_ = _e308;
                         loop {
-                            let _e338 = phi_598_;
-                            let _e340 = phi_601_;
-                            local_1 = _e340;
-                            if (1u <= _e336) {
-                                if (_e336 <= 4u) {
-                                    phi_613_ = false;
+                            let _e322 = phi_573_;
+                            let _e324 = phi_576_;
+                            local_1 = _e324;
+                            if (1u <= _e320) {
+                                if (_e320 <= 4u) {
+                                    phi_588_ = false;
                                 } else {
-                                    phi_613_ = true;
+                                    phi_588_ = true;
                                 }
-                                let _e344 = phi_613_;
-                                phi_614_ = _e344;
+                                let _e328 = phi_588_;
+                                phi_589_ = _e328;
                             } else {
-                                phi_614_ = true;
+                                phi_589_ = true;
                             }
-                            let _e346 = phi_614_;
-                            if _e346 {
-                                switch bitcast<i32>(_e336) {
+                            let _e330 = phi_589_;
+                            if _e330 {
+                                switch bitcast<i32>(_e320) {
                                     case 5: {
-                                        phi_623_ = 4u;
+                                        phi_598_ = 4u;
                                         break;
                                     }
                                     case 6: {
-                                        phi_623_ = 25u;
+                                        phi_598_ = 25u;
                                         break;
                                     }
                                     case 7: {
-                                        phi_623_ = 13u;
+                                        phi_598_ = 13u;
                                         break;
                                     }
                                     default: {
-                                        phi_623_ = 9u;
+                                        phi_598_ = 9u;
                                         break;
                                     }
                                 }
-                                let _e349 = phi_623_;
-                                phi_624_ = _e349;
+                                let _e333 = phi_598_;
+                                phi_599_ = _e333;
                             } else {
-                                phi_624_ = 5u;
+                                phi_599_ = 5u;
                             }
-                            let _e351 = phi_624_;
-                            let _e352 = (_e338 < _e351);
-                            if _e352 {
-                                let _e354 = p.member.frame;
-                                let _e358 = p.member.current.size[0u];
-                                let _e360 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e336) {
+                            let _e335 = phi_599_;
+                            let _e336 = (_e322 < _e335);
+                            if _e336 {
+                                let _e338 = p.member.frame;
+                                let _e342 = p.member.current.size[0u];
+                                let _e344 = p.member.current.size[1u];
+                                switch bitcast<i32>(_e320) {
                                     case 1: {
-                                        let _e370 = lt_mask_pattern_plus(_e338);
-                                        phi_704_ = vec2<i32>(_e370.x, _e370.y);
+                                        let _e354 = lt_mask_pattern_plus(_e322);
+                                        phi_679_ = vec2<i32>(_e354.x, _e354.y);
                                         break;
                                     }
                                     case 2: {
-                                        let _e374 = lt_mask_pattern_cross(_e338);
-                                        phi_704_ = vec2<i32>(_e374.x, _e374.y);
+                                        let _e358 = lt_mask_pattern_cross(_e322);
+                                        phi_679_ = vec2<i32>(_e358.x, _e358.y);
                                         break;
                                     }
                                     case 3: {
-                                        let _e380 = lt_mask_pattern_plus_or_cross(_e338, ((_e43.x + _e43.y) & 1u));
-                                        phi_704_ = vec2<i32>(_e380.x, _e380.y);
+                                        let _e364 = lt_mask_pattern_plus_or_cross(_e322, ((_e42.x + _e42.y) & 1u));
+                                        phi_679_ = vec2<i32>(_e364.x, _e364.y);
                                         break;
                                     }
                                     case 4: {
-                                        let _e385 = lt_mask_pattern_plus_or_cross(_e338, (_e354 & 1u));
-                                        phi_704_ = vec2<i32>(_e385.x, _e385.y);
+                                        let _e369 = lt_mask_pattern_plus_or_cross(_e322, (_e338 & 1u));
+                                        phi_679_ = vec2<i32>(_e369.x, _e369.y);
                                         break;
                                     }
                                     case 5: {
-                                        switch bitcast<i32>((_e354 & 3u)) {
+                                        switch bitcast<i32>((_e338 & 3u)) {
                                             case 0: {
-                                                phi_684_ = vec2(-1i);
+                                                phi_659_ = vec2(-1i);
                                                 break;
                                             }
                                             case 1: {
-                                                phi_684_ = vec2(0i);
+                                                phi_659_ = vec2(0i);
                                                 break;
                                             }
                                             case 2: {
-                                                phi_684_ = vec2<i32>(0i, -1i);
+                                                phi_659_ = vec2<i32>(0i, -1i);
                                                 break;
                                             }
                                             default: {
-                                                phi_684_ = vec2<i32>(-1i, 0i);
+                                                phi_659_ = vec2<i32>(-1i, 0i);
                                                 break;
                                             }
                                         }
-                                        let _e396 = phi_684_;
-                                        phi_704_ = (_e396 + vec2<i32>(bitcast<i32>((_e338 & 1u)), bitcast<i32>(((_e338 >> bitcast<u32>(1i)) & 1u))));
+                                        let _e380 = phi_659_;
+                                        phi_679_ = (_e380 + vec2<i32>(bitcast<i32>((_e322 & 1u)), bitcast<i32>(((_e322 >> bitcast<u32>(1i)) & 1u))));
                                         break;
                                     }
                                     case 6: {
-                                        phi_704_ = vec2<i32>((bitcast<i32>((_e338 % 5u)) - 2i), (bitcast<i32>(((_e338 / 5u) % 5u)) - 2i));
+                                        phi_679_ = vec2<i32>((bitcast<i32>((_e322 % 5u)) - 2i), (bitcast<i32>(((_e322 / 5u) % 5u)) - 2i));
                                         break;
                                     }
                                     case 7: {
-                                        let _e413 = lt_mask_pattern_diamond(_e338);
-                                        phi_704_ = vec2<i32>(_e413.x, _e413.y);
+                                        let _e397 = lt_mask_pattern_diamond(_e322);
+                                        phi_679_ = vec2<i32>(_e397.x, _e397.y);
                                         break;
                                     }
                                     default: {
-                                        phi_704_ = vec2<i32>((bitcast<i32>((_e338 % 3u)) - 1i), (bitcast<i32>(((_e338 / 3u) % 3u)) - 1i));
+                                        phi_679_ = vec2<i32>((bitcast<i32>((_e322 % 3u)) - 1i), (bitcast<i32>(((_e322 / 3u) % 3u)) - 1i));
                                         break;
                                     }
                                 }
-                                let _e418 = phi_704_;
-                                let _e421 = lt_mask_pattern_step_clamped(_e43.x, _e418.x, _e358);
-                                let _e422 = lt_mask_pattern_step_clamped(_e43.y, _e418.y, _e360);
-                                let _e426 = ((((_e422 * _e75) + _e421) * _e71) + _e68);
-                                if (_e69 > 29u) {
-                                    let _e428 = (_e426 + 1u);
-                                    if (_e428 < _e49) {
+                                let _e402 = phi_679_;
+                                let _e405 = lt_mask_pattern_step_clamped(_e42.x, _e402.x, _e342);
+                                let _e406 = lt_mask_pattern_step_clamped(_e42.y, _e402.y, _e344);
+                                let _e410 = ((((_e406 * _e74) + _e405) * _e70) + _e67);
+                                if (_e68 > 29u) {
+                                    let _e412 = (_e410 + 1u);
+                                    if (_e412 < _e48) {
                                     } else {
                                         return;
                                     }
-                                    let _e432 = last_bits.member[(0u + _e428)];
-                                    phi_729_ = _e432;
+                                    let _e416 = last_bits.member[(0u + _e412)];
+                                    phi_704_ = _e416;
                                 } else {
-                                    phi_729_ = 0u;
+                                    phi_704_ = 0u;
                                 }
-                                let _e434 = phi_729_;
-                                if (_e426 < _e49) {
+                                let _e418 = phi_704_;
+                                if (_e410 < _e48) {
                                 } else {
                                     return;
                                 }
-                                let _e438 = last_bits.member[(0u + _e426)];
-                                let _e441 = (_e438 >> bitcast<u32>((_e69 & 31u)));
-                                if (_e69 > 29u) {
-                                    phi_748_ = (_e441 | (_e434 << bitcast<u32>(((32u - _e69) & 31u))));
+                                let _e422 = last_bits.member[(0u + _e410)];
+                                let _e425 = (_e422 >> bitcast<u32>((_e68 & 31u)));
+                                if (_e68 > 29u) {
+                                    phi_723_ = (_e425 | (_e418 << bitcast<u32>(((32u - _e68) & 31u))));
                                 } else {
-                                    phi_748_ = _e441;
+                                    phi_723_ = _e425;
                                 }
-                                let _e449 = phi_748_;
-                                if ((_e449 & 2u) == 0u) {
-                                    phi_756_ = (_e449 & 1u);
+                                let _e433 = phi_723_;
+                                if ((_e433 & 2u) == 0u) {
+                                    phi_731_ = (_e433 & 1u);
                                 } else {
-                                    phi_756_ = (_e449 & 7u);
+                                    phi_731_ = (_e433 & 7u);
                                 }
-                                let _e455 = phi_756_;
-                                if _e340.any_expands {
-                                    phi_844_ = true;
+                                let _e439 = phi_731_;
+                                if _e324.any_expands {
+                                    phi_819_ = true;
                                 } else {
-                                    if ((_e455 & 2u) != 0u) {
-                                        let _e462 = (((_e455 & 4u) != 0u) != _e238);
-                                        switch bitcast<i32>(_e330) {
+                                    if ((_e439 & 2u) != 0u) {
+                                        let _e446 = (((_e439 & 4u) != 0u) != _e237);
+                                        switch bitcast<i32>(_e314) {
                                             case 1: {
-                                                phi_784_ = bool();
-                                                phi_785_ = false;
-                                                phi_786_ = true;
-                                                phi_787_ = false;
-                                                phi_788_ = false;
+                                                phi_759_ = bool();
+                                                phi_760_ = false;
+                                                phi_761_ = true;
+                                                phi_762_ = false;
+                                                phi_763_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                if _e462 {
-                                                    phi_782_ = (((_e455 & 4u) != 0u) != ((_e455 & 1u) != 0u));
-                                                    phi_783_ = false;
+                                                if _e446 {
+                                                    phi_757_ = (((_e439 & 4u) != 0u) != ((_e439 & 1u) != 0u));
+                                                    phi_758_ = false;
                                                 } else {
-                                                    phi_782_ = bool();
-                                                    phi_783_ = true;
+                                                    phi_757_ = bool();
+                                                    phi_758_ = true;
                                                 }
-                                                let _e470 = phi_782_;
-                                                let _e472 = phi_783_;
-                                                phi_784_ = _e470;
-                                                phi_785_ = false;
-                                                phi_786_ = false;
-                                                phi_787_ = _e472;
-                                                phi_788_ = _e462;
+                                                let _e454 = phi_757_;
+                                                let _e456 = phi_758_;
+                                                phi_759_ = _e454;
+                                                phi_760_ = false;
+                                                phi_761_ = false;
+                                                phi_762_ = _e456;
+                                                phi_763_ = _e446;
                                                 break;
                                             }
                                             default: {
-                                                phi_784_ = bool();
-                                                phi_785_ = true;
-                                                phi_786_ = false;
-                                                phi_787_ = false;
-                                                phi_788_ = false;
+                                                phi_759_ = bool();
+                                                phi_760_ = true;
+                                                phi_761_ = false;
+                                                phi_762_ = false;
+                                                phi_763_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e474 = phi_784_;
-                                        let _e476 = phi_785_;
-                                        let _e478 = phi_786_;
-                                        let _e480 = phi_787_;
-                                        let _e482 = phi_788_;
-                                        phi_796_ = _e462;
-                                        phi_797_ = _e474;
-                                        phi_798_ = _e476;
-                                        phi_799_ = _e478;
-                                        phi_800_ = _e480;
-                                        phi_801_ = _e482;
+                                        let _e458 = phi_759_;
+                                        let _e460 = phi_760_;
+                                        let _e462 = phi_761_;
+                                        let _e464 = phi_762_;
+                                        let _e466 = phi_763_;
+                                        phi_771_ = _e446;
+                                        phi_772_ = _e458;
+                                        phi_773_ = _e460;
+                                        phi_774_ = _e462;
+                                        phi_775_ = _e464;
+                                        phi_776_ = _e466;
                                     } else {
-                                        switch bitcast<i32>(_e330) {
+                                        switch bitcast<i32>(_e314) {
                                             case 1: {
-                                                phi_793_ = false;
-                                                phi_794_ = true;
-                                                phi_795_ = false;
+                                                phi_768_ = false;
+                                                phi_769_ = true;
+                                                phi_770_ = false;
                                                 break;
                                             }
                                             case 2: {
-                                                phi_793_ = false;
-                                                phi_794_ = false;
-                                                phi_795_ = true;
+                                                phi_768_ = false;
+                                                phi_769_ = false;
+                                                phi_770_ = true;
                                                 break;
                                             }
                                             default: {
-                                                phi_793_ = true;
-                                                phi_794_ = false;
-                                                phi_795_ = false;
+                                                phi_768_ = true;
+                                                phi_769_ = false;
+                                                phi_770_ = false;
                                                 break;
                                             }
                                         }
-                                        let _e485 = phi_793_;
-                                        let _e487 = phi_794_;
-                                        let _e489 = phi_795_;
-                                        phi_796_ = false;
-                                        phi_797_ = bool();
-                                        phi_798_ = _e485;
-                                        phi_799_ = _e487;
-                                        phi_800_ = _e489;
-                                        phi_801_ = false;
+                                        let _e469 = phi_768_;
+                                        let _e471 = phi_769_;
+                                        let _e473 = phi_770_;
+                                        phi_771_ = false;
+                                        phi_772_ = bool();
+                                        phi_773_ = _e469;
+                                        phi_774_ = _e471;
+                                        phi_775_ = _e473;
+                                        phi_776_ = false;
                                     }
-                                    let _e491 = phi_796_;
-                                    let _e493 = phi_797_;
-                                    let _e495 = phi_798_;
-                                    let _e497 = phi_799_;
-                                    let _e499 = phi_800_;
-                                    let _e501 = phi_801_;
-                                    if _e495 {
-                                        if ((_e455 & 2u) != 0u) {
-                                            if (((_e455 & 4u) != 0u) != _e238) {
-                                                phi_816_ = false;
+                                    let _e475 = phi_771_;
+                                    let _e477 = phi_772_;
+                                    let _e479 = phi_773_;
+                                    let _e481 = phi_774_;
+                                    let _e483 = phi_775_;
+                                    let _e485 = phi_776_;
+                                    if _e479 {
+                                        if ((_e439 & 2u) != 0u) {
+                                            if (((_e439 & 4u) != 0u) != _e237) {
+                                                phi_791_ = false;
                                             } else {
-                                                phi_816_ = true;
+                                                phi_791_ = true;
                                             }
-                                            let _e508 = phi_816_;
-                                            phi_817_ = _e508;
+                                            let _e492 = phi_791_;
+                                            phi_792_ = _e492;
                                         } else {
-                                            phi_817_ = true;
+                                            phi_792_ = true;
                                         }
-                                        let _e510 = phi_817_;
-                                        if _e510 {
-                                            phi_824_ = (((_e455 & 1u) != 0u) != _e238);
+                                        let _e494 = phi_792_;
+                                        if _e494 {
+                                            phi_799_ = (((_e439 & 1u) != 0u) != _e237);
                                         } else {
-                                            phi_824_ = true;
+                                            phi_799_ = true;
                                         }
-                                        let _e515 = phi_824_;
-                                        phi_825_ = _e515;
-                                        phi_826_ = false;
-                                        phi_827_ = false;
-                                        phi_828_ = false;
+                                        let _e499 = phi_799_;
+                                        phi_800_ = _e499;
+                                        phi_801_ = false;
+                                        phi_802_ = false;
+                                        phi_803_ = false;
                                     } else {
-                                        phi_825_ = bool();
-                                        phi_826_ = _e497;
-                                        phi_827_ = _e499;
-                                        phi_828_ = _e501;
+                                        phi_800_ = bool();
+                                        phi_801_ = _e481;
+                                        phi_802_ = _e483;
+                                        phi_803_ = _e485;
                                     }
-                                    let _e517 = phi_825_;
-                                    let _e519 = phi_826_;
-                                    let _e521 = phi_827_;
-                                    let _e523 = phi_828_;
-                                    if _e519 {
-                                        phi_832_ = _e491;
-                                        phi_833_ = false;
-                                        phi_834_ = false;
+                                    let _e501 = phi_800_;
+                                    let _e503 = phi_801_;
+                                    let _e505 = phi_802_;
+                                    let _e507 = phi_803_;
+                                    if _e503 {
+                                        phi_807_ = _e475;
+                                        phi_808_ = false;
+                                        phi_809_ = false;
                                     } else {
-                                        phi_832_ = _e517;
-                                        phi_833_ = _e521;
-                                        phi_834_ = _e523;
+                                        phi_807_ = _e501;
+                                        phi_808_ = _e505;
+                                        phi_809_ = _e507;
                                     }
-                                    let _e525 = phi_832_;
-                                    let _e527 = phi_833_;
-                                    let _e529 = phi_834_;
-                                    if _e527 {
+                                    let _e509 = phi_807_;
+                                    let _e511 = phi_808_;
+                                    let _e513 = phi_809_;
+                                    if _e511 {
+                                        phi_813_ = false;
+                                        phi_814_ = true;
+                                    } else {
+                                        phi_813_ = _e477;
+                                        phi_814_ = _e513;
+                                    }
+                                    let _e515 = phi_813_;
+                                    let _e517 = phi_814_;
+                                    if _e517 {
+                                        phi_818_ = _e515;
+                                    } else {
+                                        phi_818_ = _e509;
+                                    }
+                                    let _e519 = phi_818_;
+                                    phi_819_ = _e519;
+                                }
+                                let _e521 = phi_819_;
+                                if _e324.all_remove {
+                                    if (((_e439 & 1u) != 0u) == _e237) {
+                                        if ((_e439 & 2u) != 0u) {
+                                            phi_837_ = (((_e439 & 4u) != 0u) == _e237);
+                                        } else {
+                                            phi_837_ = true;
+                                        }
+                                        let _e531 = phi_837_;
+                                        phi_838_ = _e531;
+                                    } else {
                                         phi_838_ = false;
-                                        phi_839_ = true;
-                                    } else {
-                                        phi_838_ = _e493;
-                                        phi_839_ = _e529;
                                     }
-                                    let _e531 = phi_838_;
-                                    let _e533 = phi_839_;
-                                    if _e533 {
-                                        phi_843_ = _e531;
-                                    } else {
-                                        phi_843_ = _e525;
-                                    }
-                                    let _e535 = phi_843_;
-                                    phi_844_ = _e535;
-                                }
-                                let _e537 = phi_844_;
-                                if _e340.all_remove {
-                                    if (((_e455 & 1u) != 0u) == _e238) {
-                                        if ((_e455 & 2u) != 0u) {
-                                            phi_862_ = (((_e455 & 4u) != 0u) == _e238);
-                                        } else {
-                                            phi_862_ = true;
-                                        }
-                                        let _e547 = phi_862_;
-                                        phi_863_ = _e547;
-                                    } else {
-                                        phi_863_ = false;
-                                    }
-                                    let _e549 = phi_863_;
-                                    phi_864_ = _e549;
+                                    let _e533 = phi_838_;
+                                    phi_839_ = _e533;
                                 } else {
-                                    phi_864_ = false;
+                                    phi_839_ = false;
                                 }
-                                let _e551 = phi_864_;
-                                phi_599_ = (_e338 + 1u);
-                                phi_602_ = lt_mask_Neighbourhood(_e537, _e551);
+                                let _e535 = phi_839_;
+                                phi_574_ = (_e322 + 1u);
+                                phi_577_ = lt_mask_Neighbourhood(_e521, _e535);
                             } else {
-                                phi_599_ = u32();
-                                phi_602_ = lt_mask_Neighbourhood();
+                                phi_574_ = u32();
+                                phi_577_ = lt_mask_Neighbourhood();
                             }
-                            let _e555 = phi_599_;
-                            let _e557 = phi_602_;
+                            let _e539 = phi_574_;
+                            let _e541 = phi_577_;
                             continue;
                             continuing {
-                                phi_598_ = _e555;
-                                phi_601_ = _e557;
-                                break if !(_e352);
+                                phi_573_ = _e539;
+                                phi_576_ = _e541;
+                                break if !(_e336);
                             }
                         }
-                        let _e808 = local_1;
-                        phi_867_ = _e808;
+                        let _e792 = local_1;
+                        phi_842_ = _e792;
                     }
-                    let _e560 = phi_867_;
-                    phi_868_ = _e560;
+                    let _e544 = phi_842_;
+                    phi_843_ = _e544;
                 } else {
-                    phi_868_ = _e324;
+                    phi_843_ = _e308;
                 }
-                let _e562 = phi_868_;
-                phi_869_ = _e562;
+                let _e546 = phi_843_;
+                phi_844_ = _e546;
             } else {
-                phi_869_ = _e324;
+                phi_844_ = _e308;
             }
-            let _e564 = phi_869_;
-            let _e567 = p.member.frame;
-            let _e569 = p.member.refresh;
-            if (_e569 == 0u) {
-                phi_902_ = false;
+            let _e548 = phi_844_;
+            let _e551 = p.member.frame;
+            let _e553 = p.member.refresh;
+            if (_e553 == 0u) {
+                phi_877_ = false;
             } else {
-                if (_e569 == 0u) {
+                if (_e553 == 0u) {
                     return;
                 }
-                let _e578 = ((_e43.x + (_e43.y * (((_e569 * 5u) / 8u) | 1u))) + (_e567 % _e569));
-                if (_e569 == 0u) {
-                    phi_901_ = (_e578 == 0u);
+                let _e562 = ((_e42.x + (_e42.y * (((_e553 * 5u) / 8u) | 1u))) + (_e551 % _e553));
+                if (_e553 == 0u) {
+                    phi_876_ = (_e562 == 0u);
                 } else {
-                    if (_e569 == 0u) {
+                    if (_e553 == 0u) {
                         return;
                     }
-                    phi_901_ = ((_e578 % _e569) == 0u);
+                    phi_876_ = ((_e562 % _e553) == 0u);
                 }
-                let _e585 = phi_901_;
-                phi_902_ = _e585;
+                let _e569 = phi_876_;
+                phi_877_ = _e569;
             }
-            let _e587 = phi_902_;
-            if _e261 {
-                if _e587 {
-                    phi_924_ = bool();
+            let _e571 = phi_877_;
+            if _e245 {
+                if _e571 {
+                    phi_899_ = bool();
                 } else {
-                    phi_924_ = ((_e323 & 2u) != 0u);
+                    phi_899_ = ((_e307 & 2u) != 0u);
                 }
-                let _e593 = phi_924_;
-                phi_925_ = _e593;
-                phi_926_ = _e587;
+                let _e577 = phi_899_;
+                phi_900_ = _e577;
+                phi_901_ = _e571;
             } else {
-                phi_925_ = bool();
-                phi_926_ = true;
+                phi_900_ = bool();
+                phi_901_ = true;
             }
-            let _e595 = phi_925_;
-            let _e597 = phi_926_;
-            if _e597 {
-                phi_930_ = false;
+            let _e579 = phi_900_;
+            let _e581 = phi_901_;
+            if _e581 {
+                phi_905_ = false;
             } else {
-                phi_930_ = _e595;
+                phi_905_ = _e579;
             }
-            let _e599 = phi_930_;
-            if _e599 {
-                phi_981_ = 7u;
+            let _e583 = phi_905_;
+            if _e583 {
+                phi_956_ = 7u;
             } else {
-                if (_e80 != 0.5f) {
-                    if _e261 {
-                        if _e587 {
-                            phi_978_ = 6u;
+                if (_e79 != 0.5f) {
+                    if _e245 {
+                        if _e571 {
+                            phi_953_ = 6u;
                         } else {
-                            if _e242 {
-                                phi_953_ = true;
+                            if _e241 {
+                                phi_928_ = true;
                             } else {
-                                if _e564.any_expands {
-                                    phi_952_ = false;
+                                if _e548.any_expands {
+                                    phi_927_ = false;
                                 } else {
-                                    phi_952_ = true;
+                                    phi_927_ = true;
                                 }
-                                let _e601 = phi_952_;
-                                phi_953_ = _e601;
+                                let _e585 = phi_927_;
+                                phi_928_ = _e585;
                             }
-                            let _e603 = phi_953_;
-                            if _e603 {
-                                if _e242 {
-                                    if _e265 {
-                                        if _e564.all_remove {
-                                            phi_966_ = false;
+                            let _e587 = phi_928_;
+                            if _e587 {
+                                if _e241 {
+                                    if _e249 {
+                                        if _e548.all_remove {
+                                            phi_941_ = false;
                                         } else {
-                                            phi_966_ = true;
+                                            phi_941_ = true;
                                         }
-                                        let _e605 = phi_966_;
-                                        phi_967_ = _e605;
+                                        let _e589 = phi_941_;
+                                        phi_942_ = _e589;
                                     } else {
-                                        phi_967_ = true;
+                                        phi_942_ = true;
                                     }
-                                    let _e607 = phi_967_;
-                                    phi_968_ = _e607;
+                                    let _e591 = phi_942_;
+                                    phi_943_ = _e591;
                                 } else {
-                                    phi_968_ = true;
+                                    phi_943_ = true;
                                 }
-                                let _e609 = phi_968_;
-                                if _e609 {
-                                    if _e242 {
-                                        phi_975_ = 1u;
+                                let _e593 = phi_943_;
+                                if _e593 {
+                                    if _e241 {
+                                        phi_950_ = 1u;
                                     } else {
-                                        phi_975_ = 0u;
+                                        phi_950_ = 0u;
                                     }
-                                    let _e611 = phi_975_;
-                                    phi_976_ = _e611;
+                                    let _e595 = phi_950_;
+                                    phi_951_ = _e595;
                                 } else {
-                                    phi_976_ = 5u;
+                                    phi_951_ = 5u;
                                 }
-                                let _e613 = phi_976_;
-                                phi_977_ = _e613;
+                                let _e597 = phi_951_;
+                                phi_952_ = _e597;
                             } else {
-                                phi_977_ = 4u;
+                                phi_952_ = 4u;
                             }
-                            let _e615 = phi_977_;
-                            phi_978_ = _e615;
+                            let _e599 = phi_952_;
+                            phi_953_ = _e599;
                         }
-                        let _e617 = phi_978_;
-                        phi_979_ = _e617;
+                        let _e601 = phi_953_;
+                        phi_954_ = _e601;
                     } else {
-                        phi_979_ = 3u;
+                        phi_954_ = 3u;
                     }
-                    let _e619 = phi_979_;
-                    phi_980_ = _e619;
+                    let _e603 = phi_954_;
+                    phi_955_ = _e603;
                 } else {
-                    phi_980_ = 2u;
+                    phi_955_ = 2u;
                 }
-                let _e621 = phi_980_;
-                phi_981_ = _e621;
+                let _e605 = phi_955_;
+                phi_956_ = _e605;
             }
-            let _e623 = phi_981_;
-            if !((_e623 == 0u)) {
-                if !((_e623 == 5u)) {
-                    phi_993_ = !(_e599);
-                    phi_994_ = false;
+            let _e607 = phi_956_;
+            if !((_e607 == 0u)) {
+                if !((_e607 == 5u)) {
+                    phi_968_ = !(_e583);
+                    phi_969_ = false;
                 } else {
-                    phi_993_ = bool();
-                    phi_994_ = true;
+                    phi_968_ = bool();
+                    phi_969_ = true;
                 }
-                let _e630 = phi_993_;
-                let _e632 = phi_994_;
-                phi_995_ = _e630;
-                phi_996_ = _e632;
+                let _e614 = phi_968_;
+                let _e616 = phi_969_;
+                phi_970_ = _e614;
+                phi_971_ = _e616;
             } else {
-                phi_995_ = bool();
-                phi_996_ = true;
+                phi_970_ = bool();
+                phi_971_ = true;
             }
-            let _e634 = phi_995_;
-            let _e636 = phi_996_;
-            if _e636 {
-                phi_1000_ = false;
+            let _e618 = phi_970_;
+            let _e620 = phi_971_;
+            if _e620 {
+                phi_975_ = false;
             } else {
-                phi_1000_ = _e634;
+                phi_975_ = _e618;
             }
-            let _e638 = phi_1000_;
-            if _e599 {
-                phi_1006_ = ((_e323 & 4u) != 0u);
+            let _e622 = phi_975_;
+            if _e583 {
+                phi_981_ = ((_e307 & 4u) != 0u);
             } else {
-                phi_1006_ = _e238;
+                phi_981_ = _e237;
             }
-            let _e642 = phi_1006_;
-            if _e638 {
-                if _e238 {
-                    phi_1014_ = (2u | 1u);
+            let _e626 = phi_981_;
+            if _e622 {
+                if _e237 {
+                    phi_989_ = (2u | 1u);
                 } else {
-                    phi_1014_ = 2u;
+                    phi_989_ = 2u;
                 }
-                let _e645 = phi_1014_;
+                let _e629 = phi_989_;
                 if false {
-                    phi_1019_ = (_e645 | 4u);
+                    phi_994_ = (_e629 | 4u);
                 } else {
-                    phi_1019_ = _e645;
+                    phi_994_ = _e629;
                 }
-                let _e648 = phi_1019_;
-                phi_1039_ = _e648;
+                let _e632 = phi_994_;
+                phi_1014_ = _e632;
             } else {
-                if (_e623 == 7u) {
-                    if _e238 {
-                        phi_1028_ = (2u | 1u);
+                if (_e607 == 7u) {
+                    if _e237 {
+                        phi_1003_ = (2u | 1u);
                     } else {
-                        phi_1028_ = 2u;
+                        phi_1003_ = 2u;
                     }
-                    let _e652 = phi_1028_;
-                    if _e642 {
-                        phi_1033_ = (_e652 | 4u);
+                    let _e636 = phi_1003_;
+                    if _e626 {
+                        phi_1008_ = (_e636 | 4u);
                     } else {
-                        phi_1033_ = _e652;
+                        phi_1008_ = _e636;
                     }
-                    let _e655 = phi_1033_;
-                    phi_1038_ = _e655;
+                    let _e639 = phi_1008_;
+                    phi_1013_ = _e639;
                 } else {
-                    if _e238 {
-                        phi_1037_ = 1u;
+                    if _e237 {
+                        phi_1012_ = 1u;
                     } else {
-                        phi_1037_ = 0u;
+                        phi_1012_ = 0u;
                     }
-                    let _e657 = phi_1037_;
-                    phi_1038_ = _e657;
+                    let _e641 = phi_1012_;
+                    phi_1013_ = _e641;
                 }
-                let _e659 = phi_1038_;
-                phi_1039_ = _e659;
+                let _e643 = phi_1013_;
+                phi_1014_ = _e643;
             }
-            let _e661 = phi_1039_;
-            if _e642 {
-                phi_1043_ = 0f;
+            let _e645 = phi_1014_;
+            if _e626 {
+                phi_1018_ = 0f;
             } else {
-                phi_1043_ = 1f;
+                phi_1018_ = 1f;
             }
-            let _e663 = phi_1043_;
-            phi_1045_ = mask_Masked(_e663, _e661, _e638);
+            let _e647 = phi_1018_;
+            phi_1020_ = mask_Masked(_e647, _e645, _e622);
         }
-        let _e666 = phi_1045_;
-        visibility.member[_e59.shift] = _e666.visibility;
-        let _e671 = p.member.light.number;
-        let _e672 = (_e671 * 3u);
-        let _e674 = (_e672 % 32u);
-        let _e676 = p.member.light.mask_words;
-        let _e678 = ((_e59.shift * _e676) + (_e672 / 32u));
-        let _e680 = bits.member[_e678];
-        bits.member[_e678] = ((_e680 & ~((7u << bitcast<u32>((_e674 & 31u))))) | (_e666.bits << bitcast<u32>((_e674 & 31u))));
-        if (_e674 > 29u) {
-            let _e695 = bits.member[(_e678 + 1u)];
-            let _e697 = (32u - _e674);
-            bits.member[(_e678 + 1u)] = ((_e695 & ~((7u >> bitcast<u32>((_e697 & 31u))))) | (_e666.bits >> bitcast<u32>((_e697 & 31u))));
+        let _e650 = phi_1020_;
+        visibility.member[_e58.shift] = _e650.visibility;
+        let _e655 = p.member.light.number;
+        let _e656 = (_e655 * 3u);
+        let _e658 = (_e656 % 32u);
+        let _e660 = p.member.light.mask_words;
+        let _e662 = ((_e58.shift * _e660) + (_e656 / 32u));
+        let _e664 = bits.member[_e662];
+        bits.member[_e662] = ((_e664 & ~((7u << bitcast<u32>((_e658 & 31u))))) | (_e650.bits << bitcast<u32>((_e658 & 31u))));
+        if (_e658 > 29u) {
+            let _e679 = bits.member[(_e662 + 1u)];
+            let _e681 = (32u - _e658);
+            bits.member[(_e662 + 1u)] = ((_e679 & ~((7u >> bitcast<u32>((_e681 & 31u))))) | (_e650.bits >> bitcast<u32>((_e681 & 31u))));
         }
-        phi_1095_ = _e666.needs_ray;
-        phi_1096_ = _e59.shift;
+        phi_1070_ = _e650.needs_ray;
+        phi_1071_ = _e58.shift;
     } else {
-        phi_1095_ = false;
-        phi_1096_ = 0u;
+        phi_1070_ = false;
+        phi_1071_ = 0u;
     }
-    let _e711 = phi_1095_;
-    let _e713 = phi_1096_;
-    if (_e44 == 0u) {
+    let _e695 = phi_1070_;
+    let _e697 = phi_1071_;
+    if (_e43 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e711 {
-        let _e717 = atomicAdd((&shared_[0u]), 1u);
-        phi_1107_ = _e717;
+    if _e695 {
+        let _e701 = atomicAdd((&shared_[0u]), 1u);
+        phi_1082_ = _e701;
     } else {
-        phi_1107_ = 0u;
+        phi_1082_ = 0u;
     }
-    let _e719 = phi_1107_;
+    let _e703 = phi_1082_;
     workgroupBarrier();
-    if (_e44 == 0u) {
-        let _e723 = atomicLoad((&shared_[0u]));
-        let _e724 = atomicAdd((&list.member[3u]), _e723);
-        atomicStore((&shared_[1u]), _e724);
+    if (_e43 == 0u) {
+        let _e707 = atomicLoad((&shared_[0u]));
+        let _e708 = atomicAdd((&list.member[3u]), _e707);
+        atomicStore((&shared_[1u]), _e708);
     }
     workgroupBarrier();
-    if _e711 {
-        let _e727 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e727) + _e719)]), _e713);
+    if _e695 {
+        let _e711 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e711) + _e703)]), _e697);
     }
     return;
 }

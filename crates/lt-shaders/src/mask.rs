@@ -179,8 +179,8 @@ fn find<H: HistorySource, const MOTION: bool, const DEPTH: bool>(
     history: H,
 ) -> Reprojection {
     let mut place = Reprojection { pixel: px, is_valid: true, has_moved: false };
-    let rests = p.flags & MaskParams::CAMERA_RESTS != 0 && previous_position == sample.position;
-    if MOTION && !rests {
+    let rests = || p.flags & MaskParams::CAMERA_RESTS != 0 && previous_position == sample.position;
+    if MOTION && !rests() {
         let motion = motion_px(sample.position, previous_position, &p.current, &p.previous);
         place = reproject(px, sample_place(px, p.current.grid), motion, p.current.size);
         // Behind the last camera a projection is mirrored, and may fall on the screen.
