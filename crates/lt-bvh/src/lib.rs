@@ -66,6 +66,8 @@ mod build;
 mod fold;
 mod grid;
 mod instance;
+#[cfg(not(target_arch = "spirv"))]
+pub mod lanes;
 mod light;
 mod node;
 mod offset;
@@ -90,6 +92,8 @@ pub use instance::{
     Instance, closest_hit_instanced, closest_hit_instanced_probed, occluded_instanced,
     occluded_instanced_probed,
 };
+#[cfg(not(target_arch = "spirv"))]
+pub use lanes::SimdLevel;
 pub use light::{
     LEAST_LENGTH, LightNode, LightPoint, LightSpace, NODE_ROWS, occluded_in_light_space,
     occluded_in_light_space_probed,
@@ -99,7 +103,7 @@ pub use offset::{ORIGIN_ULPS, offset_origin};
 pub use probe::{Counts, NoProbe, Probe};
 pub use ray::{COORDINATE_LIMIT, FAR, Hit, NONE, Ray};
 #[cfg(feature = "build")]
-pub use simd::{Grouping, Simd, SimdLevel, memory};
+pub use simd::{Grouping, Simd, memory};
 pub use single::RayTest;
 pub use slab::{LEAST_COMPONENT, TRIANGLE_MARGIN, reciprocal};
 #[cfg(feature = "build")]

@@ -1,10 +1,10 @@
 //! Eight triangles side by side, against many points or against one.
 
 use crate::casters::Casters;
-use crate::lanes::Lanes;
 use crate::planes::{Corners, Planes, ROWS, planes};
 use crate::rect::Rect;
 use crate::view::View;
+use lt_bvh::lanes::Lanes;
 
 /// Triangles to a block.
 pub(crate) const BLOCK: usize = 8;

@@ -2,8 +2,8 @@
 
 use crate::block::ASKS;
 use crate::exact::Exact;
-use crate::lanes::{Lanes, Level};
 use crate::view::View;
+use lt_bvh::lanes::{Lanes, prefetch};
 use lt_bvh::{AnyHit, Node, Ray, RayTest, Triangle};
 use lt_math::glam::{Vec3, Vec4};
 
@@ -19,9 +19,9 @@ pub struct Casters<'a> {
 impl Casters<'_> {
     /// Asks for a triangle by its id in a block, that it may have come by the time it is needed.
     #[inline(always)]
-    pub(crate) fn prefetch<L: Level>(&self, level: L, id: u32) {
+    pub(crate) fn prefetch(&self, id: u32) {
         if let Some(triangle) = self.triangles.get((id & !ASKS) as usize) {
-            level.prefetch(triangle);
+            prefetch(triangle);
         }
     }
 

@@ -10,12 +10,11 @@
 
 use crate::block::BLOCK;
 use crate::casters::Casters;
-use crate::lanes::Level;
-use crate::level::{Chosen, Instructions, Work};
 use crate::planes::EPSILON;
 use crate::rect::{CLIP, MARGIN, Rect, rects_and_slivers};
 use crate::view::{Rays, View};
 use alloc::vec::Vec;
+use lt_bvh::lanes::{Chosen, NodeLanes, Work};
 use lt_bvh::{LightPoint, LightSpace, Triangle, permute};
 
 /// Triangles that a thread takes at a time; a multiple of [`BLOCK`].
@@ -94,7 +93,7 @@ impl Hexagon {
 
 /// The hexagon of every triangle, empty where the view does not see it. The same on all instructions.
 pub(crate) fn hexagons(view: &View, casters: Casters<'_>) -> Vec<Hexagon> {
-    let chosen = Chosen::new(Instructions::best()).unwrap_or(Chosen::Portable);
+    let chosen = Chosen::best();
     let space = view.space();
     let mut all = alloc::vec![Hexagon::EMPTY; casters.triangles.len()];
     let one = |(triangles, hexagons): (&[Triangle], &mut [Hexagon])| {
@@ -121,9 +120,9 @@ struct Hexagons<'a> {
 impl Work for Hexagons<'_> {
     type Output = ();
     #[inline(always)]
-    fn run<L: Level>(self, level: L) {
+    fn run<L: NodeLanes>(self, lanes: L) {
         for (triangles, hexagons) in self.triangles.chunks(BLOCK).zip(self.hexagons.chunks_mut(BLOCK)) {
-            let (rects, slivers) = rects_and_slivers(level.eight(), self.view, triangles);
+            let (rects, slivers) = rects_and_slivers(lanes, self.view, triangles);
             for (slot, (hexagon, triangle)) in hexagons.iter_mut().zip(triangles).enumerate() {
                 let is_sliver = slivers >> slot & 1 == 1;
                 *hexagon = Hexagon::of(self.view, self.space, triangle, rects[slot], is_sliver);

@@ -1,8 +1,6 @@
 //! The light BVH: a tree over the triangles in light space, kept while light and triangles stand still.
 
 use crate::casters::{Casters, Query};
-use crate::lanes::Level;
-use crate::level::{Chosen, Instructions, Work};
 use crate::tile::{TILE, Tile};
 use crate::tree::Tree;
 use crate::validate::Invalid;
@@ -10,6 +8,7 @@ use crate::view::{Bounds, View};
 use crate::walk::Stream;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
+use lt_bvh::lanes::{Chosen, NodeLanes, SimdLevel, Work};
 use lt_bvh::{AnyHit, Ray};
 use lt_math::glam::{Vec3, Vec4};
 
@@ -35,7 +34,7 @@ impl Walk {
 pub struct LightBvh {
     light: Vec4,
     trees: Vec<Tree>,
-    chosen: Instructions,
+    chosen: SimdLevel,
 }
 
 /// Memory of a thread that asks; reused from batch to batch.
@@ -51,11 +50,11 @@ impl LightBvh {
     pub fn build(light: Vec4, domain: Bounds, casters: Casters<'_>) -> Self {
         let trees =
             View::of_light(light, domain, casters.root).map(|view| Tree::build(view, casters)).collect();
-        LightBvh { light, trees, chosen: Instructions::best() }
+        LightBvh { light, trees, chosen: SimdLevel::best() }
     }
 
     /// The same on other instructions; `None` where the processor lacks them.
-    pub fn with_instructions(self, instructions: Instructions) -> Option<Self> {
+    pub fn with_instructions(self, instructions: SimdLevel) -> Option<Self> {
         Chosen::new(instructions)?;
         Some(LightBvh { chosen: instructions, ..self })
     }
@@ -117,7 +116,7 @@ struct Ask<'a, A> {
 impl<A: AnyHit> Work for Ask<'_, A> {
     type Output = ();
     #[inline(always)]
-    fn run<L: Level>(self, level: L) {
+    fn run<L: NodeLanes>(self, lanes: L) {
         let Ask { walk, bvh, casters, origins, any_hit, out, scratch } = self;
         let len = origins.len().min(out.len());
         let (origins, out) = (&origins[..len], &mut out[..len]);
@@ -129,9 +128,9 @@ impl<A: AnyHit> Work for Ask<'_, A> {
                 Walk::Tiles => {
                     for (origins, out) in origins.chunks(TILE).zip(out.chunks_mut(TILE)) {
                         let tile = &mut *scratch.tile;
-                        tile.fill(level.points(), &tree.view, origins);
+                        tile.fill(lanes.rays(), &tree.view, origins);
                         taken += tile.members().count_ones() as usize;
-                        tile.walk(level, tree, &query);
+                        tile.walk(lanes, tree, &query);
                         let blocked = tile.blocked();
                         for (i, out) in out.iter_mut().enumerate() {
                             *out |= blocked >> i & 1 == 1;
@@ -139,8 +138,8 @@ impl<A: AnyHit> Work for Ask<'_, A> {
                     }
                 }
                 Walk::Streams => {
-                    taken += scratch.stream.fill(level.points(), &tree.view, origins);
-                    scratch.stream.walk(level, tree, &query);
+                    taken += scratch.stream.fill(lanes.rays(), &tree.view, origins);
+                    scratch.stream.walk(lanes, tree, &query);
                     for i in scratch.stream.blocked() {
                         out[i] = true;
                     }

@@ -37,9 +37,9 @@
 //! Triangles edge-on to the light (A ≤ 128εEF, P ≤ 282εEFD) have a depth plane of 0, which is never sure; where magnitudes come near
 //! over- or underflow all planes are 0.
 
-use crate::lanes::Lanes;
 use crate::view::{Rays, View};
 use lt_bvh::Triangle;
+use lt_bvh::lanes::Lanes;
 use lt_math::glam::Vec3;
 
 /// 2⁻²⁴: the largest relative error of one rounding.
@@ -266,10 +266,10 @@ mod tests {
     use super::support::{PLACES, Random, Soup, lights, origins};
     use crate::block::{BLOCK, Block};
     use crate::casters::Casters;
-    use crate::lanes::Portable;
     use crate::rect::{Rect, rects};
     use crate::view::View;
     use alloc::vec::Vec;
+    use lt_bvh::lanes::Portable;
     use lt_bvh::{BuildQuality, Bvh, LightPoint, Ray, RayTest};
 
     /// Verdicts that the ray tracer contradicts, and how many are sure, with error bounds scaled by these factors.

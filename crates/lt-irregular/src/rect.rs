@@ -6,9 +6,9 @@
 //! from it within an angle of 4ε, and the triangle would be a sliver. Vertices and point are off by 5εD, 2.5εD and 2.5εD.
 
 use crate::block::BLOCK;
-use crate::lanes::Lanes;
 use crate::planes::{Corners, EPSILON, flat, planes};
 use crate::view::{Rays, View};
+use lt_bvh::lanes::Lanes;
 use lt_bvh::{Triangle, permute};
 use lt_math::glam::Vec3;
 

@@ -3,17 +3,17 @@
 use crate::block::{ASKS, Block, NOBODY, Spread};
 use crate::casters::Query;
 use crate::exact::Exact;
-use crate::lanes::{Lanes, Level};
 use crate::rect::Rect;
 use crate::tree::{LEAF, Tree};
 use crate::view::View;
 use crate::walk::walk_one;
+use lt_bvh::lanes::{Lanes, NodeLanes};
 use lt_bvh::{AnyHit, permute};
 use lt_math::glam::Vec3;
 
 /// Points to a tile.
 pub(crate) const TILE: usize = 64;
-/// Links that a walk may have waiting: seven at each level.
+/// Links that a walk may have waiting: seven at each lanes.
 const STACK: usize = 256;
 /// Up to this many points are looked at one by one.
 const FEW: u32 = 3;
@@ -173,16 +173,16 @@ impl Tile {
 
     /// Holds all points, whose origins are the ones named, against a block.
     #[inline(always)]
-    pub fn hold<L: Level, A: AnyHit>(
+    pub fn hold<L: NodeLanes, A: AnyHit>(
         &mut self,
-        level: L,
+        lanes: L,
         view: &View,
         query: &Query<'_, A>,
         block: &Block,
         late: Late<'_>,
     ) {
         let rect = self.rect;
-        self.leaf(level, view, query, block, self.alive, &rect, late);
+        self.leaf(lanes, view, query, block, self.alive, &rect, late);
     }
 
     /// The points that are in the view, a bit each.
@@ -197,7 +197,7 @@ impl Tile {
 
     /// Walks the tree until all points are blocked or nothing is left.
     #[inline(always)]
-    pub fn walk<L: Level, A: AnyHit>(&mut self, level: L, tree: &Tree, query: &Query<'_, A>) {
+    pub fn walk<L: NodeLanes, A: AnyHit>(&mut self, lanes: L, tree: &Tree, query: &Query<'_, A>) {
         if tree.nodes.is_empty() || self.alive == 0 {
             return;
         }
@@ -207,7 +207,7 @@ impl Tile {
         loop {
             if top == 0 || ahead.is_full() {
                 let Some((link, points)) = ahead.take() else { break };
-                self.few(level, tree, query, (link, points & self.alive), &mut ahead, &mut top);
+                self.few(lanes, tree, query, (link, points & self.alive), &mut ahead, &mut top);
                 continue;
             }
             top -= 1;
@@ -219,12 +219,12 @@ impl Tile {
             if points.count_ones() <= FEW {
                 ahead.put(link, points);
             } else if link & LEAF != 0 {
-                self.leaf(level, &tree.view, query, tree.block(link), points, &rect, Late::default());
+                self.leaf(lanes, &tree.view, query, tree.block(link), points, &rect, Late::default());
             } else if top + 8 > STACK {
-                self.singly(level, tree, query, link, points);
+                self.singly(lanes, tree, query, link, points);
             } else {
                 let node = &tree.nodes[link as usize];
-                let mut hits = node.hits(level.eight(), &rect);
+                let mut hits = node.hits(lanes, &rect);
                 while hits != 0 {
                     // The first child is to be taken from the stack first.
                     let slot = 31 - hits.leading_zeros();
@@ -232,10 +232,10 @@ impl Tile {
                     let slot = slot as usize & 7;
                     let child = node.rect(slot);
                     let points =
-                        if child.covers(&rect) { points } else { self.inside(level, &child, points) };
+                        if child.covers(&rect) { points } else { self.inside(lanes, &child, points) };
                     if points != 0 {
                         let link = node.links[slot];
-                        tree.prefetch(level, link);
+                        tree.prefetch(link);
                         self.stack[top & (STACK - 1)] = Waiting { link, points, rect: child.common(&rect) };
                         top += 1;
                     }
@@ -245,21 +245,20 @@ impl Tile {
                 return;
             }
         }
-        self.settle(level, &tree.view, query, &mut ahead);
+        self.settle(lanes, &tree.view, query, &mut ahead);
     }
 
     /// Holds few points against a node's children, which are put on the stack, or against a block, each by itself.
     #[inline(always)]
-    fn few<L: Level, A: AnyHit>(
+    fn few<L: NodeLanes, A: AnyHit>(
         &mut self,
-        level: L,
+        lanes: L,
         tree: &Tree,
         query: &Query<'_, A>,
         (link, points): (u32, u64),
         ahead: &mut Ahead,
         top: &mut usize,
     ) {
-        let lanes = level.eight();
         let mut rest = points;
         if link & LEAF != 0 {
             let block = tree.block(link);
@@ -279,15 +278,15 @@ impl Tile {
                         break;
                     }
                     if ahead.asks == ASKED {
-                        self.settle(level, &tree.view, query, ahead);
+                        self.settle(lanes, &tree.view, query, ahead);
                     }
-                    query.casters.prefetch(level, id);
+                    query.casters.prefetch(id);
                     ahead.asked[ahead.asks] = (id & !ASKS, i as u32);
                     ahead.asks += 1;
                 }
             }
         } else if *top + 8 > STACK {
-            self.singly(level, tree, query, link, points);
+            self.singly(lanes, tree, query, link, points);
         } else {
             let node = &tree.nodes[link as usize];
             let mut each = [0u64; 8];
@@ -309,7 +308,7 @@ impl Tile {
                 met &= !(1 << slot);
                 let slot = slot as usize & 7;
                 let link = node.links[slot];
-                tree.prefetch(level, link);
+                tree.prefetch(link);
                 self.stack[*top & (STACK - 1)] = Waiting { link, points: each[slot], rect: Rect::EMPTY };
                 *top += 1;
             }
@@ -318,14 +317,13 @@ impl Tile {
 
     /// Puts all points that wait for it to the ray tracer's test.
     #[inline(always)]
-    fn settle<L: Level, A: AnyHit>(
+    fn settle<L: NodeLanes, A: AnyHit>(
         &mut self,
-        level: L,
+        lanes: L,
         view: &View,
         query: &Query<'_, A>,
         ahead: &mut Ahead,
     ) {
-        let lanes = level.eight();
         for &(triangle, point) in &ahead.asked[..ahead.asks] {
             let i = point as usize & (TILE - 1);
             if self.alive >> i & 1 == 1 {
@@ -341,13 +339,13 @@ impl Tile {
 
     /// Those of the points that lie within a child's rectangle.
     #[inline(always)]
-    fn inside<L: Level>(&self, level: L, rect: &Rect, points: u64) -> u64 {
-        let lanes = level.points();
+    fn inside<L: NodeLanes>(&self, lanes: L, rect: &Rect, points: u64) -> u64 {
+        let lanes = lanes.rays();
         let (x0, x1) = (lanes.splat(rect.x0), lanes.splat(rect.x1));
         let (y0, y1) = (lanes.splat(rect.y0), lanes.splat(rect.y1));
         let far = lanes.splat(rect.z);
         let mut found = 0;
-        for at in (0..TILE).step_by(L::Points::WIDTH) {
+        for at in (0..TILE).step_by(L::Rays::WIDTH) {
             let (x, y, z) = (lanes.load(&self.x[at..]), lanes.load(&self.y[at..]), lanes.load(&self.z[at..]));
             let mask =
                 lanes.le(x0, x) & lanes.le(x, x1) & lanes.le(y0, y) & lanes.le(y, y1) & lanes.le(z, far);
@@ -358,9 +356,9 @@ impl Tile {
 
     /// Points one after the other, where the stack is full.
     #[inline(always)]
-    fn singly<L: Level, A: AnyHit>(
+    fn singly<L: NodeLanes, A: AnyHit>(
         &mut self,
-        level: L,
+        lanes: L,
         tree: &Tree,
         query: &Query<'_, A>,
         link: u32,
@@ -371,7 +369,7 @@ impl Tile {
             let i = rest.trailing_zeros() as usize & (TILE - 1);
             rest &= rest - 1;
             let point = [self.x[i], self.y[i], self.z[i]];
-            if walk_one(level.eight(), tree, query, link, self.origin(&tree.view, i), point) {
+            if walk_one(lanes, tree, query, link, self.origin(&tree.view, i), point) {
                 self.alive &= !(1 << i);
             }
         }
@@ -387,9 +385,9 @@ impl Tile {
 
     /// Holds points against a block.
     #[inline(always)]
-    fn leaf<L: Level, A: AnyHit>(
+    fn leaf<L: NodeLanes, A: AnyHit>(
         &mut self,
-        level: L,
+        lanes: L,
         view: &View,
         query: &Query<'_, A>,
         block: &Block,
@@ -399,7 +397,7 @@ impl Tile {
     ) {
         let (constant, factor) = view.depth_tolerance();
         let spread = Spread::new(rect, rect.z, self.far, constant + factor * self.far);
-        let answer = block.test_rect(level.eight(), &spread);
+        let answer = block.test_rect(lanes, &spread);
         if answer.possible == 0 {
             return;
         }
@@ -417,13 +415,13 @@ impl Tile {
         while ahead != 0 {
             let slot = ahead.trailing_zeros() as usize & 7;
             ahead &= ahead - 1;
-            query.casters.prefetch(level, block.ids[slot]);
+            query.casters.prefetch(block.ids[slot]);
         }
         while possible != 0 {
             let slot = possible.trailing_zeros() as usize & 7;
             possible &= possible - 1;
             if block.ids[slot] != NOBODY {
-                self.triangle(level.points(), view, query, block, slot, points, late);
+                self.triangle(lanes.rays(), view, query, block, slot, points, late);
             }
         }
     }

@@ -2,13 +2,12 @@
 
 use crate::block::{BLOCK, Block};
 use crate::casters::Casters;
-use crate::lanes::{Lanes, Level};
-use crate::level::{Chosen, Instructions, Work};
 use crate::rect::{Rect, rects};
 use crate::split::{Item, split};
 use crate::view::View;
 use alloc::vec::Vec;
 use lt_bvh::Triangle;
+use lt_bvh::lanes::{Chosen, Lanes, NodeLanes, Work, prefetch};
 
 /// Children to a node.
 pub(crate) const WIDTH: usize = 8;
@@ -113,7 +112,7 @@ impl Tree {
     /// Builds over all triangles that the view can see. The same tree for any number of threads.
     pub fn build(view: View, casters: Casters<'_>) -> Self {
         let mut items = items(&view, casters);
-        let chosen = Chosen::new(Instructions::best()).unwrap_or(Chosen::Portable);
+        let chosen = Chosen::best();
         let builder = Builder { chosen, view: &view, casters };
         let part = if items.is_empty() { Part::default() } else { builder.subtree(&mut items) };
         Tree { view, nodes: part.nodes, blocks: part.blocks }
@@ -121,11 +120,11 @@ impl Tree {
 
     /// Asks for what a link leads to, that it may have come by the time it is needed.
     #[inline(always)]
-    pub fn prefetch<L: Level>(&self, level: L, link: u32) {
+    pub fn prefetch(&self, link: u32) {
         if link & LEAF == 0 {
-            level.prefetch(&self.nodes[link as usize]);
+            prefetch(&self.nodes[link as usize]);
         } else {
-            level.prefetch(self.block(link));
+            prefetch(self.block(link));
         }
     }
 
@@ -145,7 +144,7 @@ pub(crate) fn items(view: &View, casters: Casters<'_>) -> Vec<Item> {
 
 /// [`items`] in a list that has memory already.
 pub(crate) fn fill_items(view: &View, casters: Casters<'_>, items: &mut Vec<Item>) {
-    let chosen = Chosen::new(Instructions::best()).unwrap_or(Chosen::Portable);
+    let chosen = Chosen::best();
     items.resize(casters.triangles.len(), Item { rect: Rect::EMPTY, triangle: 0 });
     let one = |(at, items): (usize, &mut [Item])| {
         let first = at * TASK;
@@ -176,10 +175,10 @@ struct Rectangles<'a> {
 impl Work for Rectangles<'_> {
     type Output = ();
     #[inline(always)]
-    fn run<L: Level>(self, level: L) {
+    fn run<L: NodeLanes>(self, lanes: L) {
         let mut triangle = self.first;
         for (triangles, items) in self.triangles.chunks(BLOCK).zip(self.items.chunks_mut(BLOCK)) {
-            for (item, rect) in items.iter_mut().zip(rects(level.eight(), self.view, triangles)) {
+            for (item, rect) in items.iter_mut().zip(rects(lanes, self.view, triangles)) {
                 *item = Item { rect, triangle };
                 triangle += 1;
             }
@@ -257,8 +256,8 @@ struct Leaf<'a> {
 impl Work for Leaf<'_> {
     type Output = Block;
     #[inline(always)]
-    fn run<L: Level>(self, level: L) -> Block {
-        Block::of(level.eight(), self.view, self.casters, self.ids)
+    fn run<L: NodeLanes>(self, lanes: L) -> Block {
+        Block::of(lanes, self.view, self.casters, self.ids)
     }
 }
 

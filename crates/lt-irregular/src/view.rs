@@ -11,7 +11,7 @@
 //! The axis is the world axis of the ray's largest component, as in the ray tracer's triangle test; so a positioned light sees six
 //! faces of a cube, and no frame of its own needs to be chosen.
 
-use crate::lanes::Lanes;
+use lt_bvh::lanes::Lanes;
 use lt_bvh::{LEAST_LENGTH, LightPoint, LightSpace, Node, Ray, main_axis, permute, reciprocal};
 use lt_math::glam::{Vec2, Vec3, Vec4};
 
@@ -188,7 +188,7 @@ impl View {
     /// The coordinates that become x, y and z.
     #[inline(always)]
     pub(crate) fn axes(&self) -> [usize; 3] {
-        [[1, 2, 0], [2, 0, 1], [0, 1, 2]][self.axis as usize % 3]
+        lt_bvh::lanes::watertight::axes(self.axis as usize)
     }
 
     /// [`View::point`] and [`View::takes`] of several rays, given by their origins in permuted axes.

@@ -3,11 +3,11 @@
 use crate::block::{ASKS, Answer, Block, NOBODY};
 use crate::casters::Query;
 use crate::exact::Exact;
-use crate::lanes::{Lanes, Level};
 use crate::rect::Rect;
 use crate::tree::{LEAF, Tree};
 use crate::view::View;
 use alloc::vec::Vec;
+use lt_bvh::lanes::{Lanes, NodeLanes};
 use lt_bvh::{AnyHit, RayTest};
 use lt_math::glam::Vec3;
 
@@ -116,7 +116,7 @@ impl Stream {
 
     /// Walks the tree with all points.
     #[inline(always)]
-    pub fn walk<L: Level, A: AnyHit>(&mut self, level: L, tree: &Tree, query: &Query<'_, A>) {
+    pub fn walk<L: NodeLanes, A: AnyHit>(&mut self, lanes: L, tree: &Tree, query: &Query<'_, A>) {
         let len = self.len;
         if tree.nodes.is_empty() || len == 0 {
             return;
@@ -128,13 +128,13 @@ impl Stream {
         for (i, id) in self.lists.ids[..len].iter_mut().enumerate() {
             *id = i as u32;
         }
-        self.descend(level, tree, query, len);
+        self.descend(lanes, tree, query, len);
     }
 
     /// Passes the first list down the tree. A loop and not a recursion: a function that calls itself is not inlined, and so would
     /// not be compiled for the instructions that it is asked to use.
     #[inline(always)]
-    fn descend<L: Level, A: AnyHit>(&mut self, level: L, tree: &Tree, query: &Query<'_, A>, len: usize) {
+    fn descend<L: NodeLanes, A: AnyHit>(&mut self, lanes: L, tree: &Tree, query: &Query<'_, A>, len: usize) {
         let mut path = core::mem::take(&mut self.path);
         path.push(Step { node: 0, slot: 0, start: 0, len, blocked: self.blocked });
         while let Some(step) = path.last_mut() {
@@ -150,20 +150,20 @@ impl Stream {
                 step.len = self.purge(step.start, step.len);
             }
             let to = step.start + step.len;
-            let found = self.filter(level.points(), &node.rect(slot), step.start, step.len);
+            let found = self.filter(lanes.rays(), &node.rect(slot), step.start, step.len);
             if found == 0 {
                 continue;
             }
             let link = node.links[slot];
             if link & LEAF != 0 {
-                self.leaf(level.points(), tree, query, tree.block(link), to, found);
+                self.leaf(lanes.rays(), tree, query, tree.block(link), to, found);
             } else if found > FEW {
                 path.push(Step { node: link, slot: 0, start: to, len: found, blocked: self.blocked });
             } else {
                 for i in to..to + found {
                     let id = self.lists.ids[i];
                     let point = [self.lists.x[i], self.lists.y[i], self.lists.z[i]];
-                    if walk_one(level.eight(), tree, query, link, self.origins[id as usize], point) {
+                    if walk_one(lanes, tree, query, link, self.origins[id as usize], point) {
                         self.settle(id);
                     }
                 }

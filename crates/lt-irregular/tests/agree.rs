@@ -4,8 +4,7 @@ mod support;
 
 use lt_bvh::{AnyHit, BuildQuality, Bvh, Opaque, Ray, Simd, Tracer, occluded_in_light_space};
 use lt_irregular::{
-    Casters, DivideAndConquer, Instructions, LightBvh, Options, PointOrder, SampleMap, Scratch, Walk,
-    Workspace,
+    Casters, DivideAndConquer, LightBvh, Options, PointOrder, SampleMap, Scratch, SimdLevel, Walk, Workspace,
 };
 use lt_math::glam::{Vec3, Vec4};
 use support::{PLACES, Random, Soup, lights, origins};
@@ -44,7 +43,7 @@ fn compare<A: AnyHit + Sync>(label: &str, soup: &Soup, light: Vec4, origins: &[V
     };
     let tree = LightBvh::build(light, soup.bounds(), casters);
     tree.validate(casters).expect("is valid");
-    for instructions in Instructions::available() {
+    for instructions in SimdLevel::available() {
         let tree = tree.clone().with_instructions(instructions).expect("available");
         for walk in Walk::ALL {
             let mut found = vec![false; rays.len()];
@@ -63,7 +62,7 @@ fn compare<A: AnyHit + Sync>(label: &str, soup: &Soup, light: Vec4, origins: &[V
         .collect();
     judge("packed light BVH", &found);
     let mut counted = Vec::new();
-    for instructions in Instructions::available() {
+    for instructions in SimdLevel::available() {
         for order in [PointOrder::Median, PointOrder::Morton] {
             let options = Options { instructions, order, ..Options::default() };
             let mut map = SampleMap::build(light, soup.bounds(), casters, origins, options);
@@ -82,7 +81,7 @@ fn compare<A: AnyHit + Sync>(label: &str, soup: &Soup, light: Vec4, origins: &[V
         );
     }
     let mut workspace = Workspace::default();
-    for instructions in Instructions::available() {
+    for instructions in SimdLevel::available() {
         let mut found = vec![false; rays.len()];
         let both = DivideAndConquer::new(light, soup.bounds()).with_instructions(instructions);
         both.expect("available").occluded(casters, origins, any_hit, &mut found, &mut workspace);

@@ -1,7 +1,7 @@
 //! Alias-free maps: products of what lets light pass, and inputs made to hurt.
 
 use lt_bvh::{BuildQuality, Bvh, Opaque, Ray, Transmit, transmitted};
-use lt_irregular::{Bounds, Casters, Counters, Instructions, Options, PointOrder, SampleMap};
+use lt_irregular::{Bounds, Casters, Counters, Options, PointOrder, SampleMap, SimdLevel};
 use lt_math::glam::{Vec3, Vec4};
 
 const SUN: Vec4 = Vec4::new(0.2, 0.1, 1.0, 0.0);
@@ -55,7 +55,7 @@ fn light_is_multiplied_as_the_ray_tracer_does() {
     for light in [SUN, Vec4::new(0.3, -0.2, 2.5, 1.0), Vec4::new(0.1, 0.1, 0.2, 1.0)] {
         let domain = bounds(&positions, &origins);
         let mut all: Vec<Vec<Vec3>> = Vec::new();
-        for instructions in Instructions::available() {
+        for instructions in SimdLevel::available() {
             for order in [PointOrder::Median, PointOrder::Morton] {
                 let options = Options { instructions, order, ..Options::default() };
                 let mut map = SampleMap::build(light, domain, casters(&bvh), &origins, options);

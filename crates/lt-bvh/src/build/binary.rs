@@ -359,7 +359,7 @@ fn to_unit_cube(boxes: &[Bounds]) -> Vec<Bounds> {
         let (l, h) = ((b.low.as_dvec3() - low) * scale, (b.high.as_dvec3() - low) * scale);
         Bounds { low: l.as_vec3(), high: h.as_vec3() }
     };
-    boxes.par_iter().map(unit).collect()
+    memory::filled(boxes.len(), |i| unit(&boxes[i]))
 }
 
 /// 21 bits per axis, interleaved, of a point in the unit cube.

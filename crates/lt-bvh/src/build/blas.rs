@@ -10,7 +10,7 @@ use super::validate::{Invalid, validate_tree};
 use super::wide::KernelTree;
 use crate::node::Node;
 use crate::ray::COORDINATE_LIMIT;
-use crate::simd::{Part, SimdTree};
+use crate::simd::{Part, SimdTree, memory};
 use crate::triangle::Triangle;
 use lt_math::glam::Vec3;
 use rayon::prelude::*;
@@ -170,16 +170,17 @@ impl Bvh {
         }
         // Gathered once in the caller's order: the leaf order jumps about, and would miss the cache at every step.
         let is_opaque: Vec<bool> = sources.iter().map(|&source| is_opaque(source as usize)).collect();
-        let triangle = |(&source, &is_opaque)| triangle_of(positions, indices[source as usize], is_opaque);
-        let kept: Vec<Triangle> = sources.par_iter().zip(&is_opaque).map(triangle).collect();
-        let boxes: Vec<Bounds> = kept.par_iter().map(triangle_bounds).collect();
+        let kept: Vec<Triangle> = memory::filled(sources.len(), |i| {
+            triangle_of(positions, indices[sources[i] as usize], is_opaque[i])
+        });
+        let boxes: Vec<Bounds> = memory::filled(kept.len(), |i| triangle_bounds(&kept[i]));
         let tree = KernelTree::build(&boxes, quality, NODE_LEAF);
         drop(boxes);
         Ok(Bvh {
             wide: Wide::new(Some(tree.binary), tree.nodes[0]),
             nodes: tree.nodes,
-            triangles: tree.order.par_iter().map(|&from| kept[from as usize]).collect(),
-            sources: tree.order.par_iter().map(|&from| sources[from as usize]).collect(),
+            triangles: memory::filled(kept.len(), |i| kept[tree.order[i] as usize]),
+            sources: memory::filled(kept.len(), |i| sources[tree.order[i] as usize]),
             dropped,
             depth: tree.depth,
         })

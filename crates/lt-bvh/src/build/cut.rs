@@ -5,6 +5,8 @@
 //! which all rays pass.
 
 use super::bounds::Bounds;
+use crate::simd::memory;
+use bytemuck::Zeroable;
 use lt_math::glam::{Vec3A, Vec4};
 use obvhs::Boundable;
 use obvhs::aabb::Aabb;
@@ -19,7 +21,7 @@ const TASK: usize = 1 << 15;
 const DEEPEST: usize = 64;
 
 /// A primitive's box, and which primitive it is.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Zeroable)]
 pub(crate) struct Item {
     /// w: bits of [`NORMAL`] and the index.
     low: Vec4,
@@ -238,8 +240,7 @@ fn partition(items: &mut [Item], is_left: impl Fn(&Item) -> bool) -> (usize, [Sp
 
 /// What `boxes` bound, in order.
 pub(crate) fn items(boxes: &[Bounds]) -> Vec<Item> {
-    let item = |(i, b): (usize, &Bounds)| Item::new(b.low.into(), b.high.into(), i as u32);
-    boxes.par_iter().enumerate().map(item).collect()
+    memory::filled(boxes.len(), |i| Item::new(boxes[i].low.into(), boxes[i].high.into(), i as u32))
 }
 
 #[cfg(test)]

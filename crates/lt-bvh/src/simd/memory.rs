@@ -1,9 +1,9 @@
-//! Memory that is read here and there: large pages where the system grants them on request, and cache lines fetched before they
-//! are needed.
+//! Memory that is read here and there: large pages where the system grants them on request.
 //!
 //! A ray through a million triangles touches a page per node, and a pixel's texels lie a page apart. Larger pages are found sooner.
 
 use bytemuck::Zeroable;
+use rayon::prelude::*;
 use std::vec::Vec;
 
 /// Below this, in bytes, pages of ordinary size do.
@@ -21,18 +21,11 @@ pub fn zeroed<T: Zeroable>(len: usize) -> Vec<T> {
     buffer
 }
 
-/// Starts to fetch the cache line at `at`, where the processor can.
-#[inline(always)]
-pub(crate) fn prefetch<T>(at: &T) {
-    #[cfg(target_arch = "x86_64")]
-    // SAFETY: every x86-64 processor has the instruction, and it changes nothing but the cache.
-    unsafe {
-        core::arch::x86_64::_mm_prefetch::<{ core::arch::x86_64::_MM_HINT_T0 }>(
-            core::ptr::from_ref(at).cast(),
-        );
-    }
-    #[cfg(not(target_arch = "x86_64"))]
-    let _ = at;
+/// `of` every index below `len`, computed by all threads, in such memory.
+pub(crate) fn filled<T: Zeroable + Send>(len: usize, of: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let mut all = zeroed(len);
+    all.par_iter_mut().with_min_len(1 << 12).enumerate().for_each(|(i, to)| *to = of(i));
+    all
 }
 
 #[cfg(target_os = "linux")]

@@ -1,6 +1,5 @@
 //! The SIMD tracer: the widest instructions the processor has, chosen at run time.
 
-mod lanes;
 mod layout;
 pub mod memory;
 mod packet;
@@ -13,23 +12,12 @@ mod visits;
 
 use crate::any_hit::AnyHit;
 use crate::build::{Bvh, InstancedBvh, instance_bounds};
+use crate::lanes::{Chosen, NodeLanes, SimdLevel, Work};
 use crate::ray::{Hit, Ray};
 use crate::tracer::Tracer;
-use lanes::{NodeLanes, Portable};
 use std::vec::Vec;
 use traverse::{Instanced, Scratch};
 pub(crate) use tree::{MOST_TRIANGLES, Part, SimdTree};
-
-/// Instruction sets that the SIMD tracer knows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum SimdLevel {
-    /// What every processor of the target has.
-    Portable,
-    /// AVX2 and FMA, BMI1, BMI2, LZCNT and POPCNT.
-    Avx2,
-    /// AVX-512F and AVX-512VL besides.
-    Avx512,
-}
 
 /// How the SIMD tracer takes the occlusion rays of a batch; the answers are the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -44,35 +32,6 @@ pub enum Grouping {
 impl Grouping {
     /// Every grouping.
     pub const ALL: [Grouping; 2] = [Grouping::Single, Grouping::Packets];
-}
-
-#[derive(Clone, Copy)]
-enum Chosen {
-    Portable(Portable),
-    #[cfg(target_arch = "x86_64")]
-    Avx2(lanes::x86::Avx2),
-    #[cfg(target_arch = "x86_64")]
-    Avx512(lanes::x86::Avx512),
-}
-
-impl SimdLevel {
-    /// Every level that this processor runs, the slowest first; never empty.
-    pub fn available() -> Vec<SimdLevel> {
-        let all = [SimdLevel::Portable, SimdLevel::Avx2, SimdLevel::Avx512];
-        all.into_iter().filter(|level| level.choose().is_some()).collect()
-    }
-
-    fn choose(self) -> Option<Chosen> {
-        match self {
-            SimdLevel::Portable => Some(Chosen::Portable(Portable)),
-            #[cfg(target_arch = "x86_64")]
-            SimdLevel::Avx2 => lanes::x86::Avx2::detect().map(Chosen::Avx2),
-            #[cfg(target_arch = "x86_64")]
-            SimdLevel::Avx512 => lanes::x86::Avx512::detect().map(Chosen::Avx512),
-            #[cfg(not(target_arch = "x86_64"))]
-            SimdLevel::Avx2 | SimdLevel::Avx512 => None,
-        }
-    }
 }
 
 /// What is traced.
@@ -107,23 +66,14 @@ impl<'a> Simd<'a> {
     }
 
     fn over(scene: Scene<'a>) -> Self {
-        let mut simd = Simd {
-            scene,
-            chosen: Chosen::Portable(Portable),
-            level: SimdLevel::Portable,
-            grouping: Grouping::Packets,
-        };
-        for level in SimdLevel::available() {
-            if let Some(chosen) = level.choose() {
-                (simd.chosen, simd.level) = (chosen, level);
-            }
-        }
-        simd
+        let level = SimdLevel::best();
+        let chosen = Chosen::new(level).unwrap_or(Chosen::Portable);
+        Simd { scene, chosen, level, grouping: Grouping::Packets }
     }
 
     /// The same tracer on other instructions, to compare or to test; `None` where the processor lacks them.
     pub fn with_level(self, level: SimdLevel) -> Option<Self> {
-        let chosen = level.choose()?;
+        let chosen = Chosen::new(level)?;
         Some(Simd { chosen, level, ..self })
     }
 
@@ -138,13 +88,8 @@ impl<'a> Simd<'a> {
     }
 }
 
-/// A batch of rays, what is traced and what is asked. Each kind is compiled by itself: in one function for all of them, inner loops
-/// would keep in memory what fits into registers.
-trait Batch {
-    fn run<L: NodeLanes>(self, lanes: L);
-}
-
-/// What is traced, as batches take it.
+/// What is traced, as batches take it. Each kind is work compiled by itself: in one function for all of them, inner loops would keep in
+/// memory what fits into registers.
 #[derive(Clone, Copy)]
 enum View<'a> {
     World(Part<'a>),
@@ -159,7 +104,8 @@ struct OccludedSingly<'b, S, A> {
     out: &'b mut [bool],
 }
 
-impl<A: AnyHit> Batch for OccludedSingly<'_, Part<'_>, A> {
+impl<A: AnyHit> Work for OccludedSingly<'_, Part<'_>, A> {
+    type Output = ();
     #[inline(always)]
     fn run<L: NodeLanes>(self, lanes: L) {
         let mut scratch = Scratch::new();
@@ -169,7 +115,8 @@ impl<A: AnyHit> Batch for OccludedSingly<'_, Part<'_>, A> {
     }
 }
 
-impl<A: AnyHit> Batch for OccludedSingly<'_, Instanced<'_>, A> {
+impl<A: AnyHit> Work for OccludedSingly<'_, Instanced<'_>, A> {
+    type Output = ();
     #[inline(always)]
     fn run<L: NodeLanes>(self, lanes: L) {
         let mut scratch = Scratch::new();
@@ -187,14 +134,16 @@ struct OccludedInPackets<'b, S, A> {
     out: &'b mut [bool],
 }
 
-impl<A: AnyHit> Batch for OccludedInPackets<'_, Part<'_>, A> {
+impl<A: AnyHit> Work for OccludedInPackets<'_, Part<'_>, A> {
+    type Output = ();
     #[inline(always)]
     fn run<L: NodeLanes>(self, lanes: L) {
         packet_walk::occluded(lanes, self.scene, self.rays, self.any_hit, self.out);
     }
 }
 
-impl<A: AnyHit> Batch for OccludedInPackets<'_, Instanced<'_>, A> {
+impl<A: AnyHit> Work for OccludedInPackets<'_, Instanced<'_>, A> {
+    type Output = ();
     #[inline(always)]
     fn run<L: NodeLanes>(self, lanes: L) {
         packet_walk::occluded_instanced(lanes, self.scene, self.rays, self.any_hit, self.out);
@@ -209,7 +158,8 @@ struct Closest<'b, S, A> {
     out: &'b mut [Hit],
 }
 
-impl<A: AnyHit> Batch for Closest<'_, Part<'_>, A> {
+impl<A: AnyHit> Work for Closest<'_, Part<'_>, A> {
+    type Output = ();
     #[inline(always)]
     fn run<L: NodeLanes>(self, lanes: L) {
         let mut scratch = Scratch::new();
@@ -219,7 +169,8 @@ impl<A: AnyHit> Batch for Closest<'_, Part<'_>, A> {
     }
 }
 
-impl<A: AnyHit> Batch for Closest<'_, Instanced<'_>, A> {
+impl<A: AnyHit> Work for Closest<'_, Instanced<'_>, A> {
+    type Output = ();
     #[inline(always)]
     fn run<L: NodeLanes>(self, lanes: L) {
         let mut scratch = Scratch::new();
@@ -227,18 +178,6 @@ impl<A: AnyHit> Batch for Closest<'_, Instanced<'_>, A> {
             *out = traverse::closest_instanced(lanes, self.scene, *ray, self.any_hit, &mut scratch);
         }
     }
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
-fn run_avx2<B: Batch>(lanes: lanes::x86::Avx2, batch: B) {
-    batch.run(lanes);
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f,avx512vl,avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
-fn run_avx512<B: Batch>(lanes: lanes::x86::Avx512, batch: B) {
-    batch.run(lanes);
 }
 
 impl Simd<'_> {
@@ -250,18 +189,6 @@ impl Simd<'_> {
             }
         }
     }
-
-    fn run<B: Batch>(&self, batch: B) {
-        match self.chosen {
-            Chosen::Portable(lanes) => batch.run(lanes),
-            #[cfg(target_arch = "x86_64")]
-            // SAFETY: the token proves that the processor has the features enabled there.
-            Chosen::Avx2(lanes) => unsafe { run_avx2(lanes, batch) },
-            #[cfg(target_arch = "x86_64")]
-            // SAFETY: the token proves that the processor has the features enabled there.
-            Chosen::Avx512(lanes) => unsafe { run_avx512(lanes, batch) },
-        }
-    }
 }
 
 impl Tracer for Simd<'_> {
@@ -269,23 +196,25 @@ impl Tracer for Simd<'_> {
         let len = rays.len().min(out.len());
         let (rays, out) = (&rays[..len], &mut out[..len]);
         match (self.view(), self.grouping) {
-            (View::World(scene), Grouping::Single) => self.run(OccludedSingly { scene, rays, any_hit, out }),
+            (View::World(scene), Grouping::Single) => {
+                self.chosen.run(OccludedSingly { scene, rays, any_hit, out })
+            }
             (View::World(scene), Grouping::Packets) => {
-                self.run(OccludedInPackets { scene, rays, any_hit, out })
+                self.chosen.run(OccludedInPackets { scene, rays, any_hit, out })
             }
             (View::Instanced(scene), Grouping::Single) => {
-                self.run(OccludedSingly { scene, rays, any_hit, out })
+                self.chosen.run(OccludedSingly { scene, rays, any_hit, out })
             }
             (View::Instanced(scene), Grouping::Packets) => {
-                self.run(OccludedInPackets { scene, rays, any_hit, out });
+                self.chosen.run(OccludedInPackets { scene, rays, any_hit, out });
             }
         }
     }
 
     fn closest_batch<A: AnyHit>(&self, rays: &[Ray], any_hit: A, out: &mut [Hit]) {
         match self.view() {
-            View::World(scene) => self.run(Closest { scene, rays, any_hit, out }),
-            View::Instanced(scene) => self.run(Closest { scene, rays, any_hit, out }),
+            View::World(scene) => self.chosen.run(Closest { scene, rays, any_hit, out }),
+            View::Instanced(scene) => self.chosen.run(Closest { scene, rays, any_hit, out }),
         }
     }
 }

@@ -5,13 +5,13 @@
 //! into a stream: rays that share a node's data and nothing else are tested one by one, and while one node's data are
 //! fetched others are tested ([`super::visits`]).
 
-use super::lanes::NodeLanes;
 use super::packet::{Frusta, Kind, PACKET, Packet, Run, Weights};
 use super::prepared::Prepared;
 use super::traverse::{self, Instanced, Scratch};
 use super::tree::{LEAF, Part, ROOT, SimdTree};
 use super::visits::{Visit, Walk};
 use crate::any_hit::AnyHit;
+use crate::lanes::NodeLanes;
 use crate::ray::{NONE, Ray};
 use crate::slab::{Span, WHOLE_RAY};
 
@@ -54,7 +54,12 @@ fn blocked<L: NodeLanes, T: Leaves<L>>(
         }
         let node = &leaves.tree().nodes[visit.link as usize];
         let (reached, is_spread) = if visit.is_spread {
-            (packet.reach_alone(lanes, node, visit.rays), true)
+            let reached = if packet.is_parallel() {
+                frusta.reach_alone(lanes, packet, node, visit.rays)
+            } else {
+                packet.reach_alone(lanes, node, visit.rays)
+            };
+            (reached, true)
         } else {
             frusta.reach(lanes, packet, node, visit.rays)
         };
@@ -103,7 +108,7 @@ impl<L: NodeLanes, A: AnyHit> Leaves<L> for Triangles<'_, '_, A> {
             }
             return found;
         }
-        let may_hit = if are_few { packet.may_hit(lanes, block, mask) } else { [mask; 8] };
+        let may_hit = if packet.is_parallel() { packet.may_hit(lanes, block, mask) } else { [mask; 8] };
         let mut alive = mask;
         for (lane, may_hit) in may_hit.into_iter().enumerate().take(block.len()) {
             let near = alive & may_hit;
@@ -171,7 +176,7 @@ pub(crate) fn occluded<L: NodeLanes, A: AnyHit>(
     let mut work = Work::new();
     let mut at = 0;
     while at < rays.len() {
-        let run = Run::first(&rays[at..]);
+        let run = Run::first(lanes, &rays[at..]);
         let (rays, out) = (&rays[at..at + run.len], &mut out[at..at + run.len]);
         at += run.len;
         match run.kind {
@@ -244,7 +249,7 @@ impl<L: NodeLanes, A: AnyHit> Leaves<L> for Instances<'_, '_, A> {
         }
         let (mut found, mut at) = (0, 0);
         while at < entered.len {
-            let run = Run::first(&entered.rays[at..entered.len]);
+            let run = Run::first(lanes, &entered.rays[at..entered.len]);
             let end = at + run.len;
             let (rays, windows) = (&entered.rays[at..end], &entered.windows[at..end]);
             let outside = &entered.outside[at..end];
@@ -292,7 +297,7 @@ pub(crate) fn occluded_instanced<L: NodeLanes, A: AnyHit>(
     let mut last = NONE;
     let mut at = 0;
     while at < rays.len() {
-        let run = Run::first(&rays[at..]);
+        let run = Run::first(lanes, &rays[at..]);
         let (rays, out) = (&rays[at..at + run.len], &mut out[at..at + run.len]);
         at += run.len;
         match run.kind {

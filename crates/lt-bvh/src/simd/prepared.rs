@@ -4,9 +4,11 @@
 //! counts; triangles by the edge functions and t; and each triangle that passes is put to the shared kernel's
 //! own test, which decides. So every path gives the kernel's bits, whatever it proposes in whatever order.
 
-use super::lanes::NodeLanes;
 use super::tree::{Block, Part, WideNode};
 use crate::any_hit::AnyHit;
+use crate::axes::permute;
+use crate::lanes::NodeLanes;
+use crate::lanes::watertight::{Edges, Vector, axes, plane_t, spread};
 use crate::ray::{Hit, Ray};
 use crate::slab::{Slab, Span, reciprocal};
 use crate::triangle::{Shear, is_nearer};
@@ -14,11 +16,6 @@ use lt_math::glam::Vec3;
 
 // No closure here may touch lanes: a closure does not inherit the instruction set that its caller is compiled for,
 // and unless it is inlined in time, eight-wide operations become calls.
-
-#[inline(always)]
-fn spread<L: NodeLanes>(lanes: L, v: Vec3) -> [L::F; 3] {
-    [lanes.splat(v.x), lanes.splat(v.y), lanes.splat(v.z)]
-}
 
 /// A ray spread over lanes for the box test.
 #[derive(Clone, Copy)]
@@ -84,34 +81,19 @@ impl<L: NodeLanes> BoxRay<L> {
 struct TriangleRay<L: NodeLanes> {
     /// The axes that become x, y and z, and the origin along them.
     axes: [usize; 3],
-    origin: [L::F; 3],
-    x: L::F,
-    y: L::F,
-    z: L::F,
+    origin: Vector<L>,
+    shear: Vector<L>,
     tmin: L::F,
     tmax: L::F,
 }
 
-/// One vertex of eight triangles, in the axes of a ray.
-type Vertex<F> = [F; 3];
-
 impl<L: NodeLanes> TriangleRay<L> {
     #[inline(always)]
     fn new(lanes: L, shear: &Shear, ray: &Ray) -> Self {
-        let o = shear.origin;
-        let (axes, origin) = if shear.axis == 0 {
-            ([1, 2, 0], Vec3::new(o.y, o.z, o.x))
-        } else if shear.axis == 1 {
-            ([2, 0, 1], Vec3::new(o.z, o.x, o.y))
-        } else {
-            ([0, 1, 2], o)
-        };
         TriangleRay {
-            axes,
-            origin: spread(lanes, origin),
-            x: lanes.splat(shear.x),
-            y: lanes.splat(shear.y),
-            z: lanes.splat(shear.z),
+            axes: axes(shear.axis as usize),
+            origin: spread(lanes, permute(shear.origin, shear.axis)),
+            shear: spread(lanes, Vec3::new(shear.x, shear.y, shear.z)),
             tmin: lanes.splat(ray.tmin),
             tmax: lanes.splat(ray.tmax),
         }
@@ -122,58 +104,21 @@ impl<L: NodeLanes> TriangleRay<L> {
     #[inline(always)]
     fn test(&self, lanes: L, block: Block) -> u32 {
         let rows = [block.rows(self.axes[0]), block.rows(self.axes[1]), block.rows(self.axes[2])];
-        let vertex = [vertex(lanes, rows, 0), vertex(lanes, rows, 1), vertex(lanes, rows, 2)];
-        let a = self.project(lanes, vertex[0]);
-        let b = self.project(lanes, vertex[1]);
-        let c = self.project(lanes, vertex[2]);
-        let (u, v, w) = (cross(lanes, c, b), cross(lanes, a, c), cross(lanes, b, a));
-        let zero = lanes.splat(0.0);
-        let least = lanes.min(lanes.min(u, v), w);
-        let most = lanes.max(lanes.max(u, v), w);
-        let inside = (lanes.le(zero, least) | lanes.le(most, zero)) & block.lanes();
+        let triangles = [vertex(lanes, rows, 0), vertex(lanes, rows, 1), vertex(lanes, rows, 2)];
+        let edges = Edges::new(lanes, triangles, self.origin, [self.shear[0], self.shear[1]]);
+        let inside = edges.hold(lanes) & block.lanes();
         if inside == 0 {
             return 0;
         }
-        let t = self.plane_t(lanes, vertex);
+        let t = plane_t(lanes, triangles, self.origin, self.shear);
         inside & lanes.le(self.tmin, t) & lanes.le(t, self.tmax)
     }
-
-    /// t of the planes of eight triangles, by the kernel's arithmetic.
-    #[inline(always)]
-    fn plane_t(&self, lanes: L, [v0, v1, v2]: [Vertex<L::F>; 3]) -> L::F {
-        let [ex, ey, ez] = difference(lanes, v1, v0);
-        let [fx, fy, fz] = difference(lanes, v2, v0);
-        let nx = lanes.sub(lanes.mul(ey, fz), lanes.mul(ez, fy));
-        let ny = lanes.sub(lanes.mul(ez, fx), lanes.mul(ex, fz));
-        let nz = lanes.sub(lanes.mul(ex, fy), lanes.mul(ey, fx));
-        let [x, y, z] = difference(lanes, v0, self.origin);
-        let distance = lanes.add(lanes.add(lanes.mul(nx, x), lanes.mul(ny, y)), lanes.mul(nz, z));
-        let slope = lanes.add(lanes.add(lanes.mul(nx, self.x), lanes.mul(ny, self.y)), nz);
-        lanes.div(lanes.mul(self.z, distance), slope)
-    }
-
-    /// x and y of eight vertices in the ray's frame, by the kernel's arithmetic.
-    #[inline(always)]
-    fn project(&self, lanes: L, vertex: Vertex<L::F>) -> (L::F, L::F) {
-        let [x, y, depth] = difference(lanes, vertex, self.origin);
-        (lanes.sub(x, lanes.mul(self.x, depth)), lanes.sub(y, lanes.mul(self.y, depth)))
-    }
 }
 
+/// One vertex of eight triangles, in the axes of a ray.
 #[inline(always)]
-fn vertex<L: NodeLanes>(lanes: L, rows: [[&[f32]; 3]; 3], vertex: usize) -> Vertex<L::F> {
+fn vertex<L: NodeLanes>(lanes: L, rows: [[&[f32]; 3]; 3], vertex: usize) -> Vector<L> {
     [lanes.load(rows[0][vertex]), lanes.load(rows[1][vertex]), lanes.load(rows[2][vertex])]
-}
-
-#[inline(always)]
-fn difference<L: NodeLanes>(lanes: L, p: Vertex<L::F>, q: Vertex<L::F>) -> Vertex<L::F> {
-    [lanes.sub(p[0], q[0]), lanes.sub(p[1], q[1]), lanes.sub(p[2], q[2])]
-}
-
-/// The kernel's edge function by the direct formula: the same value, in other order of vertices too.
-#[inline(always)]
-fn cross<L: NodeLanes>(lanes: L, p: (L::F, L::F), q: (L::F, L::F)) -> L::F {
-    lanes.sub(lanes.mul(p.0, q.1), lanes.mul(p.1, q.0))
 }
 
 /// What follows from a direction alone: rays to a sun share it.

@@ -1,10 +1,10 @@
 //! Single rays down the wide tree.
 
-use super::lanes::NodeLanes;
 use super::prepared::{Aim, BoxRay, Prepared};
 use super::tree::{LEAF, Part, ROOT, STACK, SimdTree};
 use crate::any_hit::AnyHit;
 use crate::instance::Instance;
+use crate::lanes::NodeLanes;
 use crate::ray::{FAR, Hit, NONE, Ray};
 use crate::slab::{Slab, Span, WHOLE_RAY};
 use lt_math::glam::Vec3;
@@ -49,8 +49,8 @@ fn push<L: NodeLanes>(
     links: &mut [u32; STACK],
     len: usize,
 ) -> usize {
-    if let Some(top) = links[len..].first_chunk_mut() {
-        lanes.compress(mask, children, top);
+    if let Some(top) = links.get_mut(len..len + 8) {
+        lanes.compress_words(mask, children, top);
     }
     len + mask.count_ones() as usize
 }

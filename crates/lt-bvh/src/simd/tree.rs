@@ -3,6 +3,7 @@
 use super::layout::{LeafLink, WideLayout};
 use super::memory;
 use crate::build::{BinaryTree, Bounds, Emitted, LeafCost, split, wide_tree};
+use crate::lanes::prefetch;
 use crate::node::Node;
 use crate::ray::{FAR, NONE};
 use crate::traverse::MAX_DEPTH;
@@ -79,6 +80,8 @@ const ASKS: u32 = 0x8000_0000;
 const ROWS: usize = 9;
 /// Words of a triangle.
 pub(super) const WORDS: usize = ROWS + 1;
+/// Words to a line of the cache.
+const LINE: usize = 16;
 /// Words that a load of eight lanes reads.
 const LOAD: usize = 8;
 
@@ -215,14 +218,15 @@ impl SimdTree {
     #[inline(always)]
     pub fn prefetch(&self, link: u32) {
         if link & LEAF != 0 {
-            if let Some(word) = self.blocks.get(WORDS * first_and_count(link).0) {
-                memory::prefetch(word);
+            let (first, len) = first_and_count(link);
+            if let Some(words) = self.blocks.get(WORDS * first..WORDS * (first + len)) {
+                words.iter().step_by(LINE).for_each(prefetch);
             }
         } else if let Some(node) = self.nodes.get(link as usize) {
             for planes in node.planes.iter().step_by(2) {
-                memory::prefetch(planes);
+                prefetch(planes);
             }
-            memory::prefetch(&node.children);
+            prefetch(&node.children);
         }
     }
 

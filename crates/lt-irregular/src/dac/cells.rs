@@ -6,12 +6,11 @@
 
 use super::lists::Lists;
 use super::points::Points;
-use crate::lanes::{Lanes, Level};
-use crate::level::{Chosen, Work};
 use crate::rect::Rect;
 use crate::split::Item;
 use crate::view::View;
 use alloc::vec::Vec;
+use lt_bvh::lanes::{Chosen, Lanes, NodeLanes, Work, prefetch};
 use lt_math::glam::Vec3;
 
 /// Most columns, and rows of each.
@@ -156,8 +155,8 @@ struct Fill<'a> {
 impl Work for Fill<'_> {
     type Output = usize;
     #[inline(always)]
-    fn run<L: Level>(self, level: L) -> usize {
-        self.points.fill(level.points(), self.view, self.origins, self.first as u32)
+    fn run<L: NodeLanes>(self, lanes: L) -> usize {
+        self.points.fill(lanes.rays(), self.view, self.origins, self.first as u32)
     }
 }
 
@@ -174,15 +173,15 @@ pub(super) struct Sort<'a> {
 impl Work for Sort<'_> {
     type Output = (Rect, f32);
     #[inline(always)]
-    fn run<L: Level>(self, level: L) -> (Rect, f32) {
+    fn run<L: NodeLanes>(self, lanes: L) -> (Rect, f32) {
         let Chunk { points, len, cells, sorted, starts } = self.chunk;
-        *len = points.fill(level.points(), self.view, self.origins, self.first as u32);
+        *len = points.fill(lanes.rays(), self.view, self.origins, self.first as u32);
         let len = *len;
         cells.clear();
         starts.clear();
         starts.resize(CELLS + 1, 0);
         for (x, y) in points.x[..len].iter().zip(&points.y[..len]) {
-            let cell = self.grid.cell(level.points(), *x, *y);
+            let cell = self.grid.cell(lanes.rays(), *x, *y);
             cells.push(cell as u16);
             starts[cell + 1] += 1;
         }
@@ -196,14 +195,14 @@ impl Work for Sort<'_> {
         next.copy_from_slice(&starts[..CELLS]);
         for (i, cell) in cells.iter().enumerate() {
             if let Some(ahead) = cells.get(i + AHEAD) {
-                level.prefetch(&sorted[next[*ahead as usize % CELLS] as usize]);
+                prefetch(&sorted[next[*ahead as usize % CELLS] as usize]);
             }
             let next = &mut next[*cell as usize % CELLS];
             let to = *next as usize;
             *next += 1;
             sorted[to] = Place { x: points.x[i], y: points.y[i], z: points.z[i], id: points.ids[i] };
         }
-        points.bounds(level.points(), 0, len)
+        points.bounds(lanes.rays(), 0, len)
     }
 }
 
@@ -250,9 +249,9 @@ pub(super) struct File<'a> {
 impl Work for File<'_> {
     type Output = ();
     #[inline(always)]
-    fn run<L: Level>(self, level: L) {
+    fn run<L: NodeLanes>(self, lanes: L) {
         let File { grid, is_used, rect, items, first, filed } = self;
-        let lanes = level.points();
+        let lanes = lanes.rays();
         let Filed { pairs, starts, members, large } = filed;
         starts.clear();
         starts.resize(CELLS + 1, 0);

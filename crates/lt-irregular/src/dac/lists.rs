@@ -1,10 +1,10 @@
 //! Lists of triangles' rectangles.
 
 use super::rows::{SLACK, grow};
-use crate::lanes::Lanes;
 use crate::rect::Rect;
 use crate::split::Item;
 use alloc::vec::Vec;
+use lt_bvh::lanes::Lanes;
 
 /// Rectangles and the triangles that they belong to.
 #[derive(Default)]

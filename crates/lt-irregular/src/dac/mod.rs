@@ -17,8 +17,6 @@ mod rows;
 
 use crate::block::{BLOCK, Block, Spread};
 use crate::casters::{Casters, Query};
-use crate::lanes::Level;
-use crate::level::{Chosen, Instructions, Work};
 use crate::rect::Rect;
 use crate::split::Item;
 use crate::tile::{Late, TILE, Tile};
@@ -29,6 +27,7 @@ use alloc::vec::Vec;
 use cells::{CELLS, CHUNK, Chunk, File, Filed, Grid, Sort};
 use core::sync::atomic::{AtomicUsize, Ordering};
 use lists::Lists;
+use lt_bvh::lanes::{Chosen, NodeLanes, SimdLevel, Work, prefetch};
 use lt_bvh::{AnyHit, Ray};
 use lt_math::glam::{Vec3, Vec4};
 use points::{Part, Points};
@@ -51,7 +50,7 @@ const AHEAD: usize = 32;
 pub struct DivideAndConquer {
     light: Vec4,
     domain: Bounds,
-    instructions: Instructions,
+    instructions: SimdLevel,
     leaf: usize,
 }
 
@@ -122,11 +121,11 @@ impl DivideAndConquer {
     /// For a homogeneous light (w = 0: a sun, `xyz` towards it; w = 1: a position). `domain` must hold all triangles, and should hold all
     /// origins: a ray from elsewhere is put to every triangle.
     pub fn new(light: Vec4, domain: Bounds) -> Self {
-        DivideAndConquer { light, domain, instructions: Instructions::best(), leaf: LEAF }
+        DivideAndConquer { light, domain, instructions: SimdLevel::best(), leaf: LEAF }
     }
 
     /// The same on other instructions; `None` where the processor lacks them.
-    pub fn with_instructions(self, instructions: Instructions) -> Option<Self> {
+    pub fn with_instructions(self, instructions: SimdLevel) -> Option<Self> {
         Chosen::new(instructions)?;
         Some(DivideAndConquer { instructions, ..self })
     }
@@ -255,14 +254,14 @@ impl<A: AnyHit + Sync> Scene<'_, A> {
 
     /// Whether a triangle blocks all points within the bounds for sure.
     #[inline(always)]
-    fn is_covered<L: Level>(&self, level: L, (rect, far): &(Rect, f32), id: u32) -> bool {
+    fn is_covered<L: NodeLanes>(&self, lanes: L, (rect, far): &(Rect, f32), id: u32) -> bool {
         if !A::IS_OPAQUE && !self.query.casters.triangles[id as usize].is_opaque() {
             return false;
         }
-        let block = Block::of(level.eight(), self.view, self.query.casters, &[id]);
+        let block = Block::of(lanes, self.view, self.query.casters, &[id]);
         let (constant, factor) = self.view.depth_tolerance();
         let spread = Spread::new(rect, rect.z, *far, constant + factor * far);
-        block.test_rect(level.eight(), &spread).sure & 1 == 1
+        block.test_rect(lanes, &spread).sure & 1 == 1
     }
 }
 
@@ -281,7 +280,7 @@ impl Work for Gather<'_> {
     type Output = usize;
 
     #[inline(always)]
-    fn run<L: Level>(self, _: L) -> usize {
+    fn run<L: NodeLanes>(self, _: L) -> usize {
         let Scratch { points, lists, .. } = self.scratch;
         points.reserve(self.count);
         let mut at = 0;
@@ -311,14 +310,14 @@ impl<A: AnyHit + Sync> Work for Task<'_, A> {
     type Output = ();
 
     #[inline(always)]
-    fn run<L: Level>(mut self, level: L) {
-        let lanes = level.points();
+    fn run<L: NodeLanes>(mut self, lanes: L) {
+        let rays = lanes.rays();
         let mut path = core::mem::take(&mut self.scratch.path);
-        let bounds = self.scratch.points.bounds(lanes, 0, self.members);
+        let bounds = self.scratch.points.bounds(rays, 0, self.members);
         let all = Part { start: 0, len: self.members, bounds };
         let (large, count) = self.large;
-        let (found, _) = self.scratch.lists.take(lanes, Some(large), (0, count), &bounds, self.triangles);
-        self.enter(level, &mut path, &all, (0, self.triangles + found), self.members + SLACK);
+        let (found, _) = self.scratch.lists.take(rays, Some(large), (0, count), &bounds, self.triangles);
+        self.enter(lanes, &mut path, &all, (0, self.triangles + found), self.members + SLACK);
         // A loop and not a recursion: a function that calls itself would not be compiled for the instructions asked for.
         while let Some(step) = path.last_mut() {
             if step.done == 2 {
@@ -326,13 +325,13 @@ impl<A: AnyHit + Sync> Work for Task<'_, A> {
                 continue;
             }
             if step.done == 0 {
-                step.halves = self.scratch.points.halve(lanes, step);
+                step.halves = self.scratch.points.halve(rays, step);
             }
             let part = step.halves[step.done];
             step.done += 1;
             if part.len > 0 {
                 let (triangles, free) = ((step.first_triangle, step.triangles), step.end());
-                self.enter(level, &mut path, &part, triangles, free);
+                self.enter(lanes, &mut path, &part, triangles, free);
             }
         }
         self.scratch.path = path;
@@ -342,9 +341,9 @@ impl<A: AnyHit + Sync> Work for Task<'_, A> {
 impl<A: AnyHit + Sync> Task<'_, A> {
     /// Takes of `triangles` those that a part may meet; settles the part, or leaves it to be halved, with room from `free` on.
     #[inline(always)]
-    fn enter<L: Level>(
+    fn enter<L: NodeLanes>(
         &mut self,
-        level: L,
+        lanes: L,
         path: &mut Vec<Step>,
         part: &Part,
         (first, count): (usize, usize),
@@ -352,18 +351,18 @@ impl<A: AnyHit + Sync> Task<'_, A> {
     ) {
         let behind = first + count;
         let Scratch { lists, points, blocked, .. } = &mut *self.scratch;
-        let (triangles, cover) = lists.take(level.points(), None, (first, count), &part.bounds, behind);
+        let (triangles, cover) = lists.take(lanes.rays(), None, (first, count), &part.bounds, behind);
         if triangles == 0 {
             return;
         }
-        if cover.is_some_and(|i| self.scene.is_covered(level, &part.bounds, lists.ids[i])) {
+        if cover.is_some_and(|i| self.scene.is_covered(lanes, &part.bounds, lists.ids[i])) {
             blocked.extend_from_slice(&points.ids[part.start..part.start + part.len]);
         } else if part.len <= self.scene.leaf
             || triangles <= FEW
             || path.len() == DEPTH
             || part.bounds.0.area() == 0.0
         {
-            self.leaf(level, (part.start, part.len), (behind, triangles));
+            self.leaf(lanes, (part.start, part.len), (behind, triangles));
         } else {
             path.push(Step::new(part, (behind, triangles), free));
         }
@@ -373,30 +372,30 @@ impl<A: AnyHit + Sync> Task<'_, A> {
 impl<A: AnyHit> Task<'_, A> {
     /// Holds points against triangles.
     #[inline(always)]
-    fn leaf<L: Level>(&mut self, level: L, points: (usize, usize), triangles: (usize, usize)) {
+    fn leaf<L: NodeLanes>(&mut self, lanes: L, points: (usize, usize), triangles: (usize, usize)) {
         let scene = self.scene;
         let Scratch { lists, points: all, tile, blocks, blocked: found, .. } = &mut *self.scratch;
         let ids = &lists.ids[triangles.0..triangles.0 + triangles.1];
         let mut ahead = ids.iter();
-        ahead.by_ref().take(AHEAD).for_each(|id| scene.query.casters.prefetch(level, *id));
+        ahead.by_ref().take(AHEAD).for_each(|id| scene.query.casters.prefetch(*id));
         blocks.clear();
         for ids in ids.chunks(BLOCK) {
-            ahead.by_ref().take(BLOCK).for_each(|id| scene.query.casters.prefetch(level, *id));
-            blocks.push(Block::of(level.eight(), scene.view, scene.query.casters, ids));
+            ahead.by_ref().take(BLOCK).for_each(|id| scene.query.casters.prefetch(*id));
+            blocks.push(Block::of(lanes, scene.view, scene.query.casters, ids));
         }
         let tiles = all.ids[points.0..points.0 + points.1].chunks(TILE);
         let mut next = tiles.clone();
         let mut fetch =
-            || next.next().into_iter().flatten().for_each(|id| level.prefetch(&scene.origins[*id as usize]));
+            || next.next().into_iter().flatten().for_each(|id| prefetch(&scene.origins[*id as usize]));
         fetch();
         for (ids, start) in tiles.zip((points.0..).step_by(TILE)) {
             fetch();
             let len = ids.len();
-            tile.place(level.points(), [&all.x[start..], &all.y[start..], &all.z[start..]], len);
+            tile.place(lanes.rays(), [&all.x[start..], &all.y[start..], &all.z[start..]], len);
             let (rect, _) = tile.bounds();
             for (i, block) in blocks.iter().enumerate() {
-                if lists.meet(level.eight(), triangles.0 + i * BLOCK, &rect) {
-                    tile.hold(level, scene.view, scene.query, block, Late { origins: scene.origins, ids });
+                if lists.meet(lanes, triangles.0 + i * BLOCK, &rect) {
+                    tile.hold(lanes, scene.view, scene.query, block, Late { origins: scene.origins, ids });
                     if tile.is_done() {
                         break;
                     }

@@ -2,11 +2,11 @@
 
 use super::Step;
 use super::rows::{SLACK, grow};
-use crate::lanes::Lanes;
 use crate::rect::Rect;
 use crate::tile::around;
 use crate::view::View;
 use alloc::vec::Vec;
+use lt_bvh::lanes::Lanes;
 use lt_math::glam::Vec3;
 
 /// Points, row by row.

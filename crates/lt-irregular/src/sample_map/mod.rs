@@ -16,14 +16,13 @@ pub use sort::PointOrder;
 
 use crate::block::{BLOCK, Block};
 use crate::casters::{Casters, Query};
-use crate::lanes::Level;
-use crate::level::{Chosen, Instructions, Work};
 use crate::rect::Rect;
 use crate::split::Item;
 use crate::tree::items;
 use crate::view::{Bounds, View};
 use alloc::vec::Vec;
 use core::ops::AddAssign;
+use lt_bvh::lanes::{Chosen, NodeLanes, SimdLevel, Work};
 use lt_bvh::{AnyHit, Ray, Transmit};
 use lt_math::glam::{Vec3, Vec4};
 use part::{Part, Tasks};
@@ -45,12 +44,12 @@ pub struct Options {
     /// How samples are put in order.
     pub order: PointOrder,
     /// Which instructions are used.
-    pub instructions: Instructions,
+    pub instructions: SimdLevel,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Options { leaf: 64, part_levels: 5, order: PointOrder::Median, instructions: Instructions::best() }
+        Options { leaf: 64, part_levels: 5, order: PointOrder::Median, instructions: SimdLevel::best() }
     }
 }
 
@@ -236,7 +235,7 @@ struct Walk<'a, P> {
 impl<P: Paint> Work for Walk<'_, P> {
     type Output = Counters;
     #[inline(always)]
-    fn run<L: Level>(self, level: L) -> Counters {
+    fn run<L: NodeLanes>(self, lanes: L) -> Counters {
         let mut counters = Counters::default();
         for items in self.items.chunks(BLOCK) {
             let mut ids = [0; BLOCK];
@@ -244,9 +243,9 @@ impl<P: Paint> Work for Walk<'_, P> {
                 *id = item.triangle;
             }
             let Scene { view, casters, .. } = self.scene;
-            let block = Block::of(level.eight(), view, casters, &ids[..items.len()]);
+            let block = Block::of(lanes, view, casters, &ids[..items.len()]);
             for (slot, item) in items.iter().enumerate() {
-                self.part.draw(level.points(), &self.scene, item, &block.planes(slot), &mut counters);
+                self.part.draw(lanes.rays(), &self.scene, item, &block.planes(slot), &mut counters);
             }
         }
         counters

@@ -5,13 +5,13 @@ use super::visit::Paint;
 use super::{Counters, Scene};
 use crate::block::Spreadout;
 use crate::exact::Exact;
-use crate::lanes::Lanes;
 use crate::planes::Planes;
 use crate::rect::Rect;
 use crate::split::Item;
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
+use lt_bvh::lanes::Lanes;
 use lt_math::glam::Vec3;
 
 /// Room behind the samples, so that whole registers may be read at their end.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use lt_irregular::Instructions;
+use lt_irregular::SimdLevel;
 
 use super::today::today;
 use super::{hair, random, samples};
@@ -29,7 +29,7 @@ pub fn markdown(
         "{}, {} ({:?}), {threads} threads. Every answer was compared with the ray tracer's: none differs.\n",
         today(),
         std::env::consts::ARCH,
-        Instructions::best()
+        SimdLevel::best()
     );
     if !rows.is_empty() {
         let _ = writeln!(

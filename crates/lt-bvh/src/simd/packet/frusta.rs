@@ -1,9 +1,9 @@
 //! How groups of a packet's rays meet the boxes of a node: first the bounds of each group, eight children at a time, then
 //! the rays of the group themselves for each child that remains.
 
-use super::super::lanes::{Lanes, NodeLanes};
 use super::super::tree::{SimdTree, WideNode};
 use super::{NODE_PER_TRIANGLE, PACKET, Packet, Reached, bits_at, piece};
+use crate::lanes::{Lanes, NodeLanes};
 
 /// Children that a group's bounds meet, beyond which testing its rays one by one costs less.
 const SPREAD: u32 = 4;
@@ -161,20 +161,55 @@ impl<L: NodeLanes> Frusta<L> {
         (reached, candidates > SPREAD * groups)
     }
 
+    /// Which children of a node each ray of `mask` meets, ray by ray, eight children at a time; of parallel rays, which share all but
+    /// where they start.
+    #[inline(always)]
+    pub fn reach_alone(&self, lanes: L, packet: &Packet, node: &WideNode, mask: u64) -> Reached {
+        let (x, y, z) = (self.slab(lanes, node, 0), self.slab(lanes, node, 1), self.slab(lanes, node, 2));
+        let mut sets = lanes.no_sets();
+        let mut mask = mask;
+        while mask != 0 {
+            let ray = mask.trailing_zeros() as usize & (PACKET - 1);
+            let bit = mask & mask.wrapping_neg();
+            mask ^= bit;
+            let sx = lanes.splat(packet.start[0][ray]);
+            let sy = lanes.splat(packet.start[1][ray]);
+            let sz = lanes.splat(packet.start[2][ray]);
+            // The packet's ends first, which may be NaN.
+            let entry = lanes.max(
+                lanes.max(lanes.add(x.0, sx), lanes.add(y.0, sy)),
+                lanes.max(self.tmin, lanes.add(z.0, sz)),
+            );
+            let exit = lanes.min(
+                lanes.min(lanes.add(x.1, sx), lanes.add(y.1, sy)),
+                lanes.min(self.tmax, lanes.add(z.1, sz)),
+            );
+            sets = lanes.add_to_sets(sets, lanes.le(entry, exit), bit);
+        }
+        Reached::new(lanes, sets)
+    }
+
+    /// A node's planes along an axis, of entry and of exit, in units of t with the node margin; for parallel rays.
+    #[inline(always)]
+    fn slab(&self, lanes: L, node: &WideNode, axis: usize) -> (L::F, L::F) {
+        let near = lanes.load(&node.planes[self.entry[axis]]);
+        let far = lanes.load(&node.planes[self.entry[axis] ^ 1]);
+        let (inverse, margin) = (self.inverse_low[axis], self.margin[axis]);
+        (lanes.sub(lanes.mul(near, inverse), margin), lanes.add(lanes.mul(far, inverse), margin))
+    }
+
     /// Reads a node's planes for [`Frusta::test`] and [`Packet::meets`].
     #[inline(always)]
     fn read(&mut self, lanes: L, node: &WideNode) {
         for axis in 0..3 {
-            let near = lanes.load(&node.planes[self.entry[axis]]);
-            let far = lanes.load(&node.planes[self.entry[axis] ^ 1]);
-            if self.is_parallel {
-                let (inverse, margin) = (self.inverse_low[axis], self.margin[axis]);
-                lanes.store(lanes.sub(lanes.mul(near, inverse), margin), &mut self.planes.near[axis]);
-                lanes.store(lanes.add(lanes.mul(far, inverse), margin), &mut self.planes.far[axis]);
+            let (near, far) = if self.is_parallel {
+                self.slab(lanes, node, axis)
             } else {
-                lanes.store(near, &mut self.planes.near[axis]);
-                lanes.store(far, &mut self.planes.far[axis]);
-            }
+                let entry = self.entry[axis];
+                (lanes.load(&node.planes[entry]), lanes.load(&node.planes[entry ^ 1]))
+            };
+            lanes.store(near, &mut self.planes.near[axis]);
+            lanes.store(far, &mut self.planes.far[axis]);
         }
     }
 

@@ -12,9 +12,10 @@ mod hits;
 mod points;
 mod record;
 
-use super::lanes::{Lanes, NodeLanes};
 use super::prepared::{BoxRay, Prepared};
 use super::tree::SimdTree;
+use crate::lanes::watertight::axes;
+use crate::lanes::{Lanes, NodeLanes, prefetch};
 use crate::ray::{COORDINATE_LIMIT, Ray};
 use crate::slab::{LEAST_COMPONENT, NODE_MARGIN, Slab, Span, TRIANGLE_MARGIN, WHOLE_RAY};
 use crate::triangle::Shear;
@@ -63,16 +64,23 @@ impl Kind {
     }
 }
 
-/// Whether all rays have the direction of the first, a valid one, and origins as valid; without a branch per ray.
+/// Whether all rays have the direction of the first, a valid one, and origins as valid.
 #[inline(always)]
-fn are_parallel(rays: &[Ray]) -> bool {
-    let d = rays[0].direction;
-    rays.iter().fold(true, |all, ray| {
-        let is_same = (ray.direction.x == d.x) & (ray.direction.y == d.y) & (ray.direction.z == d.z);
-        let o = ray.origin.abs();
-        all & is_same & (o.x < COORDINATE_LIMIT) & (o.y < COORDINATE_LIMIT) & (o.z < COORDINATE_LIMIT)
-    })
+fn are_parallel<L: NodeLanes>(lanes: L, rays: &[Ray]) -> bool {
+    // A ray is eight numbers: those of the origin lie between limits, those of the direction at one place, and its ends anywhere.
+    let (d, limit) = (rays[0].direction, COORDINATE_LIMIT.next_down());
+    let least = lanes.load(&[-limit, -limit, -limit, 0.0, d.x, d.y, d.z, 0.0]);
+    let most = lanes.load(&[limit, limit, limit, 0.0, d.x, d.y, d.z, 0.0]);
+    let mut all = L::ALL;
+    for ray in rays {
+        let ray = lanes.load(bytemuck::cast_ref::<Ray, [f32; 8]>(ray));
+        all &= lanes.le(least, ray) & lanes.le(ray, most);
+    }
+    all | ENDS == L::ALL
 }
+
+/// Where the ends stand among a ray's numbers.
+const ENDS: u32 = 0b1000_1000;
 
 /// Neighbours in a batch that one packet can take.
 #[derive(Clone, Copy, Debug)]
@@ -88,11 +96,12 @@ pub(crate) struct Run {
 impl Run {
     /// The first of `rays` and those like it that follow, up to a packet's worth.
     #[inline(always)]
-    pub fn first(rays: &[Ray]) -> Self {
+    pub fn first<L: NodeLanes>(lanes: L, rays: &[Ray]) -> Self {
         let Some(first) = rays.first() else { return Run { kind: None, len: 0, is_parallel: true } };
         let mut run = Run { kind: Kind::of(first), len: 1, is_parallel: true };
         let most = &rays[..rays.len().min(PACKET)];
-        if run.kind.is_some() && are_parallel(most) {
+        rays.iter().skip(PACKET).take(PACKET).step_by(2).for_each(prefetch);
+        if run.kind.is_some() && are_parallel(lanes, most) {
             return Run { len: most.len(), ..run };
         }
         for ray in rays.iter().take(PACKET).skip(1) {
@@ -119,6 +128,13 @@ pub(crate) struct Reached {
     pub rays: [u64; 8],
     /// Those that any ray meets.
     pub children: u32,
+}
+
+impl Reached {
+    #[inline(always)]
+    fn new<L: NodeLanes>(lanes: L, sets: L::Sets) -> Self {
+        Reached { rays: lanes.stored_sets(sets), children: lanes.filled(sets) }
+    }
 }
 
 /// Rays of one kind, prepared for one tree.
@@ -278,7 +294,7 @@ impl Packet {
     pub fn prepare<R: Lanes>(&mut self, rays: R, tree: &SimdTree) {
         self.pad();
         let kind = self.kind;
-        let (ix, iy, iz) = axes(kind.axis);
+        let [ix, iy, iz] = axes(kind.axis);
         let zero = rays.splat(0.0);
         let mut at = 0;
         let mut farthest = zero;
@@ -347,17 +363,5 @@ impl Packet {
         self.inverse.iter_mut().for_each(pad);
         pad(&mut self.tmin);
         pad(&mut self.tmax);
-    }
-}
-
-/// The axes that the kernel calls x, y and z when `axis` is the direction's largest component.
-#[inline(always)]
-fn axes(axis: usize) -> (usize, usize, usize) {
-    if axis == 0 {
-        (1, 2, 0)
-    } else if axis == 1 {
-        (2, 0, 1)
-    } else {
-        (0, 1, 2)
     }
 }

@@ -1,4 +1,4 @@
-//! Parallel rays as points of the plane across them, against eight triangles at a time.
+//! Parallel rays as points of the plane across them: few against eight triangles at a time, many side by side against one after another.
 //!
 //! What turns a sun's ray into the z axis is the same for all its rays but for the origin. So the triangles of a block are turned
 //! once for all rays, and a ray is a point. This rounds otherwise than the kernel does, so it only **rules out**: what may be hit is
@@ -21,14 +21,17 @@
 //! Together, below 248εRG + 272εG² + 1728ε²R². Where one edge function is negative by more than [`EDGE`]·εG·(R + G) +
 //! [`CORNER`]·ε²R² and another is positive by as much, the kernel's have both signs too, which is a miss.
 
-use super::super::lanes::{Lanes, NodeLanes};
 use super::super::tree::Block;
-use super::{PACKET, Packet, axes, piece, set};
+use super::{PACKET, Packet, bits_at, piece, set};
+use crate::lanes::watertight::{axes, cross, minus, sheared, spread};
+use crate::lanes::{Lanes, NodeLanes};
 use lt_math::glam::Vec3;
 
 const EPSILON: f32 = 1.0 / 16_777_216.0;
 const EDGE: f32 = 320.0;
 const CORNER: f32 = 4096.0;
+/// Rays that, one by one, take as long against a block as a group of ray lanes against one of its triangles.
+const PER_GROUP: u32 = 2;
 
 /// Eight triangles in the plane across the rays of a packet.
 struct Across<L: Lanes> {
@@ -53,7 +56,7 @@ impl Packet {
     /// Places the points, after all else is prepared.
     #[inline(always)]
     pub(super) fn place<R: Lanes>(&mut self, rays: R) {
-        let (ix, iy, iz) = axes(self.kind.axis);
+        let [ix, iy, iz] = axes(self.kind.axis);
         let from = self.rays[0].origin;
         let mut at = 0;
         while at < self.len {
@@ -72,6 +75,14 @@ impl Packet {
     #[inline(always)]
     pub fn may_hit<L: NodeLanes>(&self, lanes: L, block: Block, mask: u64) -> [u64; 8] {
         let across = self.across(lanes, block);
+        if mask.count_ones() > PER_GROUP * Packet::groups_of::<L::Rays>(mask) * block.len() as u32 {
+            let rows = across.stored(lanes);
+            let mut sets = [0; 8];
+            for (lane, set) in sets.iter_mut().enumerate().take(block.len()) {
+                *set = self.may_hit_one(lanes.rays(), &rows, lane, mask);
+            }
+            return sets;
+        }
         let (mut sets, mut mask) = (lanes.no_sets(), mask);
         while mask != 0 {
             let ray = mask.trailing_zeros() as usize & (PACKET - 1);
@@ -83,29 +94,42 @@ impl Packet {
         lanes.stored_sets(sets)
     }
 
+    /// Which of the rays of `mask` the triangle of a lane may block, rays side by side.
+    #[inline(always)]
+    fn may_hit_one<R: Lanes>(&self, rays: R, rows: &[[f32; 8]; 8], lane: usize, mask: u64) -> u64 {
+        let one = Across::spread(rays, rows, lane & 7);
+        let mut found = 0;
+        let mut at = 0;
+        while at < PACKET {
+            if bits_at::<R>(mask, at) != 0 {
+                let point = [piece(rays, &self.points[0], at), piece(rays, &self.points[1], at)];
+                found |= u64::from(one.may_hold(rays, point)) << at;
+            }
+            at += R::WIDTH;
+        }
+        found & mask
+    }
+
     /// The triangles of a block.
     #[inline(always)]
     fn across<L: NodeLanes>(&self, lanes: L, block: Block) -> Across<L> {
-        let (ix, iy, iz) = axes(self.kind.axis);
+        let [ix, iy, iz] = axes(self.kind.axis);
         let from = self.rays[0].origin;
         let from = Vec3::new(from[ix], from[iy], from[iz]);
-        let (sx, sy) = (lanes.splat(self.shear[0][0]), lanes.splat(self.shear[1][0]));
+        let shear = [lanes.splat(self.shear[0][0]), lanes.splat(self.shear[1][0])];
         let (x, y, z) = (block.rows(ix), block.rows(iy), block.rows(iz));
         let v0 = [lanes.load(x[0]), lanes.load(y[0]), lanes.load(z[0])];
-        let e = edge(lanes, [x[1], y[1], z[1]], v0);
-        let f = edge(lanes, [x[2], y[2], z[2]], v0);
-        let base = [
-            lanes.sub(v0[0], lanes.splat(from.x)),
-            lanes.sub(v0[1], lanes.splat(from.y)),
-            lanes.sub(v0[2], lanes.splat(from.z)),
-        ];
-        let edges = [turned(lanes, e, sx, sy), turned(lanes, f, sx, sy)];
+        let v1 = [lanes.load(x[1]), lanes.load(y[1]), lanes.load(z[1])];
+        let v2 = [lanes.load(x[2]), lanes.load(y[2]), lanes.load(z[2])];
+        let (e, f) = (minus(lanes, v1, v0), minus(lanes, v2, v0));
+        let base = minus(lanes, v0, spread(lanes, from));
+        let edges = [sheared(lanes, e, shear), sheared(lanes, f, shear)];
         let size = lanes.max(largest(lanes, e), largest(lanes, f));
         let reach = self.reach;
         let per_size = lanes.mul(lanes.splat(EDGE * EPSILON), lanes.add(size, lanes.splat(reach)));
         let corner = CORNER * EPSILON * reach * (EPSILON * reach);
         Across {
-            first: turned(lanes, base, sx, sy),
+            first: sheared(lanes, base, shear),
             edges,
             area: cross(lanes, edges[0], edges[1]),
             tolerance: lanes.mul_add(size, per_size, lanes.splat(corner)),
@@ -114,7 +138,32 @@ impl Packet {
     }
 }
 
-impl<L: NodeLanes> Across<L> {
+impl<L: Lanes> Across<L> {
+    /// Number by number: the first vertex, the edges, the area and the tolerance.
+    #[inline(always)]
+    fn stored(&self, lanes: L) -> [[f32; 8]; 8] {
+        let ([e, f], mut rows) = (self.edges, [[0.0; 8]; 8]);
+        let numbers = [self.first[0], self.first[1], e[0], e[1], f[0], f[1], self.area, self.tolerance];
+        for (row, numbers) in rows.iter_mut().zip(numbers) {
+            lanes.store(numbers, row);
+        }
+        rows
+    }
+
+    /// One triangle of those [`Across::stored`], in all lanes.
+    #[inline(always)]
+    fn spread(lanes: L, [x, y, ex, ey, fx, fy, area, tolerance]: &[[f32; 8]; 8], lane: usize) -> Self {
+        let e = [lanes.splat(ex[lane]), lanes.splat(ey[lane])];
+        let f = [lanes.splat(fx[lane]), lanes.splat(fy[lane])];
+        Across {
+            first: [lanes.splat(x[lane]), lanes.splat(y[lane])],
+            edges: [e, f],
+            area: lanes.splat(area[lane]),
+            tolerance: lanes.splat(tolerance[lane]),
+            lanes: L::ALL,
+        }
+    }
+
     /// The triangles in which a point may lie, one for all of them.
     #[inline(always)]
     fn may_hold(&self, lanes: L, point: [L::F; 2]) -> u32 {
@@ -131,26 +180,6 @@ impl<L: NodeLanes> Across<L> {
     }
 }
 
-#[inline(always)]
-fn edge<L: NodeLanes>(lanes: L, to: [&[f32]; 3], from: [L::F; 3]) -> [L::F; 3] {
-    [
-        lanes.sub(lanes.load(to[0]), from[0]),
-        lanes.sub(lanes.load(to[1]), from[1]),
-        lanes.sub(lanes.load(to[2]), from[2]),
-    ]
-}
-
-/// Along the rays into the plane.
-#[inline(always)]
-fn turned<L: NodeLanes>(lanes: L, p: [L::F; 3], sx: L::F, sy: L::F) -> [L::F; 2] {
-    [lanes.sub(p[0], lanes.mul(sx, p[2])), lanes.sub(p[1], lanes.mul(sy, p[2]))]
-}
-
-#[inline(always)]
-fn cross<L: NodeLanes>(lanes: L, p: [L::F; 2], q: [L::F; 2]) -> L::F {
-    lanes.sub(lanes.mul(p[0], q[1]), lanes.mul(p[1], q[0]))
-}
-
 /// The largest magnitude of three numbers.
 #[inline(always)]
 fn largest<L: NodeLanes>(lanes: L, p: [L::F; 3]) -> L::F {
@@ -161,10 +190,10 @@ fn largest<L: NodeLanes>(lanes: L, p: [L::F; 3]) -> L::F {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::lanes::Portable;
     use super::super::{Kind, Run};
     use super::*;
     use crate::build::{BuildQuality, Bvh};
+    use crate::lanes::Portable;
     use crate::ray::Ray;
     use crate::slab::{Slab, WHOLE_RAY};
     use crate::triangle::Shear;
@@ -210,12 +239,16 @@ mod tests {
             let (bvh, rays) = grazing(&mut state, centre, size);
             let part = bvh.simd_part();
             let mut packet = Packet::empty();
-            packet.fill(Kind::of(&rays[0]).unwrap(), Run::first(&rays), &rays, None);
+            packet.fill(Kind::of(&rays[0]).unwrap(), Run::first(Portable, &rays), &rays, None);
             packet.prepare(Portable, part.tree);
             assert!(packet.is_parallel());
             for link in part.tree.leaf_links() {
                 let block = part.tree.block(link);
                 let may_hit = packet.may_hit(Portable, block, packet.all());
+                let rows = packet.across(Portable, block).stored(Portable);
+                for (lane, one_by_one) in may_hit.into_iter().enumerate().take(block.len()) {
+                    assert_eq!(packet.may_hit_one(Portable, &rows, lane, packet.all()), one_by_one);
+                }
                 let exactly = Across { tolerance: [0.0; 8], ..packet.across(Portable, block) };
                 for (i, ray) in rays.iter().enumerate() {
                     let slab = Slab::new(ray, part.tree.low, part.tree.high);

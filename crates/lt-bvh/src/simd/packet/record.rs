@@ -2,9 +2,9 @@
 //!
 //! The planes of the node are loaded once for all of them, and no ray waits for the one before: a dozen cycles each.
 
-use super::super::lanes::{Lanes, NodeLanes};
 use super::super::tree::WideNode;
 use super::{NODE_PER_TRIANGLE, PACKET, Packet, Reached};
+use crate::lanes::{Lanes, NodeLanes};
 
 /// A ray as the test of one ray against eight boxes needs it, numbers side by side.
 #[repr(C, align(64))]
@@ -52,16 +52,15 @@ impl Packet {
         self.record(mask);
         let planes = OctantPlanes::new(lanes, self, node);
         let mut sets = lanes.no_sets();
-        let (mut mask, mut children) = (mask, 0);
+        let mut mask = mask;
         while mask != 0 {
             let ray = mask.trailing_zeros() as usize;
             let bit = mask & mask.wrapping_neg();
             mask ^= bit;
             let met = self.meets_alone(lanes, &planes, ray);
-            children |= met;
             sets = lanes.add_to_sets(sets, met, bit);
         }
-        Reached { rays: lanes.stored_sets(sets), children }
+        Reached::new(lanes, sets)
     }
 
     /// Makes the records of the rays of `mask` that have none yet.
