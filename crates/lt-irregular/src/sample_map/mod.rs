@@ -26,7 +26,7 @@ use alloc::vec::Vec;
 use core::ops::AddAssign;
 use lt_bvh::{AnyHit, Ray, Transmit};
 use lt_math::glam::{Vec3, Vec4};
-use part::{Part, Tasks};
+use part::{Cover, Part, Tasks};
 use visit::{Darken, Paint, Tint};
 
 /// Triangles that are sorted into parts at a time, which bounds memory where large triangles meet every part. The first rounds are
@@ -244,9 +244,10 @@ impl<P: Paint> Work for Walk<'_, P> {
                 *id = item.triangle;
             }
             let Scene { view, casters, .. } = self.scene;
-            let block = Block::of(level.eight(), view, casters, &ids[..items.len()]);
+            let (block, slivers) = Block::with_slivers(level.eight(), view, casters, &ids[..items.len()]);
             for (slot, item) in items.iter().enumerate() {
-                self.part.draw(level.points(), &self.scene, item, &block.planes(slot), &mut counters);
+                let cover = Cover::new(view, block.planes(slot), slivers >> slot & 1 == 1);
+                self.part.draw(level.points(), &self.scene, item, &cover, &mut counters);
             }
         }
         counters
