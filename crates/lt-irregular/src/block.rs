@@ -37,8 +37,14 @@ impl Block {
     /// Of up to eight triangles, named by their place among the casters.
     #[inline(always)]
     pub fn of<E: Lanes>(lanes: E, view: &View, casters: Casters<'_>, ids: &[u32]) -> Self {
+        Self::with_slivers(lanes, view, casters, ids).0
+    }
+
+    /// The same, and a bit for each that is a sliver ([`planes`]).
+    #[inline(always)]
+    pub fn with_slivers<E: Lanes>(lanes: E, view: &View, casters: Casters<'_>, ids: &[u32]) -> (Self, u32) {
         let corners = Corners::load(lanes, view, ids.iter().map(|id| &casters.triangles[*id as usize]));
-        let (rows, _) = planes(lanes, view, &corners);
+        let (rows, slivers) = planes(lanes, view, &corners);
         let mut block = Self::EMPTY;
         for (to, from) in block.rows.iter_mut().zip(rows) {
             lanes.store(from, to);
@@ -52,7 +58,7 @@ impl Block {
                 row[slot] = nothing[slot];
             }
         }
-        block
+        (block, slivers)
     }
 
     /// The triangles, slot by slot.

@@ -163,3 +163,47 @@ fn pathological_sets_are_answered() {
     dropped.push([Vec3::ZERO, Vec3::X, Vec3::Y]);
     compare("dropped", &dropped, light, &starts, Opaque);
 }
+
+/// A light that lies in a triangle's plane, on its face, an edge or a vertex: all edges may then have the same sign for every ray.
+#[test]
+fn a_light_within_a_triangle_is_answered_too() {
+    let mut random = Random(4);
+    let mut blocked = 0;
+    for (scale, offset) in PLACES {
+        for round in 0..8 {
+            let soup = Soup::mixed(&mut random, 40, Vec3::ONE).moved(scale, offset);
+            // Of every kind one, those in planes of the axes more often.
+            let of = soup.triangles[if round % 2 == 0 { 1 + 8 * random.below(5) } else { random.below(40) }];
+            let [a, b, c] = of.map(|v| soup.positions[v as usize]);
+            for light in [(a + b + c) / 3.0, a.lerp(b, 0.5), c, a + (b - a) * 1.5] {
+                let starts = origins(&mut random, &soup, light.extend(1.0), 400);
+                let label = format!("scale {scale} offset {offset} light {light}");
+                blocked += compare(&label, &soup, light.extend(1.0), &starts, Opaque);
+            }
+        }
+    }
+    assert!(blocked > 1000, "{blocked} blocked");
+}
+
+/// Slivers along the sun, of which projections are little more than rounding.
+#[test]
+fn slivers_along_the_sun_are_answered() {
+    let mut random = Random(5);
+    let mut blocked = 0;
+    for (scale, offset) in PLACES {
+        for _ in 0..8 {
+            let sun = random.vector();
+            let mut soup = Soup::new();
+            for _ in 0..60 {
+                let (at, size) = (random.vector(), [0.1, 1.0][random.below(2)]);
+                let along = sun * size + random.vector() * [0.0, 1e-7, 1e-6, 1e-5][random.below(4)];
+                soup.push([at, at + random.vector() * size, at + along]);
+            }
+            let soup = soup.moved(scale, offset);
+            let starts = origins(&mut random, &soup, sun.extend(0.0), 2_000);
+            let label = format!("scale {scale} offset {offset} sun {sun}");
+            blocked += compare(&label, &soup, sun.extend(0.0), &starts, Opaque);
+        }
+    }
+    assert!(blocked > 1000, "{blocked} blocked");
+}

@@ -77,6 +77,41 @@ fn light_is_multiplied_as_the_ray_tracer_does() {
     }
 }
 
+/// Triangles in another order, by the names that they had before.
+#[derive(Clone, Copy)]
+struct Renamed<'a>(&'a [u32]);
+
+impl Transmit for Renamed<'_> {
+    fn transmittance(&self, triangle: u32, u: f32, v: f32) -> Vec3 {
+        Stained.transmittance(self.0[triangle as usize], u, v)
+    }
+}
+
+#[test]
+fn casters_in_any_order_let_the_same_light_pass() {
+    let (positions, triangles) = scattered(1500);
+    let bvh = build(&positions, &triangles);
+    let origins = grid(64, -1.5);
+    let domain = bounds(&positions, &origins);
+    let mut names: Vec<u32> = (0..bvh.triangles().len() as u32).collect();
+    for round in 0..4u32 {
+        let shuffled: Vec<_> = names.iter().map(|&name| bvh.triangles()[name as usize]).collect();
+        let casters = Casters { triangles: &shuffled, ..casters(&bvh) };
+        let mut map = SampleMap::build(SUN, domain, casters, &origins, Options::default());
+        let mut out = vec![Vec3::ZERO; origins.len()];
+        map.transmitted(casters, &origins, Renamed(&names), &mut out);
+        for (origin, found) in origins.iter().zip(&out) {
+            let ray = Ray::to_light(*origin, SUN);
+            let expected = transmitted(bvh.nodes(), bvh.triangles(), ray, Stained);
+            assert!(
+                (*found - expected).abs().max_element() <= 1e-5,
+                "round {round}, {ray:?}: {found}, not {expected}"
+            );
+        }
+        names.sort_by_key(|name| name.wrapping_add(round).wrapping_mul(0x9e37_79b1));
+    }
+}
+
 #[test]
 fn any_number_of_threads_gives_the_same() {
     let (positions, triangles) = scattered(3000);

@@ -25,7 +25,7 @@ use core::ops::AddAssign;
 use lt_bvh::lanes::{Chosen, NodeLanes, SimdLevel, Work};
 use lt_bvh::{AnyHit, Ray, Transmit};
 use lt_math::glam::{Vec3, Vec4};
-use part::{Part, Tasks};
+use part::{Cover, Part, Tasks};
 use visit::{Darken, Paint, Tint};
 
 /// Triangles that are sorted into parts at a time, which bounds memory where large triangles meet every part. The first rounds are
@@ -243,9 +243,10 @@ impl<P: Paint> Work for Walk<'_, P> {
                 *id = item.triangle;
             }
             let Scene { view, casters, .. } = self.scene;
-            let block = Block::of(lanes, view, casters, &ids[..items.len()]);
+            let (block, slivers) = Block::with_slivers(lanes, view, casters, &ids[..items.len()]);
             for (slot, item) in items.iter().enumerate() {
-                self.part.draw(lanes.rays(), &self.scene, item, &block.planes(slot), &mut counters);
+                let cover = Cover::new(view, block.planes(slot), slivers >> slot & 1 == 1);
+                self.part.draw(lanes.rays(), &self.scene, item, &cover, &mut counters);
             }
         }
         counters

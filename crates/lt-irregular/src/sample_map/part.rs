@@ -8,6 +8,7 @@ use crate::exact::Exact;
 use crate::planes::Planes;
 use crate::rect::Rect;
 use crate::split::Item;
+use crate::view::View;
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -176,7 +177,7 @@ impl Part {
         lanes: L,
         scene: &Scene<'_, P>,
         item: &Item,
-        planes: &Planes,
+        cover: &Cover,
         counters: &mut Counters,
     ) {
         if !self.nodes[0].is_open {
@@ -185,8 +186,7 @@ impl Part {
             return;
         }
         let triangle = &scene.casters.triangles[item.triangle as usize];
-        let cover = Cover::new(planes, scene.view.depth_tolerance());
-        let wide = Spreadout::new(lanes, planes);
+        let wide = Spreadout::new(lanes, &cover.planes);
         let exact = Exact::new(scene.view, triangle);
         let is_sure = scene.paint.blocks_unasked(triangle.is_opaque());
         let leaves = (1 << self.depth) - 1;
@@ -357,27 +357,31 @@ struct Leaf {
 
 /// A triangle's planes over whole rectangles. A plane is least and largest at corners, which lie among the samples' own coordinates, so
 /// that the bounds on rounding for samples hold for corners.
-struct Cover {
-    rows: [f32; crate::planes::ROWS],
+pub(super) struct Cover {
+    planes: Planes,
     tolerance: (f32, f32),
+    is_sliver: bool,
 }
 
 impl Cover {
+    /// Of a triangle that is a sliver or not, in the sense of [`crate::planes::planes`].
     #[inline(always)]
-    fn new(planes: &Planes, tolerance: (f32, f32)) -> Self {
-        Cover { rows: planes.0, tolerance }
+    pub fn new(view: &View, planes: Planes, is_sliver: bool) -> Self {
+        Cover { planes, tolerance: view.depth_tolerance(), is_sliver }
     }
 
-    /// Whether some point may be inside all edges.
+    /// Whether some point may be inside all edges. What is surely outside of one edge of a sliver may be so of all three, as where the
+    /// light lies in the triangle's plane, and the ray tracer then finds it inside: another edge must have it surely inside.
     #[inline(always)]
     fn touches(&self, rect: &Rect) -> bool {
-        !(0..3).any(|edge| self.extreme(3 * edge, rect, false) < -1.0)
+        let is_outside = (0..3).any(|edge| self.extreme(3 * edge, rect, false) < -1.0);
+        !is_outside || self.is_sliver && !(0..3).any(|edge| self.extreme(3 * edge, rect, true) > 1.0)
     }
 
     /// Whether every point is surely inside and surely nearer to the light's far side than the triangle.
     #[inline(always)]
     fn blocks_all(&self, rect: &Rect) -> bool {
-        let depth = self.extreme(9, rect, true) - self.rows[12] * rect.z;
+        let depth = self.extreme(9, rect, true) - self.planes.0[12] * rect.z;
         (0..3).all(|edge| self.extreme(3 * edge, rect, true) > 1.0)
             && depth > self.tolerance.0 + self.tolerance.1 * rect.z
     }
@@ -385,7 +389,8 @@ impl Cover {
     /// The least or largest value of a plane over the rectangle.
     #[inline(always)]
     fn extreme(&self, row: usize, rect: &Rect, is_least: bool) -> f32 {
-        let (a, b, c) = (self.rows[row], self.rows[row + 1], self.rows[row + 2]);
+        let rows = &self.planes.0;
+        let (a, b, c) = (rows[row], rows[row + 1], rows[row + 2]);
         let x = if (a < 0.0) == is_least { rect.x1 } else { rect.x0 };
         let y = if (b < 0.0) == is_least { rect.y1 } else { rect.y0 };
         a * x + b * y + c
