@@ -14,7 +14,7 @@
 //! The **shared kernel** ([`closest_hit`], [`occluded`] and their `_instanced` forms) is `no_std`, needs no allocator
 //! and compiles to SPIR-V. It walks eight-wide nodes of 80 bytes ([`Node`]; Ylitie, Karras, Laine 2017). On the CPU,
 //! feature `build` adds construction with obvhs (`Bvh`, `InstancedBvh`) and, behind the `Tracer` seam, SIMD
-//! traversals on trees of their own: single rays, whose tests propose triangles that the kernel's own test accepts or
+//! traversals ([`lanes`]) on trees of their own: single rays, whose tests propose triangles that the kernel's own test accepts or
 //! rejects, and packets of 64 (`Grouping`), which repeat the kernel's arithmetic with rays side by side and become
 //! streams where they fall apart.
 //!

@@ -12,7 +12,7 @@
 //! A ray's answer in this project is a function of ray and triangle alone: that of the ray tracer's watertight test, f32 rounding
 //! included. Here the question is first put to planes in light space (`planes.rs`), which say *surely inside and beyond*, *surely not*, or
 //! *unsure*: within a proven bound on all rounding of both computations. What is unsure is put to the ray tracer's own test
-//! (`lt_bvh::RayTest`, or `exact.rs` for several rays side by side), with the very ray that it would shoot. So every structure on every instruction set gives the ray tracer's bits **by
+//! (`lt_bvh::RayTest`, or `lt_bvh::lanes::watertight` for several rays side by side), with the very ray that it would shoot. So every structure on every instruction set gives the ray tracer's bits **by
 //! construction**, alpha-tested casters included: those always ask it, for the barycentric weights.
 //!
 //! # Structures
