@@ -5,7 +5,8 @@
 //! meets the cells from its least corner's to its largest's, and no other.
 
 use super::lists::Lists;
-use super::points::Points;
+use super::points::{Points, first};
+use super::rows::SLACK;
 use crate::rect::Rect;
 use crate::split::Item;
 use crate::view::View;
@@ -78,10 +79,21 @@ impl Grid {
         Grid { columns, rows }
     }
 
+    /// The cell that a place lies in.
     #[inline(always)]
-    fn cell<P: Lanes>(&self, lanes: P, x: f32, y: f32) -> usize {
+    fn cell<P: Lanes>(&self, lanes: P, x: f32, y: f32) -> Cell {
         let column = place(lanes, &self.columns, x);
-        column * SIDE + place(lanes, &self.rows[column], y)
+        let rows = &self.rows[column];
+        let row = place(lanes, rows, y);
+        let below =
+            |bounds: &[f32; SIDE], at: usize| if at == 0 { f32::NEG_INFINITY } else { bounds[at - 1] };
+        Cell {
+            index: column * SIDE + row,
+            x0: below(&self.columns, column),
+            x1: self.columns[column],
+            y0: below(rows, row),
+            y1: rows[row],
+        }
     }
 
     /// The first and last cell of each column that a rectangle meets.
@@ -96,6 +108,39 @@ impl Grid {
             let rows = &self.rows[column];
             column * SIDE + place(lanes, rows, rect.y0)..=column * SIDE + place(lanes, rows, rect.y1)
         })
+    }
+}
+
+/// A cell and where it lies. Places that follow one another mostly lie in one cell, and to see that they do takes less than to find it.
+#[derive(Clone, Copy)]
+struct Cell {
+    index: usize,
+    /// From here.
+    x0: f32,
+    /// Up to here, and not here.
+    x1: f32,
+    y0: f32,
+    y1: f32,
+}
+
+impl Cell {
+    /// Holds nothing.
+    const NONE: Self =
+        Cell { index: 0, x0: f32::INFINITY, x1: f32::INFINITY, y0: f32::INFINITY, y1: f32::INFINITY };
+
+    /// Which of some places lie within.
+    #[inline(always)]
+    fn members<P: Lanes>(&self, lanes: P, x: P::F, y: P::F) -> u32 {
+        lanes.le(lanes.splat(self.x0), x)
+            & lanes.lt(x, lanes.splat(self.x1))
+            & lanes.le(lanes.splat(self.y0), y)
+            & lanes.lt(y, lanes.splat(self.y1))
+    }
+
+    /// Whether all of a rectangle does.
+    #[inline(always)]
+    fn holds(&self, rect: &Rect) -> bool {
+        self.x0 <= rect.x0 && rect.x1 < self.x1 && self.y0 <= rect.y0 && rect.y1 < self.y1
     }
 }
 
@@ -177,14 +222,35 @@ impl Work for Sort<'_> {
         let Chunk { points, len, cells, sorted, starts } = self.chunk;
         *len = points.fill(lanes.rays(), self.view, self.origins, self.first as u32);
         let len = *len;
-        cells.clear();
         starts.clear();
         starts.resize(CELLS + 1, 0);
-        for (x, y) in points.x[..len].iter().zip(&points.y[..len]) {
-            let cell = self.grid.cell(lanes.rays(), *x, *y);
-            cells.push(cell as u16);
-            starts[cell + 1] += 1;
+        let rays = lanes.rays();
+        cells.resize(len + SLACK, 0);
+        let mut cell = Cell::NONE;
+        for at in (0..len).step_by(L::Rays::WIDTH) {
+            let some = &mut cells[at..at + L::Rays::WIDTH];
+            let (x, y) = (rays.load(&points.x[at..]), rays.load(&points.y[at..]));
+            let mut rest = first(len - at) & L::Rays::ALL;
+            let mut members = rest & cell.members(rays, x, y);
+            some.fill(cell.index as u16);
+            loop {
+                starts[cell.index + 1] += members.count_ones();
+                rest &= !members;
+                if rest == 0 {
+                    break;
+                }
+                let next = rest.trailing_zeros() as usize;
+                cell = self.grid.cell(rays, points.x[at + next], points.y[at + next]);
+                // The point itself, even if it lay at no number.
+                members = rest & (cell.members(rays, x, y) | 1 << next);
+                let mut left = members;
+                while left != 0 {
+                    some[left.trailing_zeros() as usize] = cell.index as u16;
+                    left &= left - 1;
+                }
+            }
         }
+        cells.truncate(len);
         for cell in 0..CELLS {
             starts[cell + 1] += starts[cell];
         }
@@ -193,14 +259,15 @@ impl Work for Sort<'_> {
         }
         let mut next = [0; CELLS];
         next.copy_from_slice(&starts[..CELLS]);
-        for (i, cell) in cells.iter().enumerate() {
+        let rows = points.x.iter().zip(&points.y).zip(&points.z).zip(&points.ids);
+        for (i, (cell, (((x, y), z), id))) in cells.iter().zip(rows).enumerate() {
             if let Some(ahead) = cells.get(i + AHEAD) {
                 prefetch(&sorted[next[*ahead as usize % CELLS] as usize]);
             }
             let next = &mut next[*cell as usize % CELLS];
             let to = *next as usize;
             *next += 1;
-            sorted[to] = Place { x: points.x[i], y: points.y[i], z: points.z[i], id: points.ids[i] };
+            sorted[to] = Place { x: *x, y: *y, z: *z, id: *id };
         }
         points.bounds(lanes.rays(), 0, len)
     }
@@ -257,12 +324,20 @@ impl Work for File<'_> {
         starts.resize(CELLS + 1, 0);
         large.clear();
         pairs.clear();
+        let mut cell = Cell::NONE;
         for (i, item) in items.iter().enumerate() {
             let r = &item.rect;
             let meets = r.x0 <= rect.x1 && rect.x0 <= r.x1 && r.y0 <= rect.y1 && rect.y0 <= r.y1;
             if !meets || r.z < rect.z {
                 continue;
             }
+            if cell.holds(r) {
+                if is_used[cell.index] {
+                    pairs.push(((first + i) as u32, cell.index as u16));
+                }
+                continue;
+            }
+            cell = grid.cell(lanes, r.x0, r.y0);
             let begin = pairs.len();
             for cell in grid.columns_met(lanes, r).flatten() {
                 if is_used[cell] {
