@@ -1,7 +1,7 @@
 //! The ray tracer's test of triangles on lanes: several rays against one triangle, or several triangles against one ray. What all lanes
 //! share is spread over them.
 //!
-//! The operations and their order are those of the shared kernel ([`crate::triangle`], `intersect`, and [`crate::slab`]), lane by lane, so
+//! The operations and their order are those of the shared kernel (`triangle.rs`, `intersect`, and `slab.rs`), lane by lane, so
 //! that every answer and every weight has its bits. Nothing here may be fused to a multiply-add. A triangle is hit where [`Edges::hold`]
 //! and [`Edges::area`] is not 0, [`plane_t`] lies between the ray's ends, and [`is_confirmed`] by its own box; which is asked first is left to
 //! callers, who know what rules out most.
