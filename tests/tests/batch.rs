@@ -1,7 +1,7 @@
 //! Map evaluation in batches gives the verdicts of the shared function, on every built-in scene.
 
 use lt_math::{Evsm, Levels, Vsm};
-use lt_render::cpu::{BatchTest, CpuBackend, evaluate_batch, evaluate_batch_levels};
+use lt_render::cpu::{BatchTest, CpuBackend, SampleRows, evaluate_batch, evaluate_batch_levels};
 use lt_render::{Backend, PackedScene, PassKind, Sample};
 use lt_shaders::abi::ShadowParams;
 use lt_shaders::evaluate::{GatheredDepths, evaluate, evaluate_levels};
@@ -34,8 +34,8 @@ fn batches_have_the_bits_of_the_shared_function_on_every_built_in_scene() {
         backend.begin(&job).expect("begins");
         backend.pass(PassKind::DepthMap, &job).expect("draws");
         let (samples, p, depths) = (session.samples(), &job.shadow, backend.depth_map());
-        let (mut lit, mut doubted) = (vec![0.0; samples.len()], vec![false; samples.len()]);
-        evaluate_batch_levels::<Evsm, true>(samples, p, &projections, depths, &mut lit, &mut doubted);
+        let (rows, mut lit, mut doubted) = pieces_of(samples);
+        evaluate_batch_levels::<Evsm, true>(&rows, p, &projections, depths, &mut lit, &mut doubted);
         let levels = Levels { projections: &projections, count: projections.len() as u32 };
         for (i, sample) in samples.iter().enumerate() {
             let v = evaluate_levels::<Evsm, _, _, true>(sample, p, GatheredDepths { depths }, levels);
@@ -44,9 +44,16 @@ fn batches_have_the_bits_of_the_shared_function_on_every_built_in_scene() {
     }
 }
 
+/// Samples in pieces, and room for their visibilities and doubts.
+fn pieces_of(samples: &[Sample]) -> (Vec<SampleRows>, Vec<f32>, Vec<bool>) {
+    let rows = SampleRows::of(samples);
+    let len = 64 * rows.len();
+    (rows, vec![0.0; len], vec![false; len])
+}
+
 fn differences<T: BatchTest, const LTT: bool>(samples: &[Sample], p: &ShadowParams, depths: &[f32]) -> usize {
-    let (mut lit, mut doubted) = (vec![0.0; samples.len()], vec![false; samples.len()]);
-    evaluate_batch::<T, LTT>(samples, p, depths, &mut lit, &mut doubted);
+    let (rows, mut lit, mut doubted) = pieces_of(samples);
+    evaluate_batch::<T, LTT>(&rows, p, depths, &mut lit, &mut doubted);
     let map = GatheredDepths { depths };
     let is_different = |(i, sample): (usize, &Sample)| {
         let v = evaluate::<T, _, LTT>(sample, p, map);

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use lt_math::glam::UVec2;
 use lt_math::{Evsm, Levels, LightProjection, Vsm};
-use lt_render::cpu::{BatchTest, CpuBackend, evaluate_batch, evaluate_batch_levels};
+use lt_render::cpu::{BatchTest, CpuBackend, SampleRows, evaluate_batch, evaluate_batch_levels};
 use lt_render::{Backend, BackendKind, PackedScene, PassKind, Session, Setup};
 use lt_scene::Source;
 use lt_shaders::abi::{Sample, ShadowParams};
@@ -53,6 +53,7 @@ struct Maps<'a> {
 fn row<T: BatchTest, const LTT: bool>(id: &str, samples: &[Sample], maps: Maps<'_>) {
     let Maps { p, levels, depths } = maps;
     let mut cache = vec![1u64; 32 << 20];
+    let pieces = SampleRows::of(samples);
     let new = || (vec![0.0f32; samples.len()], vec![false; samples.len()]);
     let mut answers = [new(), new()];
     let mut times = [Vec::new(), Vec::new()];
@@ -62,9 +63,9 @@ fn row<T: BatchTest, const LTT: bool>(id: &str, samples: &[Sample], maps: Maps<'
             black_box(&cache);
             let start = thread_time();
             match (way, levels) {
-                (0, None) => evaluate_batch::<T, LTT>(samples, p, depths, lit, doubted),
+                (0, None) => evaluate_batch::<T, LTT>(&pieces, p, depths, lit, doubted),
                 (0, Some(levels)) => {
-                    evaluate_batch_levels::<T, LTT>(samples, p, levels, depths, lit, doubted);
+                    evaluate_batch_levels::<T, LTT>(&pieces, p, levels, depths, lit, doubted);
                 }
                 _ => one_by_one::<T, LTT>(samples, maps, lit, doubted),
             }

@@ -9,39 +9,42 @@
 //! An exponential costs as much as the rest of a pixel, and most pixels can do without. [`Evsm`] asks [`Shortcut`]
 //! first, which knows three kinds of footprint whose answer is certain.
 
-use lt_math::{Evsm, Levels, LightProjection, Vsm, chebyshev, float, level_margin_uv};
-use lt_shaders::abi::{Sample, ShadowParams};
-use lt_shaders::evaluate::{GatheredDepths, TestFromParams, Verdict, doubt, evaluate, evaluate_levels};
+use lt_math::{Evsm, LightProjection, Vsm, chebyshev, float, level_margin_uv};
+use lt_shaders::abi::ShadowParams;
+use lt_shaders::evaluate::{TestFromParams, Verdict, doubt};
 
-use super::footprints::{BATCH, BLOCKED, Footprints, Lanes, MAPPED, Maps, OUTSIDE};
+use super::footprints::{Footprints, Maps};
+use super::samples::{BLOCKED, Lanes, MAPPED, OUTSIDE, SampleRows};
 use super::shortcut::Shortcut;
+use super::tiles::PIECE;
 
 /// Estimate and doubt of many pixels from a map of plain depths, by a test that has a batch form.
 ///
-/// `depths` are `p.map_size`² in rows; `visibility` and `is_doubted` have the length of `samples`. Gives the bits of
-/// [`evaluate`] for each sample, in any order of samples; samples in tile order find their texels in the cache.
+/// `depths` are `p.map_size`² in rows; `visibility` and `is_doubted` have 64 places for each piece of `rows`. Gives the bits of
+/// [`evaluate`](lt_shaders::evaluate::evaluate) for each sample, in any order of samples; samples in tile order find their texels in the cache.
 ///
 /// # Panics
 /// If the lengths disagree.
 pub fn evaluate_batch<T: BatchTest, const LTT: bool>(
-    samples: &[Sample],
+    rows: &[SampleRows],
     p: &ShadowParams,
     depths: &[f32],
     visibility: &mut [f32],
     is_doubted: &mut [bool],
 ) {
     let maps = Maps { projections: &[p.projection], depths, margin_uv: None };
-    evaluate_on::<T, LTT>(samples, p, maps, visibility, is_doubted);
+    evaluate_on::<T, LTT>(rows, p, maps, visibility, is_doubted);
 }
 
-/// [`evaluate_batch`] from the levels of a directional light, finest first, with the bits of [`evaluate_levels`].
+/// [`evaluate_batch`] from the levels of a directional light, finest first, with the bits of
+/// [`evaluate_levels`](lt_shaders::evaluate::evaluate_levels).
 ///
 /// `depths` are `p.map_size`² in rows for each level.
 ///
 /// # Panics
 /// If the lengths disagree.
 pub fn evaluate_batch_levels<T: BatchTest, const LTT: bool>(
-    samples: &[Sample],
+    rows: &[SampleRows],
     p: &ShadowParams,
     projections: &[LightProjection],
     depths: &[f32],
@@ -49,11 +52,12 @@ pub fn evaluate_batch_levels<T: BatchTest, const LTT: bool>(
     is_doubted: &mut [bool],
 ) {
     let maps = Maps { projections, depths, margin_uv: Some(level_margin_uv(p.map_size)) };
-    evaluate_on::<T, LTT>(samples, p, maps, visibility, is_doubted);
+    evaluate_on::<T, LTT>(rows, p, maps, visibility, is_doubted);
 }
 
-fn evaluate_on<T: BatchTest, const LTT: bool>(
-    samples: &[Sample],
+/// [`evaluate_batch`] on any maps.
+pub(super) fn evaluate_on<T: BatchTest, const LTT: bool>(
+    rows: &[SampleRows],
     p: &ShadowParams,
     maps: Maps<'_>,
     visibility: &mut [f32],
@@ -61,22 +65,23 @@ fn evaluate_on<T: BatchTest, const LTT: bool>(
 ) {
     let expected = (p.map_size as usize).pow(2) * maps.projections.len();
     assert!(maps.depths.len() == expected, "{} depths, {expected} expected", maps.depths.len());
-    assert!(samples.len() == visibility.len() && samples.len() == is_doubted.len(), "unequal lengths");
+    let len = rows.len() * PIECE;
+    assert!(visibility.len() == len && is_doubted.len() == len, "unequal lengths");
     #[cfg(target_arch = "x86_64")]
     if x86::has_avx512() {
         // SAFETY: the processor has what the function was compiled for.
-        return unsafe { x86::evaluate_avx512::<T, LTT>(samples, p, maps, visibility, is_doubted) };
+        return unsafe { x86::evaluate_avx512::<T, LTT>(rows, p, maps, visibility, is_doubted) };
     } else if x86::has_avx2() {
         // SAFETY: as above.
-        return unsafe { x86::evaluate_avx2::<T, LTT>(samples, p, maps, visibility, is_doubted) };
+        return unsafe { x86::evaluate_avx2::<T, LTT>(rows, p, maps, visibility, is_doubted) };
     }
-    evaluate_all::<T, LTT>(samples, p, maps, visibility, is_doubted);
+    evaluate_all::<T, LTT>(rows, p, maps, visibility, is_doubted);
 }
 
 #[cfg(target_arch = "x86_64")]
 pub(super) mod x86 {
     //! The same loops for x86-64 extensions.
-    use super::{BatchTest, Maps, Sample, ShadowParams, evaluate_all};
+    use super::{BatchTest, Maps, SampleRows, ShadowParams, evaluate_all};
 
     pub fn has_avx2() -> bool {
         std::is_x86_feature_detected!("avx2")
@@ -91,52 +96,50 @@ pub(super) mod x86 {
 
     #[target_feature(enable = "avx2")]
     pub fn evaluate_avx2<T: BatchTest, const LTT: bool>(
-        samples: &[Sample],
+        rows: &[SampleRows],
         p: &ShadowParams,
         maps: Maps<'_>,
         visibility: &mut [f32],
         is_doubted: &mut [bool],
     ) {
-        evaluate_all::<T, LTT>(samples, p, maps, visibility, is_doubted);
+        evaluate_all::<T, LTT>(rows, p, maps, visibility, is_doubted);
     }
 
     #[target_feature(enable = "avx2,avx512f,avx512vl,avx512dq")]
     pub fn evaluate_avx512<T: BatchTest, const LTT: bool>(
-        samples: &[Sample],
+        rows: &[SampleRows],
         p: &ShadowParams,
         maps: Maps<'_>,
         visibility: &mut [f32],
         is_doubted: &mut [bool],
     ) {
-        evaluate_all::<T, LTT>(samples, p, maps, visibility, is_doubted);
+        evaluate_all::<T, LTT>(rows, p, maps, visibility, is_doubted);
     }
 }
 
-/// Full batches, then the rest pixel by pixel.
 #[inline(always)]
 fn evaluate_all<T: BatchTest, const LTT: bool>(
-    samples: &[Sample],
+    rows: &[SampleRows],
     p: &ShadowParams,
     maps: Maps<'_>,
     visibility: &mut [f32],
     is_doubted: &mut [bool],
 ) {
     let test = T::from_params(p.test);
-    let (batches, rest) = samples.as_chunks::<BATCH>();
-    let (lit, lit_rest) = visibility.as_chunks_mut::<BATCH>();
-    let (doubted, doubted_rest) = is_doubted.as_chunks_mut::<BATCH>();
+    let visibility = visibility.as_chunks_mut::<PIECE>().0;
+    let is_doubted = is_doubted.as_chunks_mut::<PIECE>().0;
     let mut footprints = Footprints::new();
-    for ((samples, visibility), is_doubted) in batches.iter().zip(lit).zip(doubted) {
-        footprints.find(samples, p, maps);
+    for ((rows, visibility), is_doubted) in rows.iter().zip(visibility).zip(is_doubted) {
+        footprints.find(rows, p, maps);
         // Whole batches of sky, or of what faces away, need no map.
         let answers = if footprints.is_any_open {
             footprints.gather(maps.depths);
             test.visibility_of_footprints::<LTT>(&footprints, p.epsilon)
         } else {
-            [0.0; BATCH]
+            [0.0; PIECE]
         };
         let states = &footprints.states;
-        for i in 0..BATCH {
+        for i in 0..PIECE {
             let v = answers[i];
             let verdict = doubt(v, p.epsilon);
             visibility[i] = match states[i] {
@@ -148,27 +151,6 @@ fn evaluate_all<T: BatchTest, const LTT: bool>(
             };
             is_doubted[i] = LTT && ((states[i] == MAPPED && verdict.is_doubted) || states[i] == OUTSIDE);
         }
-    }
-    evaluate_each::<T, LTT>(rest, p, maps, lit_rest, doubted_rest);
-}
-
-/// By the shared function.
-fn evaluate_each<T: BatchTest, const LTT: bool>(
-    samples: &[Sample],
-    p: &ShadowParams,
-    maps: Maps<'_>,
-    visibility: &mut [f32],
-    is_doubted: &mut [bool],
-) {
-    let map = GatheredDepths { depths: maps.depths };
-    let levels = Levels { projections: maps.projections, count: maps.projections.len() as u32 };
-    for ((sample, visibility), is_doubted) in samples.iter().zip(visibility).zip(is_doubted) {
-        let verdict = match maps.margin_uv {
-            None => evaluate::<T, _, LTT>(sample, p, map),
-            Some(_) => evaluate_levels::<T, _, _, LTT>(sample, p, map, levels),
-        };
-        *visibility = verdict.visibility;
-        *is_doubted = verdict.is_doubted;
     }
 }
 
@@ -182,7 +164,7 @@ pub trait BatchTest: TestFromParams {
 impl BatchTest for Vsm {
     #[inline(always)]
     fn visibility_of_footprints<const LTT: bool>(&self, footprints: &Footprints, _: f32) -> Lanes {
-        let mut v = [0.0; BATCH];
+        let mut v = [0.0; PIECE];
         for (i, v) in v.iter_mut().enumerate() {
             let spread = Spread::of(footprints.offsets(i), footprints.weights(i));
             *v = float::saturate(spread.bound(self.min_variance));
@@ -195,9 +177,9 @@ impl BatchTest for Evsm {
     #[inline(always)]
     fn visibility_of_footprints<const LTT: bool>(&self, footprints: &Footprints, epsilon: f32) -> Lanes {
         let shortcut = Shortcut::new(self, epsilon);
-        let mut v = [0.0; BATCH];
-        let mut is_open = [false; BATCH];
-        for i in 0..BATCH {
+        let mut v = [0.0; PIECE];
+        let mut is_open = [false; PIECE];
+        for i in 0..PIECE {
             let offsets = footprints.offsets(i);
             let spread = Spread::of(offsets, footprints.weights(i));
             let [a, b, c, d] = offsets;
@@ -214,8 +196,8 @@ impl BatchTest for Evsm {
         }
         let open_count = is_open.iter().map(|&is_open| u32::from(is_open)).sum::<u32>() as usize;
         if open_count >= DENSE {
-            let answers = bounds(self, &footprints.offsets, &footprints.weights, BATCH);
-            for i in 0..BATCH {
+            let answers = bounds(self, &footprints.offsets, &footprints.weights, PIECE);
+            for i in 0..PIECE {
                 v[i] = if is_open[i] { answers[i] } else { v[i] };
             }
         } else if open_count > 0 {
@@ -226,26 +208,26 @@ impl BatchTest for Evsm {
 }
 
 /// With so many of a batch's pixels open it takes longer to pick them than to compute them all.
-const DENSE: usize = BATCH * 3 / 4;
+const DENSE: usize = PIECE * 3 / 4;
 
 /// The full formula for the open pixels of a batch, picked together.
 #[inline(always)]
-fn answer_some(test: &Evsm, footprints: &Footprints, is_open: &[bool; BATCH], v: &mut Lanes) {
-    let mut open = [0u8; BATCH];
+fn answer_some(test: &Evsm, footprints: &Footprints, is_open: &[bool; PIECE], v: &mut Lanes) {
+    let mut open = [0u8; PIECE];
     let mut count = 0;
     for (i, &is_open) in is_open.iter().enumerate() {
-        open[count & (BATCH - 1)] = i as u8;
+        open[count & (PIECE - 1)] = i as u8;
         count += usize::from(is_open);
     }
     let open = &open[..count];
-    let (mut offsets, mut weights) = ([[0.0; BATCH]; 4], [[0.0; BATCH]; 4]);
+    let (mut offsets, mut weights) = ([[0.0; PIECE]; 4], [[0.0; PIECE]; 4]);
     for k in 0..4 {
         for (j, &i) in open.iter().enumerate() {
             offsets[k][j] = footprints.offsets[k][usize::from(i)];
             weights[k][j] = footprints.weights[k][usize::from(i)];
         }
     }
-    let answers = bounds(test, &offsets, &weights, count.next_multiple_of(16).min(BATCH));
+    let answers = bounds(test, &offsets, &weights, count.next_multiple_of(16).min(PIECE));
     for (&i, &answer) in open.iter().zip(&answers) {
         v[usize::from(i)] = answer;
     }
@@ -255,7 +237,7 @@ fn answer_some(test: &Evsm, footprints: &Footprints, is_open: &[bool; BATCH], v:
 #[inline(always)]
 fn bounds(test: &Evsm, offsets: &[Lanes; 4], weights: &[Lanes; 4], count: usize) -> Lanes {
     let (up, down) = (test.positive(), test.negative());
-    let (mut warped_up, mut warped_down) = ([[0.0; BATCH]; 4], [[0.0; BATCH]; 4]);
+    let (mut warped_up, mut warped_down) = ([[0.0; PIECE]; 4], [[0.0; PIECE]; 4]);
     for k in 0..4 {
         let rows =
             warped_up[k][..count].iter_mut().zip(&mut warped_down[k][..count]).zip(&offsets[k][..count]);
@@ -264,7 +246,7 @@ fn bounds(test: &Evsm, offsets: &[Lanes; 4], weights: &[Lanes; 4], count: usize)
             *warped_down = 1.0 - float::exp_lane(-down * x);
         }
     }
-    let mut v = [0.0; BATCH];
+    let mut v = [0.0; PIECE];
     for (j, v) in v[..count].iter_mut().enumerate() {
         let lane = |of: &[Lanes; 4]| [of[0][j], of[1][j], of[2][j], of[3][j]];
         let w = lane(weights);
@@ -300,8 +282,9 @@ impl Spread {
 mod tests {
     use super::*;
     use lt_math::glam::{UVec2, Vec3, Vec4};
-    use lt_math::{LightFrame, LightProjection};
-    use lt_shaders::abi::LightParams;
+    use lt_math::{Levels, LightFrame, LightProjection};
+    use lt_shaders::abi::{LightParams, Sample};
+    use lt_shaders::evaluate::{GatheredDepths, evaluate, evaluate_levels};
 
     /// Samples all over a map and around it, of every state, with numbers that are none among them; and a map of layers,
     /// slopes, and depths that are out of range or NaN.
@@ -356,15 +339,19 @@ mod tests {
         p: &ShadowParams,
         maps: Maps<'_>,
     ) -> Vec<(f32, bool)> {
-        let (mut visibility, mut is_doubted) = (vec![0.5; samples.len()], vec![false; samples.len()]);
-        evaluate_each::<T, LTT>(samples, p, maps, &mut visibility, &mut is_doubted);
-        visibility.into_iter().zip(is_doubted).collect()
+        let map = GatheredDepths { depths: maps.depths };
+        let levels = Levels { projections: maps.projections, count: maps.projections.len() as u32 };
+        let verdict = |sample| match maps.margin_uv {
+            None => evaluate::<T, _, LTT>(sample, p, map),
+            Some(_) => evaluate_levels::<T, _, _, LTT>(sample, p, map, levels),
+        };
+        samples.iter().map(verdict).map(|verdict| (verdict.visibility, verdict.is_doubted)).collect()
     }
 
-    type Level<'a> = (&'a str, &'a dyn Fn(&[Sample], &ShadowParams, Maps<'_>, &mut [f32], &mut [bool]));
+    type Level<'a> = (&'a str, &'a dyn Fn(&[SampleRows], &ShadowParams, Maps<'_>, &mut [f32], &mut [bool]));
 
     fn check<T: BatchTest, const LTT: bool>(params: Vec4) {
-        for count in [0, 1, BATCH - 1, BATCH, BATCH + 1, 40 * BATCH + 5] {
+        for count in [0, 1, PIECE, 40 * PIECE + 5] {
             let (samples, mut p, depths) = hard_case(count);
             p.test = params;
             check_maps::<T, LTT>(
@@ -403,14 +390,15 @@ mod tests {
             vec![("portable", &evaluate_all::<T, LTT>), ("chosen", &evaluate_on::<T, LTT>)];
         #[cfg(target_arch = "x86_64")]
         if x86::has_avx2() {
-            levels.push(("avx2", &|samples, p, maps, lit, doubted| {
+            levels.push(("avx2", &|rows, p, maps, lit, doubted| {
                 // SAFETY: the processor has AVX2, as was asked.
-                unsafe { x86::evaluate_avx2::<T, LTT>(samples, p, maps, lit, doubted) }
+                unsafe { x86::evaluate_avx2::<T, LTT>(rows, p, maps, lit, doubted) }
             }));
         }
         for (name, level) in levels {
-            let (mut lit, mut doubted) = (vec![0.25; count], vec![false; count]);
-            level(samples, p, maps, &mut lit, &mut doubted);
+            let rows = SampleRows::of(samples);
+            let (mut lit, mut doubted) = (vec![0.25; rows.len() * PIECE], vec![false; rows.len() * PIECE]);
+            level(&rows, p, maps, &mut lit, &mut doubted);
             for (i, (&(v, is_doubted), (&lit, &doubted))) in
                 expected.iter().zip(lit.iter().zip(&doubted)).enumerate()
             {

@@ -1,16 +1,13 @@
 //! Where the pixels of a batch lie on a light's maps, and what is there: 64 at a time, in stages over arrays.
 //!
-//! The stages are those of [`super::batch`], which has the story; [`Rows`] serve [`super::mask_batch`] too.
+//! The stages are those of [`super::batch`], which has the story.
 
-use lt_math::glam::{Mat4, Vec4};
+use lt_math::glam::Vec4;
 use lt_math::{LightProjection, float};
-use lt_shaders::abi::{LightParams, Sample, ShadowParams};
+use lt_shaders::abi::ShadowParams;
 
-/// Pixels of a batch: its arrays stay in the first-level cache. Measured: 128 take 1.4 times as long, 32 as long.
-pub(super) const BATCH: usize = 64;
-
-/// A number for every pixel of a batch.
-pub(super) type Lanes = [f32; BATCH];
+use super::samples::{BLOCKED, Lanes, MAPPED, OUTSIDE, SampleRows};
+use super::tiles::PIECE;
 
 /// What a batch reads of a light's maps.
 #[derive(Clone, Copy)]
@@ -22,75 +19,10 @@ pub(super) struct Maps<'a> {
     pub margin_uv: Option<f32>,
 }
 
-/// Settled: nothing visible, or facing away.
-pub(super) const BLOCKED: u32 = 0;
-/// Settled: receives no shadow.
-pub(super) const LIT: u32 = 1;
-/// Not settled, and outside the map.
-pub(super) const OUTSIDE: u32 = 2;
-/// For the map to say.
-pub(super) const MAPPED: u32 = 3;
-
-/// The parts of a batch's samples that evaluation reads, each in a row of its own.
-pub(super) struct Rows {
-    pub(super) position: [Lanes; 3],
-    pub(super) normal: [Lanes; 3],
-    flags: [u32; BATCH],
-}
-
-impl Rows {
-    /// By four samples at a time, whose vectors are transposed in registers: left alone, compilers make seven gathers.
-    #[inline(always)]
-    pub(super) fn of(samples: &[Sample; BATCH]) -> Self {
-        let mut rows = Self { position: [[0.0; BATCH]; 3], normal: [[0.0; BATCH]; 3], flags: [0; BATCH] };
-        for (group, four) in samples.as_chunks::<4>().0.iter().enumerate() {
-            let at = 4 * group..4 * group + 4;
-            let [x, y, z, _] = transposed(four.map(|s| s.position.extend(s.magnitude)));
-            rows.position[0][at.clone()].copy_from_slice(&x);
-            rows.position[1][at.clone()].copy_from_slice(&y);
-            rows.position[2][at.clone()].copy_from_slice(&z);
-            let [x, y, z, flags] = transposed(four.map(|s| s.normal.extend(f32::from_bits(s.flags))));
-            rows.normal[0][at.clone()].copy_from_slice(&x);
-            rows.normal[1][at.clone()].copy_from_slice(&y);
-            rows.normal[2][at.clone()].copy_from_slice(&z);
-            rows.flags[at].copy_from_slice(&flags.map(f32::to_bits));
-        }
-        rows
-    }
-
-    /// [`lt_shaders::evaluate::settle`]: `BLOCKED`, `LIT`, or `MAPPED` if that settles nothing.
-    #[inline(always)]
-    pub(super) fn settle(&self, light: &LightParams) -> [u32; BATCH] {
-        let [x, y, z] = &self.position;
-        let [nx, ny, nz] = &self.normal;
-        let [lx, ly, lz, lw] = light.place.to_array();
-        let [ax, ay, az] = light.axis.to_array();
-        let mut states = [BLOCKED; BATCH];
-        for i in 0..BATCH {
-            let is_valid = (nx[i] != 0.0) | (ny[i] != 0.0) | (nz[i] != 0.0);
-            let (tx, ty, tz) = (lx - x[i] * lw, ly - y[i] * lw, lz - z[i] * lw);
-            let facing = nx[i] * tx + ny[i] * ty + nz[i] * tz;
-            let squared = tx * tx + ty * ty + tz * tz;
-            let along = -(tx * ax + ty * ay + tz * az);
-            let reaches = (lw == 0.0)
-                | ((squared <= light.range_squared) & (along >= light.cos_outer * squared.sqrt()));
-            let open = if self.flags[i] & Sample::RECEIVES == 0 { LIT } else { MAPPED };
-            states[i] = if is_valid & (facing > 0.0) & reaches { open } else { BLOCKED };
-        }
-        states
-    }
-}
-
-/// The channels of four vectors.
-#[inline(always)]
-fn transposed(v: [Vec4; 4]) -> [[f32; 4]; 4] {
-    Mat4::from_cols(v[0], v[1], v[2], v[3]).transpose().to_cols_array_2d()
-}
-
 /// A batch's pixels on the levels that answer for them, first where they lie ([`Footprints::find`]), then what is there
 /// ([`Footprints::gather`]). Pixels that no level answers have numbers, too.
 pub struct Footprints {
-    pub(super) states: [u32; BATCH],
+    pub(super) states: [u32; PIECE],
     /// Whether any is for the map to say.
     pub(super) is_any_open: bool,
     u: Lanes,
@@ -98,7 +30,7 @@ pub struct Footprints {
     receivers: Lanes,
     pub(super) weights: [Lanes; 4],
     /// Numbers of the four texels.
-    texels: [[u32; BATCH]; 4],
+    texels: [[u32; PIECE]; 4],
     /// Their depths minus the receiver's, each limited to \[0, 1\] before.
     pub(super) offsets: [Lanes; 4],
 }
@@ -106,34 +38,33 @@ pub struct Footprints {
 impl Footprints {
     pub(super) fn new() -> Self {
         Self {
-            states: [BLOCKED; BATCH],
+            states: [BLOCKED; PIECE],
             is_any_open: false,
-            u: [0.0; BATCH],
-            v: [0.0; BATCH],
-            receivers: [0.0; BATCH],
-            weights: [[0.0; BATCH]; 4],
-            texels: [[0; BATCH]; 4],
-            offsets: [[0.0; BATCH]; 4],
+            u: [0.0; PIECE],
+            v: [0.0; PIECE],
+            receivers: [0.0; PIECE],
+            weights: [[0.0; PIECE]; 4],
+            texels: [[0; PIECE]; 4],
+            offsets: [[0.0; PIECE]; 4],
         }
     }
 
     /// Settles and projects, and finds who is `OUTSIDE`.
     #[inline(always)]
-    pub(super) fn find(&mut self, samples: &[Sample; BATCH], p: &ShadowParams, maps: Maps<'_>) {
-        let rows = Rows::of(samples);
+    pub(super) fn find(&mut self, rows: &SampleRows, p: &ShadowParams, maps: Maps<'_>) {
         self.states = rows.settle(&p.light);
         self.is_any_open = self.states.iter().fold(false, |any, &s| any | (s == MAPPED));
         if !self.is_any_open {
             return;
         }
-        (self.u, self.v, self.receivers) = ([0.0; BATCH], [0.0; BATCH], [0.0; BATCH]);
-        let mut first_texels = [0; BATCH];
+        (self.u, self.v, self.receivers) = ([0.0; PIECE], [0.0; PIECE], [0.0; PIECE]);
+        let mut first_texels = [0; PIECE];
         let mut is_sought = self.states.map(|state| u32::from(state == MAPPED));
         for (level, projection) in maps.projections.iter().enumerate() {
             let first_texel = level as u32 * p.map_size * p.map_size;
             if projection.row_w == Vec4::W {
                 self.try_level::<true>(
-                    &rows,
+                    rows,
                     projection,
                     maps.margin_uv,
                     first_texel,
@@ -142,7 +73,7 @@ impl Footprints {
                 );
             } else {
                 self.try_level::<false>(
-                    &rows,
+                    rows,
                     projection,
                     maps.margin_uv,
                     first_texel,
@@ -165,12 +96,12 @@ impl Footprints {
     #[inline(always)]
     fn try_level<const PARALLEL: bool>(
         &mut self,
-        rows: &Rows,
+        rows: &SampleRows,
         projection: &LightProjection,
         margin_uv: Option<f32>,
         first_texel: u32,
-        first_texels: &mut [u32; BATCH],
-        is_sought: &mut [u32; BATCH],
+        first_texels: &mut [u32; PIECE],
+        is_sought: &mut [u32; PIECE],
     ) {
         let [x, y, z] = &rows.position;
         let [row_x, row_y, row_z, row_w] =
@@ -178,7 +109,7 @@ impl Footprints {
         // Without a margin all of [0, 1] is inside: the same comparisons.
         let margin = margin_uv.unwrap_or(0.0);
         let (low, high) = (margin, 1.0 - margin);
-        for i in 0..BATCH {
+        for i in 0..PIECE {
             let along = |r: [f32; 4]| r[0] * x[i] + r[1] * y[i] + r[2] * z[i] + r[3] * 1.0;
             let w = if PARALLEL { 1.0 } else { along(row_w) };
             let (at_u, at_v, depth) = (along(row_x) / w, along(row_y) / w, along(row_z));
@@ -196,7 +127,7 @@ impl Footprints {
 
     /// The four texels around each place, and their weights.
     #[inline(always)]
-    fn find_texels(&mut self, map_size: u32, first_texels: &[u32; BATCH]) {
+    fn find_texels(&mut self, map_size: u32, first_texels: &[u32; PIECE]) {
         let (size, last) = (map_size as f32, map_size as i32 - 1);
         for (i, first_texel) in first_texels.iter().enumerate() {
             let (x, y) = (self.u[i] * size - 0.5, self.v[i] * size - 0.5);
@@ -220,7 +151,7 @@ impl Footprints {
 
     #[inline(always)]
     pub(super) fn gather(&mut self, depths: &[f32]) {
-        for i in 0..BATCH {
+        for i in 0..PIECE {
             for (offsets, texels) in self.offsets.iter_mut().zip(&self.texels) {
                 offsets[i] = depths[texels[i] as usize];
             }

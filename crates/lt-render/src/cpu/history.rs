@@ -6,8 +6,8 @@ use rayon::prelude::*;
 
 use super::asks::Asks;
 use super::mask_batch::Frames;
-use super::planes::{BlockBits, PIECE, load_piece, pack, store_piece};
-use super::tiles::{BLOCK, Tiles};
+use super::planes::{BlockBits, load_piece, pack, store_piece};
+use super::tiles::{BLOCK, PIECE, Tiles};
 use crate::MaskEffects;
 
 /// What one technique remembers of its last frame, and what it is about to remember of this one.

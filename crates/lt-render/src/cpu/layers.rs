@@ -9,16 +9,19 @@ use lt_shaders::layers::{Surfaces, layer_at_hit, next_ray};
 use lt_shaders::shade::{LinearSource, color, layer_color, light_on};
 use rayon::prelude::*;
 
-use super::tiles::{BLOCK, Tiles};
+use super::samples::{Look, Points, SampleRows, keep, points};
+use super::tiles::{BLOCK, PIECE, Tiles};
 use super::{View, resize, tracer};
 use crate::ShadedLight;
 
 /// One layer of what the camera sees, in tile order.
 #[derive(Default)]
 pub struct Seen {
-    pub samples: Vec<Sample>,
+    pub rows: Vec<SampleRows>,
+    /// What shading alone reads of each sample.
+    pub looks: Vec<Look>,
     /// Where each sample was in the last frame; empty while nothing in the scene moves.
-    pub previous: Vec<Vec3>,
+    pub previous: Vec<Points>,
     /// What lies before each sample, nothing in the first layer; empty where that is the only one.
     pub sights: Vec<Sight>,
 }
@@ -26,9 +29,15 @@ pub struct Seen {
 impl Seen {
     /// Makes room for so many samples, and drops what is not needed.
     pub fn resize(&mut self, len: usize, object_motion: bool, has_layers: bool) {
-        resize(&mut self.samples, len);
-        resize(&mut self.previous, if object_motion { len } else { 0 });
+        resize(&mut self.rows, len / PIECE);
+        resize(&mut self.looks, len);
+        resize(&mut self.previous, if object_motion { len / PIECE } else { 0 });
         resize(&mut self.sights, if has_layers { len } else { 0 });
+    }
+
+    /// One sample, whole.
+    pub fn sample(&self, i: usize) -> Sample {
+        self.rows[i / PIECE].shaded_sample(i % PIECE, &self.looks[i])
     }
 }
 
@@ -46,16 +55,21 @@ pub fn see(view: View<'_>, seen: &mut [Seen]) {
     let mut beyond = vec![Sight::default(); tiles.len()];
     for layer in 0..seen.len() {
         let p = CameraParams { layers_behind: (seen.len() - 1 - layer) as u32, ..*view.params };
-        let Seen { samples, previous, sights } = &mut seen[layer];
+        let Seen { rows, looks, previous, sights } = &mut seen[layer];
         trace(View { params: &p, ..view }, sights, &mut hits);
-        samples.par_iter_mut().zip(&mut beyond).zip(sights.par_iter()).zip(&hits).for_each(
-            |(((sample, beyond), sight), hit)| {
+        let found = hits.par_chunks(PIECE).zip(sights.par_chunks(PIECE));
+        let pieces = rows.par_iter_mut().zip(looks.par_chunks_mut(PIECE)).zip(beyond.par_chunks_mut(PIECE));
+        pieces.zip(found).for_each(|(((rows, looks), beyond), (hits, sights))| {
+            let mut samples = [Sample::default(); PIECE];
+            for (((sample, beyond), sight), hit) in samples.iter_mut().zip(beyond).zip(sights).zip(hits) {
                 (*sample, *beyond) = layer_at_hit(hit, &p, sight, geometry, surfaces);
-            },
-        );
+            }
+            *rows = keep(&samples, looks);
+        });
         // Empty where nothing moves.
-        previous.par_iter_mut().zip(&hits).for_each(|(previous, hit)| {
-            *previous = previous_position(hit, geometry, scene.previous_positions());
+        previous.par_iter_mut().zip(hits.par_chunks(PIECE)).for_each(|(previous, hits)| {
+            let before = |hit| previous_position(hit, geometry, scene.previous_positions());
+            *previous = points(hits.iter().map(before));
         });
         if let Some(next) = seen.get_mut(layer + 1) {
             next.sights.copy_from_slice(&beyond);
@@ -94,7 +108,7 @@ impl LinearSource for LitTiles<'_> {
     fn linear(&self, at: UVec2) -> Vec3 {
         let (i, row_by_row) = (self.tiles.index(at), (at.y * self.tiles.size().x + at.x) as usize);
         let layers = self.seen.iter().zip(self.lights).map(|(seen, lights)| {
-            let sample = &seen.samples[i];
+            let sample = &seen.sample(i);
             let given = |l: &ShadedLight<'_>| {
                 let reaching = l.tint.get(row_by_row).map_or(Vec3::ONE, |t| *t) * l.visibility[row_by_row];
                 light_on(sample, reaching, &l.params)

@@ -4,18 +4,16 @@
 //! branches, compiled for several instruction sets as in [`super::batch`]: place in the last frame, ask, decide.
 
 use lt_math::float;
-use lt_math::glam::{UVec2, Vec3};
-use lt_shaders::abi::{CameraParams, MaskParams, Sample};
+use lt_math::glam::UVec2;
+use lt_shaders::abi::{CameraParams, MaskParams};
 use lt_shaders::evaluate::Verdict;
 use lt_shaders::sampling::sample_place;
 
 use super::asks::Asks;
-use super::footprints::{BATCH, LIT, Lanes, MAPPED, Rows};
-use super::planes::{BlockBits, PIECE, load_piece, pack, place_in_block, store_piece};
-use super::tiles::{SIDE, Tiles};
+use super::planes::{BlockBits, load_piece, pack, place_in_block, store_piece};
+use super::samples::{LIT, Lanes, MAPPED, Points, SampleRows};
+use super::tiles::{PIECE, SIDE, Tiles};
 use crate::MaskEffects;
-
-const _: () = assert!(BATCH == PIECE);
 
 /// What the kernel knows of both frames.
 #[derive(Clone, Copy)]
@@ -37,9 +35,9 @@ pub struct Frames<'a> {
 /// One block's pixels in tile order, [`super::tiles::BLOCK`] of each.
 pub struct BlockPixels<'a> {
     /// Visible samples.
-    pub samples: &'a [Sample],
+    pub rows: &'a [SampleRows],
     /// Where they were in the last frame; empty if only the camera moves.
-    pub previous: &'a [Vec3],
+    pub previous: &'a [Points],
     /// The estimate; becomes 0 or 1.
     pub visibility: &'a mut [f32],
     /// Becomes who needs a ray.
@@ -93,11 +91,11 @@ fn mask_any(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) -> u16 {
 
 /// Where the pixels of a batch were in the last frame.
 struct Places {
-    x: [u32; BATCH],
-    y: [u32; BATCH],
+    x: [u32; PIECE],
+    y: [u32; PIECE],
     /// 1 where that is on the screen and the same surface, else 0; x and y are then on the screen all the same.
-    is_valid: [u32; BATCH],
-    has_moved: [u32; BATCH],
+    is_valid: [u32; PIECE],
+    has_moved: [u32; PIECE],
 }
 
 #[inline(always)]
@@ -107,28 +105,27 @@ fn mask_all<const MOTION: bool, const DEPTH: bool>(
     pixels: BlockPixels<'_>,
 ) -> u16 {
     let Frames { tiles, params: p, effects, .. } = frames;
-    let BlockPixels { samples, previous, visibility, is_doubted, bits, depths } = pixels;
+    let BlockPixels { rows, previous, visibility, is_doubted, bits, depths } = pixels;
     let origin = tiles.origin(block);
     let mut asking = 0;
     let turns = (p.refresh != 0).then(|| Turns::of(p.refresh, p.frame));
-    let batches = samples.as_chunks::<BATCH>().0.iter().zip(visibility.as_chunks_mut::<BATCH>().0);
-    for (piece, ((samples, estimates), is_doubted)) in
-        batches.zip(is_doubted.as_chunks_mut::<BATCH>().0).enumerate()
+    let pieces = rows.iter().zip(visibility.as_chunks_mut::<PIECE>().0);
+    for (piece, ((rows, estimates), is_doubted)) in
+        pieces.zip(is_doubted.as_chunks_mut::<PIECE>().0).enumerate()
     {
-        let rows = Rows::of(samples);
         let states = rows.settle(&p.light);
         let is_any_open = states.iter().fold(false, |any, &s| any | (s == MAPPED));
         if DEPTH {
-            let depths = &mut depths[piece * BATCH..][..BATCH];
+            let depths = &mut depths[piece * PIECE..][..PIECE];
             let depth = depth_along(&rows.position, &p.current);
-            for i in 0..BATCH {
+            for i in 0..PIECE {
                 let is_valid =
                     (rows.normal[0][i] != 0.0) | (rows.normal[1][i] != 0.0) | (rows.normal[2][i] != 0.0);
                 depths[i] = if is_valid { depth[i] } else { 0.0 };
             }
         }
         if !is_any_open {
-            for i in 0..BATCH {
+            for i in 0..PIECE {
                 estimates[i] = if states[i] == LIT { 1.0 } else { 0.0 };
                 is_doubted[i] = false;
             }
@@ -137,13 +134,9 @@ fn mask_all<const MOTION: bool, const DEPTH: bool>(
             store_piece(&mut bits.hit, piece, 0);
             continue;
         }
-        let before = match previous.is_empty() || !(MOTION || DEPTH) {
-            true => None,
-            false => Some(rows_of_points(&previous[piece * BATCH..][..BATCH])),
-        };
-        let before = before.as_ref().unwrap_or(&rows.position);
+        let before = previous.get(piece).unwrap_or(&rows.position);
         let mut places = in_this_frame(tiles, origin, piece);
-        let is_due = turns.as_ref().map_or([0; BATCH], |turns| turns.due(origin, piece));
+        let is_due = turns.as_ref().map_or([0; PIECE], |turns| turns.due(origin, piece));
         if MOTION {
             places.follow(&rows.position, before, p);
         }
@@ -160,8 +153,8 @@ fn mask_all<const MOTION: bool, const DEPTH: bool>(
         }
         let expands = u32::from(effects.expands);
         let asked = ask(frames, &places, estimates);
-        let (mut shadowed, mut traced, mut kept) = ([0u8; BATCH], [0u8; BATCH], [0u8; BATCH]);
-        for i in 0..BATCH {
+        let (mut shadowed, mut traced, mut kept) = ([0u8; PIECE], [0u8; PIECE], [0u8; PIECE]);
+        for i in 0..PIECE {
             let v = estimates[i];
             let st = u32::from(v < lt_mask::SHADOW_TEST_THRESHOLD);
             let is_between = u32::from(v > 0.0) & u32::from(v < 1.0);
@@ -180,7 +173,7 @@ fn mask_all<const MOTION: bool, const DEPTH: bool>(
             let settled = if states[i] == LIT { 1.0 } else { 0.0 };
             estimates[i] = if is_open != 0 { snapped } else { settled };
         }
-        for i in 0..BATCH {
+        for i in 0..PIECE {
             is_doubted[i] = traced[i] != 0;
         }
         store_piece(&mut bits.shadowed, piece, pack(&shadowed));
@@ -195,11 +188,11 @@ fn mask_all<const MOTION: bool, const DEPTH: bool>(
 /// The pixels themselves: where they were if nothing moved.
 #[inline(always)]
 fn in_this_frame(tiles: Tiles, origin: UVec2, piece: usize) -> Places {
-    let corner = place_in_block((piece * BATCH) as u32);
+    let corner = place_in_block((piece * PIECE) as u32);
     let last = tiles.size() - 1;
-    let mut places = Places { x: [0; BATCH], y: [0; BATCH], is_valid: [1; BATCH], has_moved: [0; BATCH] };
+    let mut places = Places { x: [0; PIECE], y: [0; PIECE], is_valid: [1; PIECE], has_moved: [0; PIECE] };
     let [columns, rows] = &IN_PIECE;
-    for i in 0..BATCH {
+    for i in 0..PIECE {
         // Padding has nothing to say, but must not read outside.
         places.x[i] = (origin.x + corner.0 + columns[i]).min(last.x);
         places.y[i] = (origin.y + corner.1 + rows[i]).min(last.y);
@@ -212,7 +205,7 @@ struct Turns {
     period: u32,
     frame: u32,
     /// How far each pixel's turn is from that of the piece's first pixel, below the period.
-    offsets: [u32; BATCH],
+    offsets: [u32; PIECE],
 }
 
 impl Turns {
@@ -224,8 +217,8 @@ impl Turns {
     }
 
     #[inline(always)]
-    fn due(&self, origin: UVec2, piece: usize) -> [u32; BATCH] {
-        let corner = place_in_block((piece * BATCH) as u32);
+    fn due(&self, origin: UVec2, piece: usize) -> [u32; PIECE] {
+        let corner = place_in_block((piece * PIECE) as u32);
         let (x, y) = (origin.x + corner.0, origin.y + corner.1);
         let period = self.period;
         let first = (x + y * lt_mask::refresh_stride(period) + self.frame % period) % period;
@@ -234,10 +227,10 @@ impl Turns {
 }
 
 /// Column and row in a piece, by position.
-const IN_PIECE: [[u32; BATCH]; 2] = {
-    let mut at = [[0; BATCH]; 2];
+const IN_PIECE: [[u32; PIECE]; 2] = {
+    let mut at = [[0; PIECE]; 2];
     let mut i = 0;
-    while i < BATCH {
+    while i < PIECE {
         let mut bit = 0;
         while bit < 3 {
             at[0][i] |= ((i >> (2 * bit) & 1) << bit) as u32;
@@ -252,12 +245,12 @@ const IN_PIECE: [[u32; BATCH]; 2] = {
 impl Places {
     /// [`lt_mask::reproject`] by [`lt_shaders::mask::motion_px`], and not behind the last camera.
     #[inline(always)]
-    fn follow(&mut self, position: &[Lanes; 3], before: &[Lanes; 3], p: &MaskParams) {
+    fn follow(&mut self, position: &Points, before: &Points, p: &MaskParams) {
         let (now_x, now_y, _) = place_ndc(position, &p.current);
         let (then_x, then_y, depth) = place_ndc(before, &p.previous);
         let (width, height) = (p.current.size.x as f32, p.current.size.y as f32);
         let camera_rests = p.flags & MaskParams::CAMERA_RESTS != 0;
-        for i in 0..BATCH {
+        for i in 0..PIECE {
             let is_same = |axis: usize| position[axis][i] == before[axis][i];
             let rests = camera_rests & is_same(0) & is_same(1) & is_same(2);
             let x = (then_x[i] - now_x[i]) * 0.5 * width;
@@ -288,11 +281,11 @@ impl Places {
 
 /// Per pixel, whether its neighbourhood contradicts its shadow test.
 #[inline(always)]
-fn ask(frames: Frames<'_>, places: &Places, estimates: &[f32; BATCH]) -> [u32; BATCH] {
+fn ask(frames: Frames<'_>, places: &Places, estimates: &[f32; PIECE]) -> [u32; PIECE] {
     let words = frames.asks.rows().as_flattened();
     let columns = frames.tiles.columns();
-    let mut at = [0; BATCH];
-    for i in 0..BATCH {
+    let mut at = [0; PIECE];
+    for i in 0..PIECE {
         let (x, y) = (places.x[i], places.y[i]);
         let st = u32::from(estimates[i] < lt_mask::SHADOW_TEST_THRESHOLD);
         let row = ((y / SIDE) * columns + x / SIDE) * SIDE + y % SIDE;
@@ -307,12 +300,12 @@ fn ask(frames: Frames<'_>, places: &Places, estimates: &[f32; BATCH]) -> [u32; B
 
 /// [`lt_shaders::mask::place_ndc`] and [`lt_shaders::mask::view_depth`] of a batch.
 #[inline(always)]
-fn place_ndc(position: &[Lanes; 3], camera: &CameraParams) -> (Lanes, Lanes, Lanes) {
+fn place_ndc(position: &Points, camera: &CameraParams) -> (Lanes, Lanes, Lanes) {
     let eye = camera.eye.to_array();
     let [right, up, forward] = [camera.right, camera.up, camera.forward].map(|v| v.to_array());
     let (width, height) = (camera.right.length_squared(), camera.up.length_squared());
-    let (mut x, mut y, mut depths) = ([0.0; BATCH], [0.0; BATCH], [0.0; BATCH]);
-    for i in 0..BATCH {
+    let (mut x, mut y, mut depths) = ([0.0; PIECE], [0.0; PIECE], [0.0; PIECE]);
+    for i in 0..PIECE {
         let to = [position[0][i] - eye[0], position[1][i] - eye[1], position[2][i] - eye[2]];
         let along = |v: [f32; 3]| to[0] * v[0] + to[1] * v[1] + to[2] * v[2];
         let depth = along(forward);
@@ -325,35 +318,25 @@ fn place_ndc(position: &[Lanes; 3], camera: &CameraParams) -> (Lanes, Lanes, Lan
 
 /// [`lt_shaders::mask::view_depth`] of a batch.
 #[inline(always)]
-fn depth_along(position: &[Lanes; 3], camera: &CameraParams) -> Lanes {
+fn depth_along(position: &Points, camera: &CameraParams) -> Lanes {
     let (eye, forward) = (camera.eye.to_array(), camera.forward.to_array());
-    let mut depths = [0.0; BATCH];
-    for i in 0..BATCH {
+    let mut depths = [0.0; PIECE];
+    for i in 0..PIECE {
         let to = [position[0][i] - eye[0], position[1][i] - eye[1], position[2][i] - eye[2]];
         depths[i] = to[0] * forward[0] + to[1] * forward[1] + to[2] * forward[2];
     }
     depths
 }
 
-/// Coordinates of points in rows of their own.
-#[inline(always)]
-fn rows_of_points(points: &[Vec3]) -> [Lanes; 3] {
-    let mut rows = [[0.0; BATCH]; 3];
-    for (i, point) in points.iter().enumerate() {
-        rows[0][i] = point.x;
-        rows[1][i] = point.y;
-        rows[2][i] = point.z;
-    }
-    rows
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::history::History;
-    use super::super::tiles::BLOCK;
+    use super::super::samples::points;
+    use super::super::tiles::{BLOCK, PIECES};
     use super::*;
     use lt_mask::{Expansion, MaskBits, Pattern};
-    use lt_shaders::abi::LightParams;
+    use lt_math::glam::Vec3;
+    use lt_shaders::abi::{LightParams, Sample};
     use lt_shaders::mask::{BitsPlace, DepthHistory, bits_after_ray, mask, seen_depth};
 
     fn camera(size: UVec2, eye: Vec3) -> CameraParams {
@@ -416,6 +399,10 @@ mod tests {
         (0..tiles.len()).map(|i| at(i).map_or(T::default(), read)).collect()
     }
 
+    fn pieces_of(all: &[Vec3]) -> Vec<Points> {
+        all.chunks(PIECE).map(|piece| points(piece.iter().copied())).collect()
+    }
+
     fn shared<const M: bool, const D: bool>(
         case: &(Vec<Sample>, Vec<Vec3>, Vec<f32>),
         p: &MaskParams,
@@ -461,8 +448,8 @@ mod tests {
                 .iter()
                 .map(|m| if m.needs_ray { f32::from(u8::from(unit() > 0.4)) } else { m.visibility })
                 .collect();
-            let samples = to_tiles(tiles, &case.0);
-            let previous = if object_motion { to_tiles(tiles, &case.1) } else { Vec::new() };
+            let rows = SampleRows::of(&to_tiles(tiles, &case.0));
+            let previous = if object_motion { pieces_of(&to_tiles(tiles, &case.1)) } else { Vec::new() };
             let (mut lit, mut doubted) = (to_tiles(tiles, &case.2), vec![false; tiles.len()]);
             history.begin(tiles, Some(effects));
             let seen_rays = to_tiles(tiles, &rays);
@@ -470,8 +457,8 @@ mod tests {
             for (block, memory) in open.blocks.iter_mut().enumerate() {
                 let range = block * BLOCK..(block + 1) * BLOCK;
                 let pixels = BlockPixels {
-                    samples: &samples[range.clone()],
-                    previous: previous.get(range.clone()).unwrap_or(&[]),
+                    rows: &rows[block * PIECES..(block + 1) * PIECES],
+                    previous: previous.get(block * PIECES..(block + 1) * PIECES).unwrap_or(&[]),
                     visibility: &mut lit[range.clone()],
                     is_doubted: &mut doubted[range.clone()],
                     bits: memory.bits,
@@ -545,7 +532,8 @@ mod tests {
         let size = UVec2::new(45, 33);
         let tiles = Tiles::new(size);
         let case = hard_case(size, &mut random(3));
-        let (samples, previous) = (to_tiles(tiles, &case.0), to_tiles(tiles, &case.1));
+        let (rows, previous) =
+            (SampleRows::of(&to_tiles(tiles, &case.0)), pieces_of(&to_tiles(tiles, &case.1)));
         let mut unit = random(9);
         let last: Vec<BlockBits> = (0..tiles.len() / BLOCK)
             .map(|_| {
@@ -576,8 +564,8 @@ mod tests {
                 let (mut is_doubted, mut depths) = (vec![false; BLOCK], vec![0.0; BLOCK]);
                 let mut bits = BlockBits::default();
                 let pixels = BlockPixels {
-                    samples: &samples[range.clone()],
-                    previous: &previous[range],
+                    rows: &rows[block * PIECES..(block + 1) * PIECES],
+                    previous: &previous[block * PIECES..(block + 1) * PIECES],
                     visibility: &mut visibility,
                     is_doubted: &mut is_doubted,
                     bits: &mut bits,

@@ -13,6 +13,7 @@ mod mask_batch;
 mod perspective;
 mod planes;
 mod raster;
+mod samples;
 mod shadow;
 mod shortcut;
 mod tiles;
@@ -32,13 +33,13 @@ use lt_shaders::abi::{CameraParams, FilterParams, Sample};
 use lt_shaders::camera::{
     ColorSource, ColorTextures, NoColorTextures, previous_position, primary_ray, sample_at_hit,
 };
-use lt_shaders::evaluate::settle;
 use lt_shaders::filter::{filter_x, filter_y};
 use lt_shaders::geometry::{FlatGeometry, Geometry, InstancedGeometry};
 use lt_shaders::shade::shade_mean;
 use rayon::prelude::*;
+use samples::{Look, MAPPED, Points, keep, points};
 use shadow::PixelMs;
-use tiles::{BLOCK, Tiles};
+use tiles::{BLOCK, PIECE, PIECES, Tiles};
 
 use crate::light_space;
 use crate::packed::Trees;
@@ -48,6 +49,7 @@ use crate::{
 };
 
 pub use batch::{BatchTest, evaluate_batch, evaluate_batch_levels};
+pub use samples::SampleRows;
 
 /// See the [module](self).
 pub struct CpuBackend {
@@ -178,7 +180,8 @@ impl Backend for CpuBackend {
     }
 
     fn samples(&mut self) -> Result<Vec<Vec<Sample>>, RenderError> {
-        Ok(self.seen.iter().map(|seen| self.tiles.to_rows(&seen.samples)).collect())
+        let whole = |seen: &Seen| -> Vec<Sample> { (0..self.tiles.len()).map(|i| seen.sample(i)).collect() };
+        Ok(self.seen.iter().map(|seen| self.tiles.to_rows(&whole(seen))).collect())
     }
 
     fn begin(&mut self, job: &FrameJob) -> Result<(), RenderError> {
@@ -205,6 +208,8 @@ impl Backend for CpuBackend {
     }
 
     fn pass(&mut self, kind: PassKind, job: &FrameJob) -> Result<(), RenderError> {
+        // Waking threads that had nothing to do between frames takes milliseconds on a virtual machine, and is no part of a pass.
+        rayon::broadcast(|_| ());
         let start = Instant::now();
         let slot = &mut self.slots[self.slot];
         match (kind, &job.map, job.plan.map) {
@@ -251,7 +256,7 @@ impl Backend for CpuBackend {
                 self.rays += tint::trace(
                     &self.scene,
                     job,
-                    &self.seen[self.layer].samples,
+                    &self.seen[self.layer].rows,
                     &self.visibility,
                     &mut self.tint,
                 );
@@ -270,8 +275,8 @@ impl Backend for CpuBackend {
             + size_of_val(&slot.vectors[..]);
         let mut doubt = self.tiles.to_rows(&self.is_doubted);
         if job.plan.trace_all {
-            let lit_side = |s: &Sample| !settle(s, &job.shadow.light).1;
-            let traced: Vec<bool> = self.seen[self.layer].samples.iter().map(lit_side).collect();
+            let is_traced = |rows: &SampleRows| rows.settle(&job.shadow.light).map(|state| state == MAPPED);
+            let traced: Vec<bool> = self.seen[self.layer].rows.iter().flat_map(is_traced).collect();
             doubt = self.tiles.to_rows(&traced);
         }
         Ok(Frame {
@@ -339,17 +344,16 @@ struct View<'a> {
 
 /// The camera pass over all tiles; `seen.previous` is empty, or also gets where every sample was in the last frame.
 fn see<A: AnyHit + Sync, C: ColorSource + Sync>(view: View<'_>, any_hit: A, colors: C, seen: &mut Seen) {
-    let Seen { samples, previous, .. } = seen;
     let scene = view.scene;
     let (nodes, triangles) = (scene.nodes(), scene.triangles());
     match scene.trees() {
         Trees::Flat(_) => {
-            see_geometry(view, FlatGeometry { nodes, triangles }, any_hit, colors, samples, previous);
+            see_geometry(view, FlatGeometry { nodes, triangles }, any_hit, colors, seen);
         }
         Trees::Instanced(_) => {
             let geometry =
                 InstancedGeometry { nodes, triangles, instances: scene.instances(), root: scene.root() };
-            see_geometry(view, geometry, any_hit, colors, samples, previous);
+            see_geometry(view, geometry, any_hit, colors, seen);
         }
     }
 }
@@ -359,30 +363,34 @@ fn see_geometry<G: Geometry + Sync, A: AnyHit + Sync, C: ColorSource + Sync>(
     geometry: G,
     any_hit: A,
     colors: C,
-    samples: &mut [Sample],
-    previous: &mut [Vec3],
+    seen: &mut Seen,
 ) {
     let View { scene, tiles, params: p } = view;
     let tracer = tracer(scene);
-    let see_block = |block: usize, samples: &mut [Sample], previous: &mut [Vec3]| {
+    let see_block = |block: usize, rows: &mut [SampleRows], looks: &mut [Look], previous: &mut [Points]| {
         let pixels: Vec<Option<UVec2>> = (0..BLOCK).map(|i| tiles.pixel(block, i)).collect();
         let rays: Vec<Ray> =
             pixels.iter().map(|px| px.map_or(Ray::default(), |px| primary_ray(px, p))).collect();
         let mut hits = vec![Hit::miss(0.0); BLOCK];
         tracer.closest_batch(&rays, any_hit, &mut hits);
-        for (sample, hit) in samples.iter_mut().zip(&hits) {
-            *sample = sample_at_hit(hit, p, geometry, scene.vertices(), scene.materials(), colors);
+        let pieces = rows.iter_mut().zip(looks.chunks_exact_mut(PIECE)).zip(hits.as_chunks::<PIECE>().0);
+        for ((rows, looks), hits) in pieces {
+            let samples =
+                hits.map(|hit| sample_at_hit(&hit, p, geometry, scene.vertices(), scene.materials(), colors));
+            *rows = keep(&samples, looks);
         }
-        for (previous, hit) in previous.iter_mut().zip(&hits) {
-            *previous = previous_position(hit, geometry, scene.previous_positions());
+        for (previous, hits) in previous.iter_mut().zip(hits.chunks_exact(PIECE)) {
+            let before = |hit| previous_position(hit, geometry, scene.previous_positions());
+            *previous = points(hits.iter().map(before));
         }
     };
-    let blocks = samples.par_chunks_mut(BLOCK);
+    let Seen { rows, looks, previous, .. } = seen;
+    let blocks = rows.par_chunks_mut(PIECES).zip(looks.par_chunks_mut(BLOCK));
     if previous.is_empty() {
-        blocks.enumerate().for_each(|(block, samples)| see_block(block, samples, &mut []));
+        blocks.enumerate().for_each(|(block, (rows, looks))| see_block(block, rows, looks, &mut []));
     } else {
-        let both = blocks.zip(previous.par_chunks_mut(BLOCK)).enumerate();
-        both.for_each(|(block, (samples, previous))| see_block(block, samples, previous));
+        let all = blocks.zip(previous.par_chunks_mut(PIECES)).enumerate();
+        all.for_each(|(block, ((rows, looks), previous))| see_block(block, rows, looks, previous));
     }
 }
 

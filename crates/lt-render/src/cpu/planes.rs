@@ -5,7 +5,7 @@
 
 use lt_mask::MaskBits;
 
-use super::tiles::{BLOCK, SIDE};
+use super::tiles::{BLOCK, PIECE, SIDE};
 
 /// The bits of one block; bit x of word y is the pixel at (x, y) in it. Bits outside the picture may be anything.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -17,9 +17,6 @@ pub struct BlockBits {
     /// RS: it hit something; 0 where none was traced.
     pub hit: [u32; SIDE as usize],
 }
-
-/// Pixels of a batch, an eight by eight piece of a block.
-pub const PIECE: usize = 64;
 
 impl BlockBits {
     /// What a pixel at (x, y) of the block remembers.
@@ -50,8 +47,11 @@ pub fn place_in_block(index: u32) -> (u32, u32) {
 #[inline(always)]
 pub fn store_piece(rows: &mut [u32; SIDE as usize], piece: usize, bits: u64) {
     let (x, y) = place_in_block((piece * PIECE) as u32);
-    for (row, byte) in rows[y as usize..][..8].iter_mut().zip(rows_of_morton(bits).to_le_bytes()) {
-        *row = *row & !(0xff << x) | u32::from(byte) << x;
+    // A byte of each word, wherever the machine has it.
+    let byte_of_word = if cfg!(target_endian = "big") { 3 - x / 8 } else { x / 8 } as usize;
+    let words = bytemuck::cast_slice_mut::<u32, [u8; 4]>(&mut rows[y as usize..][..8]);
+    for (word, byte) in words.iter_mut().zip(rows_of_morton(bits).to_le_bytes()) {
+        word[byte_of_word] = byte;
     }
 }
 

@@ -11,19 +11,21 @@ use lt_irregular::{Casters, LightBvh, Scratch, Workspace};
 use lt_math::glam::{Vec3, Vec4};
 use lt_math::{
     Esm, Evsm, LevelSource, Levels, LightProjection, MsmHamburger, MsmHausdorff, OneLevel, Pcf, Sm, Vsm,
+    level_margin_uv,
 };
-use lt_shaders::abi::{LightParams, Material, Sample, ShadowParams};
+use lt_shaders::abi::{LightParams, Material, ShadowParams};
 use lt_shaders::evaluate::{
     FilteredVectors, GatheredDepths, MapSource as MapView, TestFromParams, evaluate_levels, settle,
 };
 use lt_shaders::resolve::shadow_ray;
 use rayon::prelude::*;
 
-use super::batch::{BatchTest, evaluate_batch, evaluate_batch_levels};
+use super::batch::{BatchTest, evaluate_on};
+use super::footprints::Maps as LightMaps;
 use super::history::Memory;
 use super::mask_batch::{BlockPixels, Frames, mask_block};
-use super::planes::PIECE;
-use super::tiles::BLOCK;
+use super::samples::{LIT, MAPPED, Points, SampleRows};
+use super::tiles::{BLOCK, PIECE, PIECES};
 use super::{CpuBackend, milliseconds, tracer};
 use crate::light_space::{casters, occluded};
 use crate::{FrameJob, MapSource, MapTest, PackedScene, PassKind, Resolve};
@@ -49,7 +51,7 @@ impl PixelMs {
 }
 
 /// Estimate and doubt of a block's samples.
-type Estimator<'a> = Box<dyn Fn(&[Sample], &mut [f32], &mut [bool]) + Sync + 'a>;
+type Estimator<'a> = Box<dyn Fn(&[SampleRows], &mut [f32], &mut [bool]) + Sync + 'a>;
 
 impl CpuBackend {
     /// Runs the frame's passes over pixels.
@@ -86,25 +88,25 @@ impl CpuBackend {
         let mut memories: Vec<Option<Memory<'_>>> = memories.into_iter().map(Some).collect();
         memories.resize_with(self.tiles.len() / BLOCK, || None);
         let seen = &self.seen[self.layer];
-        let previous: &[Vec3] = if job.plan.object_motion { &seen.previous } else { &[] };
-        let blocks = memories
-            .par_iter_mut()
-            .zip(seen.samples.par_chunks(BLOCK))
-            .zip(self.visibility.par_chunks_mut(BLOCK))
-            .zip(self.is_doubted.par_chunks_mut(BLOCK))
+        let previous: &[Points] = if job.plan.object_motion { &seen.previous } else { &[] };
+        let groups = memories
+            .par_chunks_mut(GROUP)
+            .zip(seen.rows.par_chunks(GROUP * PIECES))
+            .zip(self.visibility.par_chunks_mut(GROUP * BLOCK))
+            .zip(self.is_doubted.par_chunks_mut(GROUP * BLOCK))
             .enumerate();
-        let blocks = blocks.map(|(block, (((memory, samples), visibility), is_doubted))| Block {
-            index: block,
-            samples,
-            previous: previous.get(block * BLOCK..(block + 1) * BLOCK).unwrap_or(&[]),
+        let groups = groups.map(|(index, (((memories, rows), visibility), is_doubted))| Group {
+            first: index * GROUP,
+            rows,
+            previous: previous.get(index * GROUP * PIECES..).unwrap_or(&[]),
             visibility,
             is_doubted,
-            memory: memory.as_mut().map(Memory::reborrow),
+            memories,
         });
         let start = Instant::now();
         let totals = match job.plan.alpha_test {
-            true => passes.run(blocks, self.scene.coverage(Material::CASTS)),
-            false => passes.run(blocks, Opaque),
+            true => passes.run(groups, self.scene.coverage(Material::CASTS)),
+            false => passes.run(groups, Opaque),
         };
         let (wall, all) = (milliseconds(start), totals.seconds.iter().sum::<f64>());
         let [evaluate, mask, resolve] = totals.seconds.map(|s| if all > 0.0 { wall * s / all } else { 0.0 });
@@ -112,7 +114,7 @@ impl CpuBackend {
         let is_later = matches!(passes.resolver, Resolver::Later);
         self.rays = totals.rays;
         if is_later {
-            let later = Later { scene: &self.scene, job, samples: &seen.samples };
+            let later = Later { scene: &self.scene, job, rows: &seen.rows };
             let workspace = &mut self.workspace;
             self.rays = later.resolve(&mut self.visibility, &self.is_doubted, &mut memories, workspace);
         }
@@ -125,7 +127,7 @@ impl CpuBackend {
 struct Later<'a> {
     scene: &'a PackedScene,
     job: &'a FrameJob,
-    samples: &'a [Sample],
+    rows: &'a [SampleRows],
 }
 
 impl Later<'_> {
@@ -138,10 +140,10 @@ impl Later<'_> {
         workspace: &mut Workspace,
     ) -> u64 {
         let (light, all) = (&self.job.shadow.light, self.job.plan.trace_all);
-        let asked = |i: &usize| if all { !settle(&self.samples[*i], light).1 } else { is_doubted[*i] };
-        let pixels: Vec<usize> = (0..self.samples.len()).into_par_iter().filter(asked).collect();
-        let origins: Vec<Vec3> =
-            pixels.par_iter().map(|&i| shadow_ray(&self.samples[i], light).origin).collect();
+        let sample = |i: usize| self.rows[i / PIECE].sample(i % PIECE);
+        let asked = |i: &usize| if all { !settle(&sample(*i), light).1 } else { is_doubted[*i] };
+        let pixels: Vec<usize> = (0..visibility.len()).into_par_iter().filter(asked).collect();
+        let origins: Vec<Vec3> = pixels.par_iter().map(|&i| shadow_ray(&sample(i), light).origin).collect();
         let mut is_blocked = vec![false; origins.len()];
         let (resolve, to) = (self.job.plan.resolve, (&mut is_blocked[..], workspace));
         match self.job.plan.alpha_test {
@@ -173,11 +175,41 @@ enum Resolver<'a> {
     Later,
 }
 
+/// Blocks of a group, whose rays are traced together. Measured on the street at 1920×1080, two threads: from 1 block to 8 the resolve pass
+/// goes from 8.4 to 5.7 ms (`ltt-evsm`) and from 10.5 to 8.2 (`lt-evsm`).
+const GROUP: usize = 8;
+
+/// Some blocks, one after the other.
+struct Group<'a, 'm> {
+    /// The first block.
+    first: usize,
+    rows: &'a [SampleRows],
+    previous: &'a [Points],
+    visibility: &'a mut [f32],
+    is_doubted: &'a mut [bool],
+    memories: &'a mut [Option<Memory<'m>>],
+}
+
+impl Group<'_, '_> {
+    fn block(&mut self, number: usize) -> Block<'_> {
+        let range = number * BLOCK..(number + 1) * BLOCK;
+        let pieces = number * PIECES..(number + 1) * PIECES;
+        Block {
+            index: self.first + number,
+            rows: &self.rows[pieces.clone()],
+            previous: self.previous.get(pieces).unwrap_or(&[]),
+            visibility: &mut self.visibility[range.clone()],
+            is_doubted: &mut self.is_doubted[range],
+            memory: self.memories[number].as_mut().map(Memory::reborrow),
+        }
+    }
+}
+
 /// A block's pixels on their way through the passes.
 struct Block<'a> {
     index: usize,
-    samples: &'a [Sample],
-    previous: &'a [Vec3],
+    rows: &'a [SampleRows],
+    previous: &'a [Points],
     visibility: &'a mut [f32],
     is_doubted: &'a mut [bool],
     memory: Option<Memory<'a>>,
@@ -209,22 +241,42 @@ struct Passes<'a> {
 }
 
 impl Passes<'_> {
-    fn run<'b, A: AnyHit + Sync>(
+    fn run<'b, 'm: 'b, A: AnyHit + Sync>(
         &self,
-        blocks: impl ParallelIterator<Item = Block<'b>>,
+        groups: impl ParallelIterator<Item = Group<'b, 'm>>,
         any_hit: A,
     ) -> Totals {
-        blocks
-            .map_init(Rays::default, |rays, block| self.run_block(block, any_hit, rays))
+        groups
+            .map_init(Rays::default, |rays, group| self.run_group(group, any_hit, rays))
             .reduce(Totals::default, Totals::plus)
     }
 
-    fn run_block<A: AnyHit>(&self, block: Block<'_>, any_hit: A, rays: &mut Rays) -> Totals {
-        let Block { index, samples, previous, visibility, is_doubted, mut memory } = block;
-        let mut totals = Totals::default();
+    fn run_group<A: AnyHit>(&self, mut group: Group<'_, '_>, any_hit: A, rays: &mut Rays) -> Totals {
+        rays.clear();
+        let mut seconds = [0.0; 3];
+        for number in 0..group.memories.len() {
+            let block = self.run_block(group.block(number), rays.of_block(number));
+            seconds.iter_mut().zip(block).for_each(|(sum, s)| *sum += s);
+        }
+        let start = Instant::now();
+        if rays.resolve(&self.resolver, any_hit, group.visibility) {
+            let blocks = group.visibility.chunks(BLOCK).zip(group.memories);
+            blocks.for_each(|(visibility, memory)| {
+                if let Some(memory) = memory {
+                    memory.learn(visibility);
+                }
+            });
+        }
+        seconds[2] += start.elapsed().as_secs_f64();
+        Totals { seconds, rays: rays.rays.len() as u64 }
+    }
+
+    /// Estimates, doubts and corrects, and collects the rays that are left to trace.
+    fn run_block(&self, block: Block<'_>, mut rays: RaysOfBlock<'_>) -> [f64; 3] {
+        let Block { index, rows, previous, visibility, is_doubted, mut memory } = block;
         let start = Instant::now();
         match &self.estimator {
-            Some(estimate) => estimate(samples, visibility, is_doubted),
+            Some(estimate) => estimate(rows, visibility, is_doubted),
             None => is_doubted.fill(false),
         }
         let estimated = Instant::now();
@@ -232,38 +284,29 @@ impl Passes<'_> {
             (Some(frames), Some(Memory { bits, depths })) => mask_block(
                 frames,
                 index,
-                BlockPixels { samples, previous, visibility, is_doubted, bits, depths },
+                BlockPixels { rows, previous, visibility, is_doubted, bits, depths },
             ),
             _ => asking_pieces(is_doubted),
         };
         let corrected = Instant::now();
-        rays.clear();
         if self.traces_all {
-            for (i, sample) in samples.iter().enumerate() {
-                let (verdict, is_settled) = settle(sample, &self.light);
-                visibility[i] = verdict.visibility;
-                if !is_settled {
-                    rays.push(i, shadow_ray(sample, &self.light));
+            for (piece, (samples, visibility)) in rows.iter().zip(visibility.as_chunks_mut().0).enumerate() {
+                let states = samples.settle(&self.light);
+                *visibility = states.map(|state| if state == LIT { 1.0 } else { 0.0 });
+                for i in (0..PIECE).filter(|&i| states[i] == MAPPED) {
+                    rays.push(piece * PIECE + i, shadow_ray(&samples.sample(i), &self.light));
                 }
             }
         } else if self.traces_doubted {
-            for piece in (0..BLOCK / PIECE).filter(|piece| asking >> piece & 1 != 0) {
-                for i in piece * PIECE..(piece + 1) * PIECE {
-                    if is_doubted[i] {
-                        rays.push(i, shadow_ray(&samples[i], &self.light));
-                    }
+            for piece in (0..PIECES).filter(|piece| asking >> piece & 1 != 0) {
+                let is_doubted = &is_doubted[piece * PIECE..][..PIECE];
+                for (i, _) in is_doubted.iter().enumerate().filter(|(_, asks)| **asks) {
+                    rays.push(piece * PIECE + i, shadow_ray(&rows[piece].sample(i), &self.light));
                 }
             }
         }
-        let is_resolved = rays.resolve(&self.resolver, any_hit, visibility);
-        totals.rays = rays.rays.len() as u64;
-        if let (true, Some(memory)) = (is_resolved, &mut memory) {
-            memory.learn(visibility);
-        }
-        let resolved = Instant::now();
-        totals.seconds =
-            [estimated - start, corrected - estimated, resolved - corrected].map(|d| d.as_secs_f64());
-        totals
+        let collected = Instant::now();
+        [estimated - start, corrected - estimated, collected - corrected].map(|d| d.as_secs_f64())
     }
 }
 
@@ -274,7 +317,20 @@ fn asking_pieces(is_doubted: &[bool]) -> u16 {
     pieces.fold(0, |asking, (piece, doubted)| asking | u16::from(any(doubted)) << piece)
 }
 
-/// The rays of one block and the pixels they belong to.
+/// The rays of a group, as one of its blocks adds to them.
+struct RaysOfBlock<'a> {
+    rays: &'a mut Rays,
+    first_pixel: usize,
+}
+
+impl RaysOfBlock<'_> {
+    fn push(&mut self, pixel: usize, ray: Ray) {
+        self.rays.pixels.push(self.first_pixel + pixel);
+        self.rays.rays.push(ray);
+    }
+}
+
+/// The rays of a group of blocks and the pixels they belong to.
 #[derive(Default)]
 struct Rays {
     pixels: Vec<usize>,
@@ -291,9 +347,9 @@ impl Rays {
         self.rays.clear();
     }
 
-    fn push(&mut self, pixel: usize, ray: Ray) {
-        self.pixels.push(pixel);
-        self.rays.push(ray);
+    /// For a group's block to add its own.
+    fn of_block(&mut self, number: usize) -> RaysOfBlock<'_> {
+        RaysOfBlock { rays: self, first_pixel: number * BLOCK }
     }
 
     /// Answers them, unless that is for later; whether it did.
@@ -341,17 +397,23 @@ impl<'a> Maps<'a> {
     }
 
     fn batched<T: BatchTest>(self, has_doubts: bool) -> Estimator<'a> {
-        let Maps { p, depths, .. } = self;
-        match (self.levels, has_doubts) {
-            (None, false) => Box::new(move |s, v, d| evaluate_batch::<T, false>(s, p, depths, v, d)),
-            (None, true) => Box::new(move |s, v, d| evaluate_batch::<T, true>(s, p, depths, v, d)),
-            (Some(l), false) => {
-                Box::new(move |s, v, d| evaluate_batch_levels::<T, false>(s, p, l, depths, v, d))
-            }
-            (Some(l), true) => {
-                Box::new(move |s, v, d| evaluate_batch_levels::<T, true>(s, p, l, depths, v, d))
-            }
+        match has_doubts {
+            false => self.batched_as::<T, false>(),
+            true => self.batched_as::<T, true>(),
         }
+    }
+
+    fn batched_as<T: BatchTest, const LTT: bool>(self) -> Estimator<'a> {
+        let Maps { p, depths, .. } = self;
+        let maps = match self.levels {
+            None => LightMaps { projections: std::slice::from_ref(&p.projection), depths, margin_uv: None },
+            Some(projections) => {
+                LightMaps { projections, depths, margin_uv: Some(level_margin_uv(p.map_size)) }
+            }
+        };
+        Box::new(move |rows, visibility, is_doubted| {
+            evaluate_on::<T, LTT>(rows, p, maps, visibility, is_doubted);
+        })
     }
 
     fn any_source<T: TestFromParams>(self, source: MapSource, has_doubts: bool) -> Estimator<'a> {
@@ -385,9 +447,10 @@ impl<'a> Maps<'a> {
         M: MapView + Sync + 'a,
         L: LevelSource + Sync + 'a,
     {
-        Box::new(move |samples, visibility, is_doubted| {
-            for ((sample, visibility), is_doubted) in samples.iter().zip(visibility).zip(is_doubted) {
-                let verdict = evaluate_levels::<T, M, L, LTT>(sample, self.p, map, levels);
+        Box::new(move |rows, visibility, is_doubted| {
+            let samples = rows.iter().flat_map(|rows| (0..PIECE).map(|i| rows.sample(i)));
+            for ((sample, visibility), is_doubted) in samples.zip(visibility).zip(is_doubted) {
+                let verdict = evaluate_levels::<T, M, L, LTT>(&sample, self.p, map, levels);
                 *visibility = verdict.visibility;
                 *is_doubted = verdict.is_doubted;
             }

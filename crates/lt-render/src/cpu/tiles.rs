@@ -8,6 +8,12 @@ pub const SIDE: u32 = 32;
 /// Pixels of a block.
 pub const BLOCK: usize = (SIDE * SIDE) as usize;
 
+/// Pixels of a piece, eight by eight of a block: what the passes work on at a time, so that its arrays stay in the first-level cache.
+/// Measured: 128 take 1.4 times as long, 32 as long.
+pub const PIECE: usize = 64;
+/// Pieces of a block.
+pub const PIECES: usize = BLOCK / PIECE;
+
 /// Maps positions in tile order to pixels of a picture. Blocks at the right and lower edge are padded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tiles {
