@@ -9,7 +9,7 @@
 //! An exponential costs as much as the rest of a pixel, and most pixels can do without. [`Evsm`] asks [`Shortcut`]
 //! first, which knows three kinds of footprint whose answer is certain.
 
-use lt_math::{Evsm, LightProjection, Vsm, chebyshev, float, level_margin_uv};
+use lt_math::{Evsm, LightProjection, Vsm, chebyshev, float};
 use lt_shaders::abi::ShadowParams;
 use lt_shaders::evaluate::{TestFromParams, Verdict, doubt};
 
@@ -32,8 +32,7 @@ pub fn evaluate_batch<T: BatchTest, const LTT: bool>(
     visibility: &mut [f32],
     is_doubted: &mut [bool],
 ) {
-    let maps = Maps { projections: &[p.projection], depths, margin_uv: None };
-    evaluate_on::<T, LTT>(rows, p, maps, visibility, is_doubted);
+    evaluate_on::<T, LTT>(rows, p, Maps::one(p, depths), visibility, is_doubted);
 }
 
 /// [`evaluate_batch`] from the levels of a directional light, finest first, with the bits of
@@ -51,8 +50,7 @@ pub fn evaluate_batch_levels<T: BatchTest, const LTT: bool>(
     visibility: &mut [f32],
     is_doubted: &mut [bool],
 ) {
-    let maps = Maps { projections, depths, margin_uv: Some(level_margin_uv(p.map_size)) };
-    evaluate_on::<T, LTT>(rows, p, maps, visibility, is_doubted);
+    evaluate_on::<T, LTT>(rows, p, Maps::levels(p, projections, depths), visibility, is_doubted);
 }
 
 /// [`evaluate_batch`] on any maps.
@@ -282,7 +280,7 @@ impl Spread {
 mod tests {
     use super::*;
     use lt_math::glam::{UVec2, Vec3, Vec4};
-    use lt_math::{Levels, LightFrame, LightProjection};
+    use lt_math::{Levels, LightFrame, LightProjection, level_margin_uv};
     use lt_shaders::abi::{LightParams, Sample};
     use lt_shaders::evaluate::{GatheredDepths, evaluate, evaluate_levels};
 
@@ -351,7 +349,7 @@ mod tests {
     type Level<'a> = (&'a str, &'a dyn Fn(&[SampleRows], &ShadowParams, Maps<'_>, &mut [f32], &mut [bool]));
 
     fn check<T: BatchTest, const LTT: bool>(params: Vec4) {
-        for count in [0, 1, PIECE, 40 * PIECE + 5] {
+        for count in [0, 1, PIECE - 1, PIECE, PIECE + 1, 40 * PIECE + 5] {
             let (samples, mut p, depths) = hard_case(count);
             p.test = params;
             check_maps::<T, LTT>(

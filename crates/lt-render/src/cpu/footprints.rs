@@ -3,7 +3,7 @@
 //! The stages are those of [`super::batch`], which has the story.
 
 use lt_math::glam::Vec4;
-use lt_math::{LightProjection, float};
+use lt_math::{LightProjection, float, level_margin_uv};
 use lt_shaders::abi::ShadowParams;
 
 use super::samples::{BLOCKED, Lanes, MAPPED, OUTSIDE, SampleRows};
@@ -17,6 +17,18 @@ pub(super) struct Maps<'a> {
     pub depths: &'a [f32],
     /// How far from its edge a level answers; `None` for one map, all of which answers.
     pub margin_uv: Option<f32>,
+}
+
+impl<'a> Maps<'a> {
+    /// The one map of a light.
+    pub(super) fn one(p: &'a ShadowParams, depths: &'a [f32]) -> Self {
+        Maps { projections: std::slice::from_ref(&p.projection), depths, margin_uv: None }
+    }
+
+    /// Its levels, finest first.
+    pub(super) fn levels(p: &ShadowParams, projections: &'a [LightProjection], depths: &'a [f32]) -> Self {
+        Maps { projections, depths, margin_uv: Some(level_margin_uv(p.map_size)) }
+    }
 }
 
 /// A batch's pixels on the levels that answer for them, first where they lie ([`Footprints::find`]), then what is there

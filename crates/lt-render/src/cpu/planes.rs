@@ -47,11 +47,8 @@ pub fn place_in_block(index: u32) -> (u32, u32) {
 #[inline(always)]
 pub fn store_piece(rows: &mut [u32; SIDE as usize], piece: usize, bits: u64) {
     let (x, y) = place_in_block((piece * PIECE) as u32);
-    // A byte of each word, wherever the machine has it.
-    let byte_of_word = if cfg!(target_endian = "big") { 3 - x / 8 } else { x / 8 } as usize;
-    let words = bytemuck::cast_slice_mut::<u32, [u8; 4]>(&mut rows[y as usize..][..8]);
-    for (word, byte) in words.iter_mut().zip(rows_of_morton(bits).to_le_bytes()) {
-        word[byte_of_word] = byte;
+    for (row, byte) in rows[y as usize..][..8].iter_mut().zip(rows_of_morton(bits).to_le_bytes()) {
+        *row = *row & !(0xff << x) | u32::from(byte) << x;
     }
 }
 

@@ -54,6 +54,12 @@ pub(super) struct Look {
     albedo: u32,
 }
 
+/// The sample at a place in tile order, as shadows know it.
+#[inline]
+pub(super) fn sample_at(rows: &[SampleRows], i: usize) -> Sample {
+    rows[i / PIECE].sample(i % PIECE)
+}
+
 /// A piece's samples, part by part.
 pub(super) fn keep(samples: &[Sample; PIECE], looks: &mut [Look]) -> SampleRows {
     for (look, sample) in looks.iter_mut().zip(samples) {

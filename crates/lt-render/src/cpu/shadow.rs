@@ -11,7 +11,6 @@ use lt_irregular::{Casters, LightBvh, Scratch, Workspace};
 use lt_math::glam::{Vec3, Vec4};
 use lt_math::{
     Esm, Evsm, LevelSource, Levels, LightProjection, MsmHamburger, MsmHausdorff, OneLevel, Pcf, Sm, Vsm,
-    level_margin_uv,
 };
 use lt_shaders::abi::{LightParams, Material, ShadowParams};
 use lt_shaders::evaluate::{
@@ -21,12 +20,11 @@ use lt_shaders::resolve::shadow_ray;
 use rayon::prelude::*;
 
 use super::batch::{BatchTest, evaluate_on};
-use super::footprints::Maps as LightMaps;
 use super::history::Memory;
 use super::mask_batch::{BlockPixels, Frames, mask_block};
-use super::samples::{LIT, MAPPED, Points, SampleRows};
+use super::samples::{LIT, MAPPED, Points, SampleRows, sample_at};
 use super::tiles::{BLOCK, PIECE, PIECES};
-use super::{CpuBackend, milliseconds, tracer};
+use super::{CpuBackend, footprints, milliseconds, tracer};
 use crate::light_space::{casters, occluded};
 use crate::{FrameJob, MapSource, MapTest, PackedScene, PassKind, Resolve};
 
@@ -140,7 +138,7 @@ impl Later<'_> {
         workspace: &mut Workspace,
     ) -> u64 {
         let (light, all) = (&self.job.shadow.light, self.job.plan.trace_all);
-        let sample = |i: usize| self.rows[i / PIECE].sample(i % PIECE);
+        let sample = |i: usize| sample_at(self.rows, i);
         let asked = |i: &usize| if all { !settle(&sample(*i), light).1 } else { is_doubted[*i] };
         let pixels: Vec<usize> = (0..visibility.len()).into_par_iter().filter(asked).collect();
         let origins: Vec<Vec3> = pixels.par_iter().map(|&i| shadow_ray(&sample(i), light).origin).collect();
@@ -406,10 +404,8 @@ impl<'a> Maps<'a> {
     fn batched_as<T: BatchTest, const LTT: bool>(self) -> Estimator<'a> {
         let Maps { p, depths, .. } = self;
         let maps = match self.levels {
-            None => LightMaps { projections: std::slice::from_ref(&p.projection), depths, margin_uv: None },
-            Some(projections) => {
-                LightMaps { projections, depths, margin_uv: Some(level_margin_uv(p.map_size)) }
-            }
+            None => footprints::Maps::one(p, depths),
+            Some(projections) => footprints::Maps::levels(p, projections, depths),
         };
         Box::new(move |rows, visibility, is_doubted| {
             evaluate_on::<T, LTT>(rows, p, maps, visibility, is_doubted);

@@ -11,8 +11,8 @@ use lt_shaders::resolve::{may_be_tinted, shadow_ray, trace_tint};
 use lt_shaders::surface::Translucence;
 use rayon::prelude::*;
 
-use super::samples::SampleRows;
-use super::tiles::{BLOCK, PIECE};
+use super::samples::{SampleRows, sample_at};
+use super::tiles::{BLOCK, PIECES};
 use crate::light_space::transmitted;
 use crate::{FrameJob, PackedScene, Resolve};
 
@@ -24,7 +24,6 @@ pub fn trace(
     visibility: &[f32],
     tint: &mut [Vec3],
 ) -> u64 {
-    let sample = |i: usize| rows[i / PIECE].sample(i % PIECE);
     let light = &job.shadow.light;
     let Some(bvh) = scene.translucent() else { return 0 };
     let casters = Translucence {
@@ -35,9 +34,10 @@ pub fn trace(
         color_texels: scene.color_texels(),
     };
     if job.plan.resolve == Resolve::AliasFree {
-        let reached = |&i: &usize| may_be_tinted(&sample(i), light, visibility[i]);
+        let reached = |&i: &usize| may_be_tinted(&sample_at(rows, i), light, visibility[i]);
         let pixels: Vec<usize> = (0..visibility.len()).into_par_iter().filter(reached).collect();
-        let origins: Vec<Vec3> = pixels.par_iter().map(|&i| shadow_ray(&sample(i), light).origin).collect();
+        let origins: Vec<Vec3> =
+            pixels.par_iter().map(|&i| shadow_ray(&sample_at(rows, i), light).origin).collect();
         let mut passes = vec![Vec3::ONE; pixels.len()];
         let triangles = Casters { root: &bvh.nodes()[0], triangles: bvh.triangles() };
         transmitted(scene, triangles, light.place, &origins, casters, &mut passes);
@@ -47,8 +47,7 @@ pub fn trace(
         }
         return pixels.len() as u64;
     }
-    let blocks =
-        tint.par_chunks_mut(BLOCK).zip(rows.par_chunks(BLOCK / PIECE)).zip(visibility.par_chunks(BLOCK));
+    let blocks = tint.par_chunks_mut(BLOCK).zip(rows.par_chunks(PIECES)).zip(visibility.par_chunks(BLOCK));
     blocks.map(|((tint, rows), visibility)| trace_block(bvh, casters, light, rows, visibility, tint)).sum()
 }
 
@@ -60,15 +59,14 @@ fn trace_block(
     visibility: &[f32],
     tint: &mut [Vec3],
 ) -> u64 {
-    let sample = |i: usize| rows[i / PIECE].sample(i % PIECE);
     tint.fill(Vec3::ONE);
     let reached: Vec<usize> =
-        (0..tint.len()).filter(|&i| may_be_tinted(&sample(i), light, visibility[i])).collect();
-    let rays: Vec<Ray> = reached.iter().map(|&i| shadow_ray(&sample(i), light)).collect();
+        (0..tint.len()).filter(|&i| may_be_tinted(&sample_at(rows, i), light, visibility[i])).collect();
+    let rays: Vec<Ray> = reached.iter().map(|&i| shadow_ray(&sample_at(rows, i), light)).collect();
     let mut meets = vec![false; rays.len()];
     Simd::new(bvh).occluded_batch(&rays, Opaque, &mut meets);
     for (&i, _) in reached.iter().zip(&meets).filter(|(_, meets)| **meets) {
-        tint[i] = trace_tint(&sample(i), light, visibility[i], bvh.nodes(), casters);
+        tint[i] = trace_tint(&sample_at(rows, i), light, visibility[i], bvh.nodes(), casters);
     }
     rays.len() as u64
 }
