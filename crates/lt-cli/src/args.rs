@@ -34,6 +34,18 @@ pub enum Command {
     Doctor,
 }
 
+impl Command {
+    /// How many threads are asked for, if anyone asks.
+    pub fn threads(&self) -> Option<u16> {
+        match self {
+            Command::Compare(CompareArgs { scene, .. })
+            | Command::Render(RenderArgs { scene, .. })
+            | Command::Plan(PlanArgs { scene, .. }) => scene.threads,
+            Command::Scenes | Command::Doctor => None,
+        }
+    }
+}
+
 /// `lt compare`.
 #[derive(Args, Debug)]
 pub struct CompareArgs {

@@ -25,6 +25,7 @@ mod scene_args;
 mod scenes;
 mod summary;
 mod table;
+mod threads;
 mod values;
 
 use std::process::ExitCode;
@@ -38,15 +39,18 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     let filter = EnvFilter::try_from_default_env().unwrap_or_else(|_| EnvFilter::new("error"));
     tracing_subscriber::fmt().with_env_filter(filter).with_writer(std::io::stderr).init();
-    let outcome = match cli.command {
-        Command::Compare(args) => compare::run(&args),
-        Command::Render(args) => render::run(&args),
-        Command::Plan(args) => plan::run(&args),
-        Command::Scenes => scenes::run(),
-        Command::Doctor => doctor::run(),
-    };
-    match outcome {
+    match threads::start(cli.command.threads()).and_then(|()| run(&cli.command)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => failure::report(&error),
+    }
+}
+
+fn run(command: &Command) -> anyhow::Result<()> {
+    match command {
+        Command::Compare(args) => compare::run(args),
+        Command::Render(args) => render::run(args),
+        Command::Plan(args) => plan::run(args),
+        Command::Scenes => scenes::run(),
+        Command::Doctor => doctor::run(),
     }
 }

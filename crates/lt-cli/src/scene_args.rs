@@ -1,6 +1,5 @@
 //! The options every subcommand shares: which scene, seen from where, under which light, run on what.
 
-use anyhow::Context;
 use clap::{Args, value_parser};
 use lt_math::glam::{UVec2, Vec3};
 use lt_render::{BackendKind, RenderError, SampleGrid, Session, Setup, Technique, Upkeep};
@@ -108,17 +107,12 @@ pub struct Opened {
 }
 
 impl SceneArgs {
-    /// Starts the threads, loads the scene, applies the options, builds the BVH and finds the visible samples, in such a way that
+    /// Loads the scene, applies the options, builds the BVH and finds the visible samples, in such a way that
     /// `techniques` can run, with this upkeep in every frame.
     ///
     /// # Errors
     /// What names no scene, cannot be read, or cannot be drawn; [`Usage`] for an option that does not fit the scene.
     pub fn open(&self, techniques: &[Technique], upkeep: Upkeep) -> anyhow::Result<Opened> {
-        if let Some(threads) = self.threads {
-            rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads)).build_global().with_context(
-                || format!("--threads {threads}: the threads could not be started; ask for fewer"),
-            )?;
-        }
         let work = spinner(&format!("loading {}", self.scene));
         let source = Source::open(&self.scene, self.seed)?;
         let scene = self.pose(&source, self.time)?;

@@ -72,6 +72,9 @@ pub struct Measured {
 }
 
 /// Runs every way once to warm up, then `repeats` times in turn; one thread and two.
+///
+/// Right before it is measured each way runs once more: what it reads is in the caches as far as it goes there, whichever way was
+/// before it. Ways share trees, and the first of a family would else read what the others find.
 pub fn measure(label: &str, ways: &[Box<dyn Way + '_>], rays: usize, repeats: u32) -> Measured {
     let mut answers = vec![vec![false; rays]; ways.len()];
     let (mut one, mut two) = (vec![Vec::new(); ways.len()], vec![Vec::new(); ways.len()]);
@@ -80,6 +83,8 @@ pub fn measure(label: &str, ways: &[Box<dyn Way + '_>], rays: usize, repeats: u3
         eprint!("\r{label}: round {round} of {repeats} ");
         for (i, way) in ways.iter().enumerate().filter(|(i, _)| is_measured[*i]) {
             let out = &mut answers[i];
+            way.prepare();
+            on_two_threads(&**way, out);
             way.prepare();
             let start = thread_time();
             for (batch, out) in out.chunks_mut(BATCH).enumerate() {
