@@ -5,7 +5,7 @@
 //! here (*doubt*), and what is the truth there (*resolve*)? Full ray tracing, shadow maps and leak tracing are all
 //! values of that one type. An [`EffectPlan`] lists what a scene, a view and a technique call for; the frame driver
 //! runs exactly the passes of the plan. Two backends supply "run this pass": [`cpu`] calls the kernels of
-//! `lt-shaders` from rayon, [`gpu`] dispatches the same kernels compiled to SPIR-V.
+//! `lt-shaders` from rayon, `gpu` (feature `gpu`) dispatches the same kernels compiled to SPIR-V.
 //!
 //! Visibility is 1 where the light is seen and 0 where it is blocked. Positions are world space, metres or whatever
 //! the scene uses: nothing depends on the unit.

@@ -5,6 +5,7 @@
 
 mod asks;
 mod batch;
+mod estimator;
 mod footprints;
 mod history;
 mod kept_map;

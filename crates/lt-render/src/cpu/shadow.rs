@@ -8,25 +8,20 @@ use std::time::Instant;
 
 use lt_bvh::{AnyHit, Opaque, Ray, Simd, Tracer};
 use lt_irregular::{Casters, LightBvh, Scratch, Workspace};
-use lt_math::glam::{Vec3, Vec4};
-use lt_math::{
-    Esm, Evsm, LevelSource, Levels, LightProjection, MsmHamburger, MsmHausdorff, OneLevel, Pcf, Sm, Vsm,
-};
-use lt_shaders::abi::{LightParams, Material, ShadowParams};
-use lt_shaders::evaluate::{
-    FilteredVectors, GatheredDepths, MapSource as MapView, TestFromParams, evaluate_levels, settle,
-};
+use lt_math::glam::Vec3;
+use lt_shaders::abi::{LightParams, Material};
+use lt_shaders::evaluate::settle;
 use lt_shaders::resolve::shadow_ray;
 use rayon::prelude::*;
 
-use super::batch::{BatchTest, evaluate_on};
+use super::estimator::{Estimator, LightMaps};
 use super::history::Memory;
 use super::mask_batch::{BlockPixels, Frames, mask_block};
 use super::samples::{LIT, MAPPED, Points, SampleRows, sample_at};
 use super::tiles::{BLOCK, PIECE, PIECES};
-use super::{CpuBackend, footprints, milliseconds, tracer};
+use super::{CpuBackend, milliseconds, tracer};
 use crate::light_space::{casters, occluded};
-use crate::{FrameJob, MapSource, MapTest, PackedScene, PassKind, Resolve};
+use crate::{FrameJob, PackedScene, PassKind, Resolve};
 
 /// Times of the passes over pixels.
 #[derive(Clone, Copy, Debug, Default)]
@@ -48,18 +43,15 @@ impl PixelMs {
     }
 }
 
-/// Estimate and doubt of a block's samples.
-type Estimator<'a> = Box<dyn Fn(&[SampleRows], &mut [f32], &mut [bool]) + Sync + 'a>;
-
 impl CpuBackend {
     /// Runs the frame's passes over pixels.
     pub(super) fn shadow(&mut self, job: &FrameJob) {
         let start = Instant::now();
         let slot = &mut self.slots[self.slot];
         let levels = job.searched_levels();
-        let maps =
-            Maps { p: &job.shadow, levels: levels.as_deref(), depths: &slot.depths, vectors: &slot.vectors };
-        let estimator = job.plan.map.map(|(test, source)| maps.estimator(test, source, job.plan.doubt_list));
+        let (levels, depths, vectors) = (levels.as_deref(), &slot.depths[..], &slot.vectors[..]);
+        let seen = LightMaps { p: &job.shadow, levels, depths, vectors };
+        let estimator = job.plan.map.map(|(test, source)| seen.estimator(test, source, job.plan.doubt_list));
         let open = match (&job.mask, job.plan.mask) {
             (Some(params), Some(effects)) => Some(slot.history.open(self.tiles, params, effects)),
             _ => None,
@@ -372,89 +364,5 @@ impl Rays {
             visibility[pixel] = if is_blocked { 0.0 } else { 1.0 };
         }
         true
-    }
-}
-
-/// What a frame's evaluate pass reads.
-#[derive(Clone, Copy)]
-struct Maps<'a> {
-    p: &'a ShadowParams,
-    levels: Option<&'a [LightProjection]>,
-    depths: &'a [f32],
-    vectors: &'a [Vec4],
-}
-
-impl<'a> Maps<'a> {
-    fn estimator(self, test: MapTest, source: MapSource, has_doubts: bool) -> Estimator<'a> {
-        match test {
-            MapTest::Vsm if source == MapSource::Gather => self.batched::<Vsm>(has_doubts),
-            MapTest::Evsm if source == MapSource::Gather => self.batched::<Evsm>(has_doubts),
-            MapTest::Sm => self.any_source::<Sm>(source, has_doubts),
-            MapTest::Pcf => self.any_source::<Pcf>(source, has_doubts),
-            MapTest::Vsm => self.any_source::<Vsm>(source, has_doubts),
-            MapTest::Esm => self.any_source::<Esm>(source, has_doubts),
-            MapTest::Evsm => self.any_source::<Evsm>(source, has_doubts),
-            MapTest::Msm => self.any_source::<MsmHamburger>(source, has_doubts),
-            MapTest::MsmHausdorff => self.any_source::<MsmHausdorff>(source, has_doubts),
-        }
-    }
-
-    fn batched<T: BatchTest>(self, has_doubts: bool) -> Estimator<'a> {
-        match has_doubts {
-            false => self.batched_as::<T, false>(),
-            true => self.batched_as::<T, true>(),
-        }
-    }
-
-    fn batched_as<T: BatchTest, const LTT: bool>(self) -> Estimator<'a> {
-        let Maps { p, depths, .. } = self;
-        let maps = match self.levels {
-            None => footprints::Maps::one(p, depths),
-            Some(projections) => footprints::Maps::levels(p, projections, depths),
-        };
-        Box::new(move |rows, visibility, is_doubted| {
-            evaluate_on::<T, LTT>(rows, p, maps, visibility, is_doubted);
-        })
-    }
-
-    fn any_source<T: TestFromParams>(self, source: MapSource, has_doubts: bool) -> Estimator<'a> {
-        match source {
-            MapSource::Gather => self.any_levels::<T, _>(GatheredDepths { depths: self.depths }, has_doubts),
-            MapSource::Prefiltered => {
-                self.any_levels::<T, _>(FilteredVectors { vectors: self.vectors }, has_doubts)
-            }
-        }
-    }
-
-    fn any_levels<T: TestFromParams, M: MapView + Sync + 'a>(
-        self,
-        map: M,
-        has_doubts: bool,
-    ) -> Estimator<'a> {
-        let one = OneLevel { projection: self.p.projection };
-        let levels =
-            |projections: &'a [LightProjection]| Levels { projections, count: projections.len() as u32 };
-        match (self.levels, has_doubts) {
-            (None, false) => self.one_by_one::<T, M, _, false>(map, one),
-            (None, true) => self.one_by_one::<T, M, _, true>(map, one),
-            (Some(all), false) => self.one_by_one::<T, M, _, false>(map, levels(all)),
-            (Some(all), true) => self.one_by_one::<T, M, _, true>(map, levels(all)),
-        }
-    }
-
-    fn one_by_one<T, M, L, const LTT: bool>(self, map: M, levels: L) -> Estimator<'a>
-    where
-        T: TestFromParams,
-        M: MapView + Sync + 'a,
-        L: LevelSource + Sync + 'a,
-    {
-        Box::new(move |rows, visibility, is_doubted| {
-            let samples = rows.iter().flat_map(|rows| (0..PIECE).map(|i| rows.sample(i)));
-            for ((sample, visibility), is_doubted) in samples.zip(visibility).zip(is_doubted) {
-                let verdict = evaluate_levels::<T, M, L, LTT>(&sample, self.p, map, levels);
-                *visibility = verdict.visibility;
-                *is_doubted = verdict.is_doubted;
-            }
-        })
     }
 }
