@@ -139,9 +139,10 @@ impl Piece {
 
 fn draw_batch(scene: &PackedScene, p: &DepthParams, draws: &[DrawRange], map: &mut [f32]) -> Range<usize> {
     let size = p.map_size as usize;
-    let pieces: Vec<Piece> = draws.par_iter().map(|draw| Piece::of(scene, p, draw)).collect();
+    // One by one: rayon's own shares are a quarter of all, and a thread that is done waits for the other's last.
+    let pieces: Vec<Piece> = draws.par_iter().with_max_len(1).map(|draw| Piece::of(scene, p, draw)).collect();
     let has_holes = draws.iter().any(|d| d.has_holes);
-    map.par_chunks_mut(BAND * size).enumerate().for_each(|(band, rows)| {
+    map.par_chunks_mut(BAND * size).with_max_len(1).enumerate().for_each(|(band, rows)| {
         let members = pieces.iter().flat_map(|p| p.bands[band].iter().map(|&i| &p.triangles[i as usize]));
         let mut draw = |t: &Prepared| draw_triangle(scene, t, band * BAND, size, rows);
         // Nearest first where casters have holes: what lies behind then fails the depth test before it costs an alpha
