@@ -7,6 +7,9 @@
 //! runs exactly the passes of the plan. Two backends supply "run this pass": [`cpu`] calls the kernels of
 //! `lt-shaders` from rayon, `gpu` (feature `gpu`) dispatches the same kernels compiled to SPIR-V.
 //!
+//! The CPU backend works on rayon's threads. A caller that only waits for them beside them takes one of their cores for some milliseconds of every
+//! other frame where there are as many threads as cores: let it be one of them (`rayon::ThreadPoolBuilder::use_current_thread`), as `lt` does.
+//!
 //! Visibility is 1 where the light is seen and 0 where it is blocked. Positions are world space, metres or whatever
 //! the scene uses: nothing depends on the unit.
 //!
