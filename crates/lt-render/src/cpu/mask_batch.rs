@@ -3,15 +3,14 @@
 //! What the shared function reads neighbour by neighbour is one bit of [`Asks`] here. The stages are plain loops without
 //! branches, compiled for several instruction sets as in [`super::batch`]: place in the last frame, ask, decide.
 
-use lt_math::float;
 use lt_math::glam::UVec2;
-use lt_shaders::abi::{CameraParams, MaskParams};
+use lt_shaders::abi::MaskParams;
 use lt_shaders::evaluate::Verdict;
-use lt_shaders::sampling::sample_place;
 
 use super::asks::Asks;
+use super::places::{IN_PIECE, Places, depth_along, in_this_frame};
 use super::planes::{BlockBits, load_piece, pack, place_in_block, store_piece};
-use super::samples::{LIT, Lanes, MAPPED, Points, SampleRows};
+use super::samples::{LIT, MAPPED, Points, SampleRows};
 use super::tiles::{PIECE, SIDE, Tiles};
 use crate::MaskEffects;
 
@@ -89,15 +88,6 @@ fn mask_any(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) -> u16 {
     }
 }
 
-/// Where the pixels of a batch were in the last frame.
-struct Places {
-    x: [u32; PIECE],
-    y: [u32; PIECE],
-    /// 1 where that is on the screen and the same surface, else 0; x and y are then on the screen all the same.
-    is_valid: [u32; PIECE],
-    has_moved: [u32; PIECE],
-}
-
 #[inline(always)]
 fn mask_all<const MOTION: bool, const DEPTH: bool>(
     frames: Frames<'_>,
@@ -141,7 +131,7 @@ fn mask_all<const MOTION: bool, const DEPTH: bool>(
             places.follow(&rows.position, before, p);
         }
         if DEPTH {
-            places.compare_depths(frames, &depth_along(before, &p.previous));
+            places.compare_depths(tiles, frames.last_depths, &depth_along(before, &p.previous), p);
         }
         let has_history = u32::from(p.flags & MaskParams::HAS_HISTORY != 0);
         let has_flag = |flag| p.flags & flag != 0;
@@ -185,21 +175,6 @@ fn mask_all<const MOTION: bool, const DEPTH: bool>(
     asking
 }
 
-/// The pixels themselves: where they were if nothing moved.
-#[inline(always)]
-fn in_this_frame(tiles: Tiles, origin: UVec2, piece: usize) -> Places {
-    let corner = place_in_block((piece * PIECE) as u32);
-    let last = tiles.size() - 1;
-    let mut places = Places { x: [0; PIECE], y: [0; PIECE], is_valid: [1; PIECE], has_moved: [0; PIECE] };
-    let [columns, rows] = &IN_PIECE;
-    for i in 0..PIECE {
-        // Padding has nothing to say, but must not read outside.
-        places.x[i] = (origin.x + corner.0 + columns[i]).min(last.x);
-        places.y[i] = (origin.y + corner.1 + rows[i]).min(last.y);
-    }
-    places
-}
-
 /// [`lt_mask::is_due`] of pieces, with one division for all of a piece's pixels.
 struct Turns {
     period: u32,
@@ -226,59 +201,6 @@ impl Turns {
     }
 }
 
-/// Column and row in a piece, by position.
-const IN_PIECE: [[u32; PIECE]; 2] = {
-    let mut at = [[0; PIECE]; 2];
-    let mut i = 0;
-    while i < PIECE {
-        let mut bit = 0;
-        while bit < 3 {
-            at[0][i] |= ((i >> (2 * bit) & 1) << bit) as u32;
-            at[1][i] |= ((i >> (2 * bit + 1) & 1) << bit) as u32;
-            bit += 1;
-        }
-        i += 1;
-    }
-    at
-};
-
-impl Places {
-    /// [`lt_mask::reproject`] by [`lt_shaders::mask::motion_px`], and not behind the last camera.
-    #[inline(always)]
-    fn follow(&mut self, position: &Points, before: &Points, p: &MaskParams) {
-        let (now_x, now_y, _) = place_ndc(position, &p.current);
-        let (then_x, then_y, depth) = place_ndc(before, &p.previous);
-        let (width, height) = (p.current.size.x as f32, p.current.size.y as f32);
-        let camera_rests = p.flags & MaskParams::CAMERA_RESTS != 0;
-        for i in 0..PIECE {
-            let is_same = |axis: usize| position[axis][i] == before[axis][i];
-            let rests = camera_rests & is_same(0) & is_same(1) & is_same(2);
-            let x = (then_x[i] - now_x[i]) * 0.5 * width;
-            let y = (then_y[i] - now_y[i]) * -0.5 * height;
-            let place = sample_place(UVec2::new(self.x[i], self.y[i]), p.current.grid);
-            let (to_x, to_y) = (place.x + x, place.y + y);
-            // The floor of these is on the screen exactly where they are.
-            let is_on_screen = (to_x >= 0.0) & (to_y >= 0.0) & (to_x < width) & (to_y < height);
-            let whole = |at: f32| float::whole_lane(float::floor_lane(at)) as u32;
-            let is_led = is_on_screen & !rests;
-            self.x[i] = if is_led { whole(to_x) } else { self.x[i] };
-            self.y[i] = if is_led { whole(to_y) } else { self.y[i] };
-            self.is_valid[i] = u32::from(rests | (is_on_screen & (depth[i] > 0.0)));
-            self.has_moved[i] = u32::from(!rests & ((x != 0.0) | (y != 0.0)));
-        }
-    }
-
-    /// Keeps valid what had about this depth in the last frame ([`lt_mask::is_depth_consistent`]).
-    #[inline(always)]
-    fn compare_depths(&mut self, frames: Frames<'_>, expected: &Lanes) {
-        for (i, &expected) in expected.iter().enumerate() {
-            let seen = frames.last_depths[frames.tiles.index(UVec2::new(self.x[i], self.y[i]))];
-            let is_same = lt_mask::is_depth_consistent(expected, seen, frames.params.depth_tolerance);
-            self.is_valid[i] &= u32::from(is_same);
-        }
-    }
-}
-
 /// Per pixel, whether its neighbourhood contradicts its shadow test.
 #[inline(always)]
 fn ask(frames: Frames<'_>, places: &Places, estimates: &[f32; PIECE]) -> [u32; PIECE] {
@@ -298,36 +220,6 @@ fn ask(frames: Frames<'_>, places: &Places, estimates: &[f32; PIECE]) -> [u32; P
     asked
 }
 
-/// [`lt_shaders::mask::place_ndc`] and [`lt_shaders::mask::view_depth`] of a batch.
-#[inline(always)]
-fn place_ndc(position: &Points, camera: &CameraParams) -> (Lanes, Lanes, Lanes) {
-    let eye = camera.eye.to_array();
-    let [right, up, forward] = [camera.right, camera.up, camera.forward].map(|v| v.to_array());
-    let (width, height) = (camera.right.length_squared(), camera.up.length_squared());
-    let (mut x, mut y, mut depths) = ([0.0; PIECE], [0.0; PIECE], [0.0; PIECE]);
-    for i in 0..PIECE {
-        let to = [position[0][i] - eye[0], position[1][i] - eye[1], position[2][i] - eye[2]];
-        let along = |v: [f32; 3]| to[0] * v[0] + to[1] * v[1] + to[2] * v[2];
-        let depth = along(forward);
-        x[i] = along(right) / (width * depth);
-        y[i] = along(up) / (height * depth);
-        depths[i] = depth;
-    }
-    (x, y, depths)
-}
-
-/// [`lt_shaders::mask::view_depth`] of a batch.
-#[inline(always)]
-fn depth_along(position: &Points, camera: &CameraParams) -> Lanes {
-    let (eye, forward) = (camera.eye.to_array(), camera.forward.to_array());
-    let mut depths = [0.0; PIECE];
-    for i in 0..PIECE {
-        let to = [position[0][i] - eye[0], position[1][i] - eye[1], position[2][i] - eye[2]];
-        depths[i] = to[0] * forward[0] + to[1] * forward[1] + to[2] * forward[2];
-    }
-    depths
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::history::History;
@@ -336,7 +228,7 @@ mod tests {
     use super::*;
     use lt_mask::{Expansion, MaskBits, Pattern};
     use lt_math::glam::Vec3;
-    use lt_shaders::abi::{LightParams, Sample};
+    use lt_shaders::abi::{CameraParams, LightParams, Sample};
     use lt_shaders::mask::{BitsPlace, DepthHistory, bits_after_ray, mask, seen_depth};
 
     fn camera(size: UVec2, eye: Vec3) -> CameraParams {

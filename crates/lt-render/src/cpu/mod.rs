@@ -12,11 +12,13 @@ mod kept_map;
 mod layers;
 mod mask_batch;
 mod perspective;
+mod places;
 mod planes;
 mod raster;
 mod samples;
 mod shadow;
 mod shortcut;
+mod surface;
 mod tiles;
 mod tint;
 

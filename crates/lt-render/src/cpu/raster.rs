@@ -4,12 +4,13 @@
 use lt_bvh::Triangle;
 use lt_math::glam::{Vec2, Vec3, Vec4, Vec4Swizzles};
 use lt_shaders::abi::{DepthParams, Material, Vertex};
-use lt_shaders::depth::{corner, depth_at, map_position, placed_corner, weights_at};
+use lt_shaders::depth::{corner, map_position, placed_corner, weights_at};
 use lt_shaders::surface::{blocks, corners_of};
 use rayon::prelude::*;
 use std::ops::Range;
 
 use super::perspective::{self, Polygon};
+use super::surface::{DepthPlane, LANES, Perspective, Surface};
 use crate::{PackedScene, packed::DrawRange};
 
 /// Steps per texel that corners are snapped to; every Vulkan driver offers at least 4 bits, most have 8.
@@ -24,8 +25,6 @@ const PREPARE: u32 = 1 << 12;
 const CLEAR: usize = 1 << 16;
 /// Layers of depth that triangles with holes are sorted into.
 const LAYERS: usize = 1024;
-/// Texels of a row that are compared together.
-const LANES: usize = 16;
 /// Corners farther out than this many texels are clamped, which keeps edge functions inside 63 bits.
 const GUARD_TEXELS: f32 = 1.0e6;
 
@@ -139,7 +138,7 @@ impl Piece {
 
 fn draw_batch(scene: &PackedScene, p: &DepthParams, draws: &[DrawRange], map: &mut [f32]) -> Range<usize> {
     let size = p.map_size as usize;
-    // One by one: rayon's own shares are a quarter of all, and a thread that is done waits for the other's last.
+    // One by one: on two threads rayon's own shares are quarters, and a thread that is done waits for the other's last.
     let pieces: Vec<Piece> = draws.par_iter().with_max_len(1).map(|draw| Piece::of(scene, p, draw)).collect();
     let has_holes = draws.iter().any(|d| d.has_holes);
     map.par_chunks_mut(BAND * size).with_max_len(1).enumerate().for_each(|(band, rows)| {
@@ -364,83 +363,6 @@ impl<'a> Holes<'a> {
 
     fn is_covered(&self, t: &Prepared, centre: Vec2) -> bool {
         blocks(self.material, &self.corners, weights_at(centre, &t.corners), self.alpha_texels)
-    }
-}
-
-/// Depth as a linear function of the place on the map, never past the corners' own depths.
-struct DepthPlane {
-    origin: Vec3,
-    gradient: Vec2,
-    low: f32,
-    high: f32,
-}
-
-impl DepthPlane {
-    fn through(corners: &[Vec3; 3]) -> Self {
-        let (a, b) = ((corners[1] - corners[0]).as_dvec3(), (corners[2] - corners[0]).as_dvec3());
-        let area = a.x * b.y - a.y * b.x;
-        let gradient = match area == 0.0 {
-            true => Vec2::ZERO,
-            false => {
-                Vec2::new(((a.z * b.y - b.z * a.y) / area) as f32, ((b.z * a.x - a.z * b.x) / area) as f32)
-            }
-        };
-        let z = corners.map(|c| c.z);
-        Self { origin: corners[0], gradient, low: z[0].min(z[1]).min(z[2]), high: z[0].max(z[1]).max(z[2]) }
-    }
-}
-
-impl Surface for DepthPlane {
-    #[inline(always)]
-    fn at(&self, x: f32, y: f32) -> f32 {
-        let offset = (x - self.origin.x) * self.gradient.x + (y - self.origin.y) * self.gradient.y;
-        let depth = self.origin.z + offset;
-        let depth = if depth < self.low { self.low } else { depth };
-        if depth > self.high { self.high } else { depth }
-    }
-}
-
-/// A triangle on a perspective map.
-struct Perspective<'a>(&'a [Vec4; 3]);
-
-impl Surface for Perspective<'_> {
-    #[inline(always)]
-    fn at(&self, x: f32, y: f32) -> f32 {
-        depth_at(Vec2::new(x, y), self.0)
-    }
-}
-
-/// What a triangle shows on a map.
-trait Surface {
-    /// Its depth at a place of the map, texels.
-    fn at(&self, x: f32, y: f32) -> f32;
-
-    /// Draws neighbours in a row, the first of them texel `first`; y is their centres'.
-    #[inline(always)]
-    fn draw(&self, first: usize, y: f32, stored: &mut [f32]) {
-        for (i, stored) in stored.iter_mut().enumerate() {
-            let depth = self.at((first + i) as f32 + 0.5, y);
-            *stored = if depth < *stored && depth >= 0.0 { depth } else { *stored };
-        }
-    }
-
-    /// [`DepthPlane::draw`] of the centres that are covered. Most texels that a leaf falls on are nearer already: the
-    /// others are found together.
-    #[inline(always)]
-    fn draw_where(&self, first: usize, y: f32, stored: &mut [f32], is_covered: impl Fn(Vec2) -> bool) {
-        let mut depths = [0.0; LANES];
-        let mut nearer = 0u32;
-        for (i, (depth, stored)) in depths.iter_mut().zip(&*stored).enumerate() {
-            *depth = self.at((first + i) as f32 + 0.5, y);
-            nearer |= u32::from(*depth < *stored && *depth >= 0.0) << i;
-        }
-        while nearer != 0 {
-            let i = nearer.trailing_zeros() as usize;
-            nearer &= nearer - 1;
-            if is_covered(Vec2::new((first + i) as f32 + 0.5, y)) {
-                stored[i] = depths[i];
-            }
-        }
     }
 }
 

@@ -169,8 +169,8 @@ enum Resolver<'a> {
 /// goes from 8.4 to 5.7 ms (`ltt-evsm`) and from 10.5 to 8.2 (`lt-evsm`).
 const GROUP: usize = 8;
 
-/// Groups that a thread takes at once. Left alone, rayon halves the picture twice, and a thread that is done early waits for the other's last
-/// quarter: a frame took up to a fifth longer.
+/// Most groups that a thread takes at once. On two threads rayon's own shares are quarters of the picture, and a thread that is done early waits for
+/// the other's last one: a frame took up to a fifth longer.
 const SHARE: usize = 4;
 
 /// Some blocks, one after the other.
