@@ -6,6 +6,7 @@
 mod asks;
 mod batch;
 mod estimator;
+mod fill;
 mod footprints;
 mod history;
 mod kept_map;
