@@ -93,36 +93,36 @@ var<storage, read_write> visibility: type_13;
 var<storage> levels: type_37;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_155_: lt_mask_LightPlace;
+    var phi_156_: bool;
     var phi_157_: lt_mask_LightPlace;
     var phi_158_: bool;
-    var phi_159_: lt_mask_LightPlace;
-    var phi_160_: bool;
-    var phi_165_: lt_mask_LightPlace;
+    var phi_163_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_157_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_158_ = false;
+            phi_155_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_156_ = false;
         } else {
-            phi_157_ = lt_mask_LightPlace();
-            phi_158_ = true;
+            phi_155_ = lt_mask_LightPlace();
+            phi_156_ = true;
         }
-        let _e65 = phi_157_;
-        let _e67 = phi_158_;
-        phi_159_ = _e65;
-        phi_160_ = _e67;
+        let _e65 = phi_155_;
+        let _e67 = phi_156_;
+        phi_157_ = _e65;
+        phi_158_ = _e67;
     } else {
-        phi_159_ = lt_mask_LightPlace();
-        phi_160_ = true;
+        phi_157_ = lt_mask_LightPlace();
+        phi_158_ = true;
     }
-    let _e69 = phi_159_;
-    let _e71 = phi_160_;
+    let _e69 = phi_157_;
+    let _e71 = phi_158_;
     if _e71 {
-        phi_165_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_163_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_165_ = _e69;
+        phi_163_ = _e69;
     }
-    let _e76 = phi_165_;
+    let _e76 = phi_163_;
     return lt_mask_LightPlace(_e76.word, _e76.shift);
 }
 
@@ -130,490 +130,484 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
     return param_3.x;
 }
 
-fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_185_: bool;
-    var phi_189_: f32;
-
-    let _e53 = (*param_4);
-    if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_185_ = true;
-    } else {
-        let _e57 = (84f < _e53);
-        if _e57 {
-        }
-        phi_185_ = _e57;
-    }
-    let _e59 = phi_185_;
-    if _e59 {
-        phi_189_ = 84f;
-    } else {
-        phi_189_ = _e53;
-    }
-    let _e61 = phi_189_;
-    return _e61;
-}
-
-fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: vec4<f32>, param_8: f32) -> f32 {
-    var phi_210_: f32;
-    var phi_211_: f32;
-    var phi_212_: f32;
-    var phi_228_: f32;
-    var phi_229_: f32;
-    var phi_230_: f32;
-    var phi_246_: f32;
-    var phi_247_: f32;
-    var phi_248_: f32;
-    var phi_264_: f32;
-    var phi_265_: f32;
-    var phi_266_: f32;
-    var phi_282_: f32;
-    var phi_283_: f32;
-    var phi_284_: f32;
+fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
+    var phi_186_: bool;
+    var phi_190_: f32;
+    var phi_205_: f32;
+    var phi_206_: f32;
+    var phi_207_: f32;
+    var phi_223_: f32;
+    var phi_224_: f32;
+    var phi_225_: f32;
+    var phi_241_: f32;
+    var phi_242_: f32;
+    var phi_243_: f32;
+    var phi_259_: f32;
+    var phi_260_: f32;
+    var phi_261_: f32;
+    var phi_277_: f32;
+    var phi_278_: f32;
+    var phi_279_: f32;
+    var phi_298_: f32;
     var phi_303_: f32;
-    var phi_308_: f32;
+    var phi_325_: f32;
     var phi_330_: f32;
-    var phi_335_: f32;
-    var phi_336_: bool;
+    var phi_331_: bool;
+    var phi_332_: f32;
+    var phi_333_: bool;
     var phi_337_: f32;
-    var phi_338_: bool;
-    var phi_342_: f32;
-    var phi_380_: f32;
+    var phi_375_: f32;
+    var phi_386_: f32;
     var phi_391_: f32;
-    var phi_396_: f32;
+    var phi_413_: f32;
     var phi_418_: f32;
-    var phi_423_: f32;
-    var phi_424_: bool;
+    var phi_419_: bool;
+    var phi_420_: f32;
+    var phi_421_: bool;
     var phi_425_: f32;
-    var phi_426_: bool;
-    var phi_430_: f32;
-    var phi_468_: f32;
+    var phi_463_: f32;
+    var phi_474_: f32;
     var phi_479_: f32;
-    var phi_484_: f32;
+    var phi_501_: f32;
     var phi_506_: f32;
-    var phi_511_: f32;
-    var phi_512_: bool;
+    var phi_507_: bool;
+    var phi_508_: f32;
+    var phi_509_: bool;
     var phi_513_: f32;
-    var phi_514_: bool;
-    var phi_518_: f32;
-    var phi_556_: f32;
+    var phi_551_: f32;
+    var phi_562_: f32;
     var phi_567_: f32;
-    var phi_572_: f32;
+    var phi_589_: f32;
     var phi_594_: f32;
-    var phi_599_: f32;
-    var phi_600_: bool;
+    var phi_595_: bool;
+    var phi_596_: f32;
+    var phi_597_: bool;
     var phi_601_: f32;
-    var phi_602_: bool;
-    var phi_606_: f32;
-    var phi_644_: f32;
-    var phi_670_: f32;
-    var phi_671_: f32;
-    var phi_672_: f32;
+    var phi_639_: f32;
+    var phi_665_: f32;
+    var phi_666_: f32;
+    var phi_667_: f32;
 
-    let _e56 = _lt_math_esm_Esm_clamped_exponent(param_5);
-    if ((bitcast<u32>(param_8) & 2147483647u) > 2139095040u) {
-        phi_212_ = param_8;
+    let _e56 = (*param_4);
+    if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
+        phi_186_ = true;
     } else {
-        if (param_8 < 0f) {
-            phi_211_ = 0f;
-        } else {
-            if (param_8 > 1f) {
-                phi_210_ = 1f;
-            } else {
-                phi_210_ = param_8;
-            }
-            let _e63 = phi_210_;
-            phi_211_ = _e63;
+        let _e60 = (84f < _e56);
+        if _e60 {
         }
-        let _e65 = phi_211_;
-        phi_212_ = _e65;
+        phi_186_ = _e60;
     }
-    let _e67 = phi_212_;
-    if ((bitcast<u32>(param_6.x) & 2147483647u) > 2139095040u) {
-        phi_230_ = param_6.x;
+    let _e62 = phi_186_;
+    if _e62 {
+        phi_190_ = 84f;
     } else {
-        if (param_6.x < 0f) {
-            phi_229_ = 0f;
-        } else {
-            if (param_6.x > 1f) {
-                phi_228_ = 1f;
-            } else {
-                phi_228_ = param_6.x;
-            }
-            let _e75 = phi_228_;
-            phi_229_ = _e75;
-        }
-        let _e77 = phi_229_;
-        phi_230_ = _e77;
+        phi_190_ = _e56;
     }
-    let _e79 = phi_230_;
-    if ((bitcast<u32>(param_6.y) & 2147483647u) > 2139095040u) {
-        phi_248_ = param_6.y;
+    let _e64 = phi_190_;
+    if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
+        phi_207_ = param_7;
     } else {
-        if (param_6.y < 0f) {
-            phi_247_ = 0f;
+        if (param_7 < 0f) {
+            phi_206_ = 0f;
         } else {
-            if (param_6.y > 1f) {
-                phi_246_ = 1f;
+            if (param_7 > 1f) {
+                phi_205_ = 1f;
             } else {
-                phi_246_ = param_6.y;
+                phi_205_ = param_7;
             }
-            let _e87 = phi_246_;
-            phi_247_ = _e87;
+            let _e71 = phi_205_;
+            phi_206_ = _e71;
         }
-        let _e89 = phi_247_;
-        phi_248_ = _e89;
+        let _e73 = phi_206_;
+        phi_207_ = _e73;
     }
-    let _e91 = phi_248_;
-    if ((bitcast<u32>(param_6.z) & 2147483647u) > 2139095040u) {
-        phi_266_ = param_6.z;
+    let _e75 = phi_207_;
+    if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
+        phi_225_ = param_5.x;
     } else {
-        if (param_6.z < 0f) {
-            phi_265_ = 0f;
+        if (param_5.x < 0f) {
+            phi_224_ = 0f;
         } else {
-            if (param_6.z > 1f) {
-                phi_264_ = 1f;
+            if (param_5.x > 1f) {
+                phi_223_ = 1f;
             } else {
-                phi_264_ = param_6.z;
+                phi_223_ = param_5.x;
             }
-            let _e99 = phi_264_;
-            phi_265_ = _e99;
+            let _e83 = phi_223_;
+            phi_224_ = _e83;
         }
-        let _e101 = phi_265_;
-        phi_266_ = _e101;
+        let _e85 = phi_224_;
+        phi_225_ = _e85;
     }
-    let _e103 = phi_266_;
-    if ((bitcast<u32>(param_6.w) & 2147483647u) > 2139095040u) {
-        phi_284_ = param_6.w;
+    let _e87 = phi_225_;
+    if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
+        phi_243_ = param_5.y;
     } else {
-        if (param_6.w < 0f) {
-            phi_283_ = 0f;
+        if (param_5.y < 0f) {
+            phi_242_ = 0f;
         } else {
-            if (param_6.w > 1f) {
-                phi_282_ = 1f;
+            if (param_5.y > 1f) {
+                phi_241_ = 1f;
             } else {
-                phi_282_ = param_6.w;
+                phi_241_ = param_5.y;
             }
-            let _e111 = phi_282_;
-            phi_283_ = _e111;
+            let _e95 = phi_241_;
+            phi_242_ = _e95;
         }
-        let _e113 = phi_283_;
-        phi_284_ = _e113;
+        let _e97 = phi_242_;
+        phi_243_ = _e97;
     }
-    let _e115 = phi_284_;
-    let _e120 = (_e56 * (_e79 - _e67));
-    let _e121 = (_e56 * (_e91 - _e67));
-    let _e122 = (_e56 * (_e103 - _e67));
-    let _e123 = (_e56 * (_e115 - _e67));
-    if ((bitcast<u32>(_e120) & 2147483647u) > 2139095040u) {
-        phi_380_ = _e120;
+    let _e99 = phi_243_;
+    if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
+        phi_261_ = param_5.z;
     } else {
-        if (_e120 < -87f) {
-            phi_303_ = -87f;
+        if (param_5.z < 0f) {
+            phi_260_ = 0f;
         } else {
-            phi_303_ = _e120;
-        }
-        let _e129 = phi_303_;
-        if (_e129 > 88f) {
-            phi_308_ = 88f;
-        } else {
-            phi_308_ = _e129;
-        }
-        let _e132 = phi_308_;
-        let _e134 = ((_e132 * 1.442695f) + 0.5f);
-        if (_e134 > -8388608f) {
-            let _e146 = f32(select(0i, select(select(i32(_e134), i32(-2147483648), (_e134 < bitcast<f32>(3472883712u))), 2147483647i, (_e134 > bitcast<f32>(1325400063u))), (_e134 == _e134)));
-            if (_e146 > _e134) {
-                phi_330_ = 1f;
+            if (param_5.z > 1f) {
+                phi_259_ = 1f;
             } else {
-                phi_330_ = 0f;
+                phi_259_ = param_5.z;
             }
-            let _e149 = phi_330_;
-            if (_e134 < 8388608f) {
-                phi_335_ = (_e146 - _e149);
-                phi_336_ = false;
-            } else {
-                phi_335_ = f32();
-                phi_336_ = true;
-            }
-            let _e152 = phi_335_;
-            let _e154 = phi_336_;
-            phi_337_ = _e152;
-            phi_338_ = _e154;
-        } else {
-            phi_337_ = f32();
-            phi_338_ = true;
+            let _e107 = phi_259_;
+            phi_260_ = _e107;
         }
-        let _e156 = phi_337_;
-        let _e158 = phi_338_;
-        if _e158 {
-            phi_342_ = _e134;
-        } else {
-            phi_342_ = _e156;
-        }
-        let _e160 = phi_342_;
-        let _e164 = ((_e132 - (_e160 * 0.69314575f)) - (_e160 * 0.0000014286068f));
-        phi_380_ = ((((((((((((((((1f / 5040f) * _e164) + (1f / 720f)) * _e164) + (1f / 120f)) * _e164) + (1f / 24f)) * _e164) + (1f / 6f)) * _e164) + 0.5f) * _e164) + 1f) * _e164) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e160), i32(-2147483648), (_e160 < bitcast<f32>(3472883712u))), 2147483647i, (_e160 > bitcast<f32>(1325400063u))), (_e160 == _e160)) + 127i)) << bitcast<u32>(23i))));
+        let _e109 = phi_260_;
+        phi_261_ = _e109;
     }
-    let _e200 = phi_380_;
-    if ((bitcast<u32>(_e121) & 2147483647u) > 2139095040u) {
-        phi_468_ = _e121;
+    let _e111 = phi_261_;
+    if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
+        phi_279_ = param_5.w;
     } else {
-        if (_e121 < -87f) {
-            phi_391_ = -87f;
+        if (param_5.w < 0f) {
+            phi_278_ = 0f;
         } else {
-            phi_391_ = _e121;
-        }
-        let _e206 = phi_391_;
-        if (_e206 > 88f) {
-            phi_396_ = 88f;
-        } else {
-            phi_396_ = _e206;
-        }
-        let _e209 = phi_396_;
-        let _e211 = ((_e209 * 1.442695f) + 0.5f);
-        if (_e211 > -8388608f) {
-            let _e223 = f32(select(0i, select(select(i32(_e211), i32(-2147483648), (_e211 < bitcast<f32>(3472883712u))), 2147483647i, (_e211 > bitcast<f32>(1325400063u))), (_e211 == _e211)));
-            if (_e223 > _e211) {
-                phi_418_ = 1f;
+            if (param_5.w > 1f) {
+                phi_277_ = 1f;
             } else {
-                phi_418_ = 0f;
+                phi_277_ = param_5.w;
             }
-            let _e226 = phi_418_;
-            if (_e211 < 8388608f) {
-                phi_423_ = (_e223 - _e226);
-                phi_424_ = false;
-            } else {
-                phi_423_ = f32();
-                phi_424_ = true;
-            }
-            let _e229 = phi_423_;
-            let _e231 = phi_424_;
-            phi_425_ = _e229;
-            phi_426_ = _e231;
-        } else {
-            phi_425_ = f32();
-            phi_426_ = true;
+            let _e119 = phi_277_;
+            phi_278_ = _e119;
         }
-        let _e233 = phi_425_;
-        let _e235 = phi_426_;
-        if _e235 {
-            phi_430_ = _e211;
-        } else {
-            phi_430_ = _e233;
-        }
-        let _e237 = phi_430_;
-        let _e241 = ((_e209 - (_e237 * 0.69314575f)) - (_e237 * 0.0000014286068f));
-        phi_468_ = ((((((((((((((((1f / 5040f) * _e241) + (1f / 720f)) * _e241) + (1f / 120f)) * _e241) + (1f / 24f)) * _e241) + (1f / 6f)) * _e241) + 0.5f) * _e241) + 1f) * _e241) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e237), i32(-2147483648), (_e237 < bitcast<f32>(3472883712u))), 2147483647i, (_e237 > bitcast<f32>(1325400063u))), (_e237 == _e237)) + 127i)) << bitcast<u32>(23i))));
+        let _e121 = phi_278_;
+        phi_279_ = _e121;
     }
-    let _e277 = phi_468_;
-    if ((bitcast<u32>(_e122) & 2147483647u) > 2139095040u) {
-        phi_556_ = _e122;
+    let _e123 = phi_279_;
+    let _e128 = (_e64 * (_e87 - _e75));
+    let _e129 = (_e64 * (_e99 - _e75));
+    let _e130 = (_e64 * (_e111 - _e75));
+    let _e131 = (_e64 * (_e123 - _e75));
+    if ((bitcast<u32>(_e128) & 2147483647u) > 2139095040u) {
+        phi_375_ = _e128;
     } else {
-        if (_e122 < -87f) {
-            phi_479_ = -87f;
+        if (_e128 < -87f) {
+            phi_298_ = -87f;
         } else {
-            phi_479_ = _e122;
+            phi_298_ = _e128;
         }
-        let _e283 = phi_479_;
-        if (_e283 > 88f) {
-            phi_484_ = 88f;
+        let _e137 = phi_298_;
+        if (_e137 > 88f) {
+            phi_303_ = 88f;
         } else {
-            phi_484_ = _e283;
+            phi_303_ = _e137;
         }
-        let _e286 = phi_484_;
-        let _e288 = ((_e286 * 1.442695f) + 0.5f);
-        if (_e288 > -8388608f) {
-            let _e300 = f32(select(0i, select(select(i32(_e288), i32(-2147483648), (_e288 < bitcast<f32>(3472883712u))), 2147483647i, (_e288 > bitcast<f32>(1325400063u))), (_e288 == _e288)));
-            if (_e300 > _e288) {
-                phi_506_ = 1f;
+        let _e140 = phi_303_;
+        let _e142 = ((_e140 * 1.442695f) + 0.5f);
+        if (_e142 > -8388608f) {
+            let _e154 = f32(select(0i, select(select(i32(_e142), i32(-2147483648), (_e142 < bitcast<f32>(3472883712u))), 2147483647i, (_e142 > bitcast<f32>(1325400063u))), (_e142 == _e142)));
+            if (_e154 > _e142) {
+                phi_325_ = 1f;
             } else {
-                phi_506_ = 0f;
+                phi_325_ = 0f;
             }
-            let _e303 = phi_506_;
-            if (_e288 < 8388608f) {
-                phi_511_ = (_e300 - _e303);
-                phi_512_ = false;
+            let _e157 = phi_325_;
+            if (_e142 < 8388608f) {
+                phi_330_ = (_e154 - _e157);
+                phi_331_ = false;
             } else {
-                phi_511_ = f32();
-                phi_512_ = true;
+                phi_330_ = f32();
+                phi_331_ = true;
             }
-            let _e306 = phi_511_;
-            let _e308 = phi_512_;
-            phi_513_ = _e306;
-            phi_514_ = _e308;
+            let _e160 = phi_330_;
+            let _e162 = phi_331_;
+            phi_332_ = _e160;
+            phi_333_ = _e162;
         } else {
-            phi_513_ = f32();
-            phi_514_ = true;
+            phi_332_ = f32();
+            phi_333_ = true;
         }
-        let _e310 = phi_513_;
-        let _e312 = phi_514_;
-        if _e312 {
-            phi_518_ = _e288;
+        let _e164 = phi_332_;
+        let _e166 = phi_333_;
+        if _e166 {
+            phi_337_ = _e142;
         } else {
-            phi_518_ = _e310;
+            phi_337_ = _e164;
         }
-        let _e314 = phi_518_;
-        let _e318 = ((_e286 - (_e314 * 0.69314575f)) - (_e314 * 0.0000014286068f));
-        phi_556_ = ((((((((((((((((1f / 5040f) * _e318) + (1f / 720f)) * _e318) + (1f / 120f)) * _e318) + (1f / 24f)) * _e318) + (1f / 6f)) * _e318) + 0.5f) * _e318) + 1f) * _e318) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e314), i32(-2147483648), (_e314 < bitcast<f32>(3472883712u))), 2147483647i, (_e314 > bitcast<f32>(1325400063u))), (_e314 == _e314)) + 127i)) << bitcast<u32>(23i))));
+        let _e168 = phi_337_;
+        let _e172 = ((_e140 - (_e168 * 0.69314575f)) - (_e168 * 0.0000014286068f));
+        phi_375_ = ((((((((((((((((1f / 5040f) * _e172) + (1f / 720f)) * _e172) + (1f / 120f)) * _e172) + (1f / 24f)) * _e172) + (1f / 6f)) * _e172) + 0.5f) * _e172) + 1f) * _e172) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e168), i32(-2147483648), (_e168 < bitcast<f32>(3472883712u))), 2147483647i, (_e168 > bitcast<f32>(1325400063u))), (_e168 == _e168)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e354 = phi_556_;
-    if ((bitcast<u32>(_e123) & 2147483647u) > 2139095040u) {
-        phi_644_ = _e123;
+    let _e208 = phi_375_;
+    if ((bitcast<u32>(_e129) & 2147483647u) > 2139095040u) {
+        phi_463_ = _e129;
     } else {
-        if (_e123 < -87f) {
-            phi_567_ = -87f;
+        if (_e129 < -87f) {
+            phi_386_ = -87f;
         } else {
-            phi_567_ = _e123;
+            phi_386_ = _e129;
         }
-        let _e360 = phi_567_;
-        if (_e360 > 88f) {
-            phi_572_ = 88f;
+        let _e214 = phi_386_;
+        if (_e214 > 88f) {
+            phi_391_ = 88f;
         } else {
-            phi_572_ = _e360;
+            phi_391_ = _e214;
         }
-        let _e363 = phi_572_;
-        let _e365 = ((_e363 * 1.442695f) + 0.5f);
-        if (_e365 > -8388608f) {
-            let _e377 = f32(select(0i, select(select(i32(_e365), i32(-2147483648), (_e365 < bitcast<f32>(3472883712u))), 2147483647i, (_e365 > bitcast<f32>(1325400063u))), (_e365 == _e365)));
-            if (_e377 > _e365) {
-                phi_594_ = 1f;
+        let _e217 = phi_391_;
+        let _e219 = ((_e217 * 1.442695f) + 0.5f);
+        if (_e219 > -8388608f) {
+            let _e231 = f32(select(0i, select(select(i32(_e219), i32(-2147483648), (_e219 < bitcast<f32>(3472883712u))), 2147483647i, (_e219 > bitcast<f32>(1325400063u))), (_e219 == _e219)));
+            if (_e231 > _e219) {
+                phi_413_ = 1f;
             } else {
-                phi_594_ = 0f;
+                phi_413_ = 0f;
             }
-            let _e380 = phi_594_;
-            if (_e365 < 8388608f) {
-                phi_599_ = (_e377 - _e380);
-                phi_600_ = false;
+            let _e234 = phi_413_;
+            if (_e219 < 8388608f) {
+                phi_418_ = (_e231 - _e234);
+                phi_419_ = false;
             } else {
-                phi_599_ = f32();
-                phi_600_ = true;
+                phi_418_ = f32();
+                phi_419_ = true;
             }
-            let _e383 = phi_599_;
-            let _e385 = phi_600_;
-            phi_601_ = _e383;
-            phi_602_ = _e385;
+            let _e237 = phi_418_;
+            let _e239 = phi_419_;
+            phi_420_ = _e237;
+            phi_421_ = _e239;
         } else {
-            phi_601_ = f32();
-            phi_602_ = true;
+            phi_420_ = f32();
+            phi_421_ = true;
         }
-        let _e387 = phi_601_;
-        let _e389 = phi_602_;
-        if _e389 {
-            phi_606_ = _e365;
+        let _e241 = phi_420_;
+        let _e243 = phi_421_;
+        if _e243 {
+            phi_425_ = _e219;
         } else {
-            phi_606_ = _e387;
+            phi_425_ = _e241;
         }
-        let _e391 = phi_606_;
-        let _e395 = ((_e363 - (_e391 * 0.69314575f)) - (_e391 * 0.0000014286068f));
-        phi_644_ = ((((((((((((((((1f / 5040f) * _e395) + (1f / 720f)) * _e395) + (1f / 120f)) * _e395) + (1f / 24f)) * _e395) + (1f / 6f)) * _e395) + 0.5f) * _e395) + 1f) * _e395) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e391), i32(-2147483648), (_e391 < bitcast<f32>(3472883712u))), 2147483647i, (_e391 > bitcast<f32>(1325400063u))), (_e391 == _e391)) + 127i)) << bitcast<u32>(23i))));
+        let _e245 = phi_425_;
+        let _e249 = ((_e217 - (_e245 * 0.69314575f)) - (_e245 * 0.0000014286068f));
+        phi_463_ = ((((((((((((((((1f / 5040f) * _e249) + (1f / 720f)) * _e249) + (1f / 120f)) * _e249) + (1f / 24f)) * _e249) + (1f / 6f)) * _e249) + 0.5f) * _e249) + 1f) * _e249) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e245), i32(-2147483648), (_e245 < bitcast<f32>(3472883712u))), 2147483647i, (_e245 > bitcast<f32>(1325400063u))), (_e245 == _e245)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e431 = phi_644_;
-    let _e442 = ((((_e200 * param_7.x) + (_e277 * param_7.y)) + (_e354 * param_7.z)) + (_e431 * param_7.w));
-    if ((bitcast<u32>(_e442) & 2147483647u) > 2139095040u) {
-        phi_672_ = _e442;
+    let _e285 = phi_463_;
+    if ((bitcast<u32>(_e130) & 2147483647u) > 2139095040u) {
+        phi_551_ = _e130;
     } else {
-        if (_e442 < 0f) {
-            phi_671_ = 0f;
+        if (_e130 < -87f) {
+            phi_474_ = -87f;
         } else {
-            if (_e442 > 1f) {
-                phi_670_ = 1f;
-            } else {
-                phi_670_ = _e442;
-            }
-            let _e449 = phi_670_;
-            phi_671_ = _e449;
+            phi_474_ = _e130;
         }
-        let _e451 = phi_671_;
-        phi_672_ = _e451;
+        let _e291 = phi_474_;
+        if (_e291 > 88f) {
+            phi_479_ = 88f;
+        } else {
+            phi_479_ = _e291;
+        }
+        let _e294 = phi_479_;
+        let _e296 = ((_e294 * 1.442695f) + 0.5f);
+        if (_e296 > -8388608f) {
+            let _e308 = f32(select(0i, select(select(i32(_e296), i32(-2147483648), (_e296 < bitcast<f32>(3472883712u))), 2147483647i, (_e296 > bitcast<f32>(1325400063u))), (_e296 == _e296)));
+            if (_e308 > _e296) {
+                phi_501_ = 1f;
+            } else {
+                phi_501_ = 0f;
+            }
+            let _e311 = phi_501_;
+            if (_e296 < 8388608f) {
+                phi_506_ = (_e308 - _e311);
+                phi_507_ = false;
+            } else {
+                phi_506_ = f32();
+                phi_507_ = true;
+            }
+            let _e314 = phi_506_;
+            let _e316 = phi_507_;
+            phi_508_ = _e314;
+            phi_509_ = _e316;
+        } else {
+            phi_508_ = f32();
+            phi_509_ = true;
+        }
+        let _e318 = phi_508_;
+        let _e320 = phi_509_;
+        if _e320 {
+            phi_513_ = _e296;
+        } else {
+            phi_513_ = _e318;
+        }
+        let _e322 = phi_513_;
+        let _e326 = ((_e294 - (_e322 * 0.69314575f)) - (_e322 * 0.0000014286068f));
+        phi_551_ = ((((((((((((((((1f / 5040f) * _e326) + (1f / 720f)) * _e326) + (1f / 120f)) * _e326) + (1f / 24f)) * _e326) + (1f / 6f)) * _e326) + 0.5f) * _e326) + 1f) * _e326) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e322), i32(-2147483648), (_e322 < bitcast<f32>(3472883712u))), 2147483647i, (_e322 > bitcast<f32>(1325400063u))), (_e322 == _e322)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e453 = phi_672_;
-    return _e453;
+    let _e362 = phi_551_;
+    if ((bitcast<u32>(_e131) & 2147483647u) > 2139095040u) {
+        phi_639_ = _e131;
+    } else {
+        if (_e131 < -87f) {
+            phi_562_ = -87f;
+        } else {
+            phi_562_ = _e131;
+        }
+        let _e368 = phi_562_;
+        if (_e368 > 88f) {
+            phi_567_ = 88f;
+        } else {
+            phi_567_ = _e368;
+        }
+        let _e371 = phi_567_;
+        let _e373 = ((_e371 * 1.442695f) + 0.5f);
+        if (_e373 > -8388608f) {
+            let _e385 = f32(select(0i, select(select(i32(_e373), i32(-2147483648), (_e373 < bitcast<f32>(3472883712u))), 2147483647i, (_e373 > bitcast<f32>(1325400063u))), (_e373 == _e373)));
+            if (_e385 > _e373) {
+                phi_589_ = 1f;
+            } else {
+                phi_589_ = 0f;
+            }
+            let _e388 = phi_589_;
+            if (_e373 < 8388608f) {
+                phi_594_ = (_e385 - _e388);
+                phi_595_ = false;
+            } else {
+                phi_594_ = f32();
+                phi_595_ = true;
+            }
+            let _e391 = phi_594_;
+            let _e393 = phi_595_;
+            phi_596_ = _e391;
+            phi_597_ = _e393;
+        } else {
+            phi_596_ = f32();
+            phi_597_ = true;
+        }
+        let _e395 = phi_596_;
+        let _e397 = phi_597_;
+        if _e397 {
+            phi_601_ = _e373;
+        } else {
+            phi_601_ = _e395;
+        }
+        let _e399 = phi_601_;
+        let _e403 = ((_e371 - (_e399 * 0.69314575f)) - (_e399 * 0.0000014286068f));
+        phi_639_ = ((((((((((((((((1f / 5040f) * _e403) + (1f / 720f)) * _e403) + (1f / 120f)) * _e403) + (1f / 24f)) * _e403) + (1f / 6f)) * _e403) + 0.5f) * _e403) + 1f) * _e403) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e399), i32(-2147483648), (_e399 < bitcast<f32>(3472883712u))), 2147483647i, (_e399 > bitcast<f32>(1325400063u))), (_e399 == _e399)) + 127i)) << bitcast<u32>(23i))));
+    }
+    let _e439 = phi_639_;
+    let _e450 = ((((_e208 * param_6.x) + (_e285 * param_6.y)) + (_e362 * param_6.z)) + (_e439 * param_6.w));
+    if ((bitcast<u32>(_e450) & 2147483647u) > 2139095040u) {
+        phi_667_ = _e450;
+    } else {
+        if (_e450 < 0f) {
+            phi_666_ = 0f;
+        } else {
+            if (_e450 > 1f) {
+                phi_665_ = 1f;
+            } else {
+                phi_665_ = _e450;
+            }
+            let _e457 = phi_665_;
+            phi_666_ = _e457;
+        }
+        let _e459 = phi_666_;
+        phi_667_ = _e459;
+    }
+    let _e461 = phi_667_;
+    return _e461;
 }
 
 fn function_() {
     var local: f32;
-    var phi_732_: bool;
-    var phi_733_: bool;
+    var phi_727_: bool;
+    var phi_728_: bool;
+    var phi_729_: bool;
+    var phi_730_: bool;
     var phi_734_: bool;
-    var phi_735_: bool;
-    var phi_739_: bool;
-    var phi_809_: bool;
-    var phi_810_: bool;
-    var phi_821_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_822_: bool;
-    var phi_823_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_824_: bool;
-    var phi_831_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_835_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_855_: lt_math_LightPoint;
-    var phi_858_: u32;
-    var phi_860_: lt_math_LevelPoint;
-    var phi_946_: bool;
-    var phi_955_: bool;
+    var phi_804_: bool;
+    var phi_805_: bool;
+    var phi_816_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_817_: bool;
+    var phi_818_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_819_: bool;
+    var phi_826_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_830_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_850_: lt_math_LightPoint;
+    var phi_853_: u32;
+    var phi_855_: lt_math_LevelPoint;
+    var phi_941_: bool;
+    var phi_950_: bool;
+    var phi_959_: bool;
+    var phi_960_: bool;
+    var phi_961_: bool;
+    var phi_962_: bool;
+    var phi_963_: bool;
     var phi_964_: bool;
     var phi_965_: bool;
-    var phi_966_: bool;
-    var phi_967_: bool;
-    var phi_968_: bool;
     var phi_969_: bool;
-    var phi_970_: bool;
-    var phi_974_: bool;
+    var phi_996_: bool;
+    var phi_997_: bool;
+    var phi_998_: bool;
+    var phi_999_: bool;
+    var phi_1000_: bool;
     var phi_1001_: bool;
     var phi_1002_: bool;
     var phi_1003_: bool;
-    var phi_1004_: bool;
-    var phi_1005_: bool;
-    var phi_1006_: bool;
     var phi_1007_: bool;
-    var phi_1008_: bool;
-    var phi_1012_: bool;
-    var phi_1021_: lt_math_LightPoint;
-    var phi_1022_: u32;
-    var phi_1023_: lt_math_LevelPoint;
-    var phi_1024_: bool;
-    var phi_856_: lt_math_LightPoint;
-    var phi_859_: u32;
-    var phi_861_: lt_math_LevelPoint;
-    var phi_1025_: bool;
+    var phi_1016_: lt_math_LightPoint;
+    var phi_1017_: u32;
+    var phi_1018_: lt_math_LevelPoint;
+    var phi_1019_: bool;
+    var phi_851_: lt_math_LightPoint;
+    var phi_854_: u32;
+    var phi_856_: lt_math_LevelPoint;
+    var phi_1020_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_1065_: bool;
-    var phi_1066_: bool;
+    var phi_1060_: bool;
+    var phi_1061_: bool;
+    var phi_1062_: bool;
+    var phi_1063_: bool;
     var phi_1067_: bool;
-    var phi_1068_: bool;
-    var phi_1072_: bool;
-    var phi_1154_: f32;
-    var phi_1272_: f32;
-    var phi_1273_: f32;
-    var phi_1276_: f32;
+    var phi_1149_: f32;
+    var phi_1267_: f32;
+    var phi_1268_: f32;
+    var phi_1271_: f32;
+    var phi_1300_: f32;
     var phi_1305_: f32;
-    var phi_1310_: f32;
-    var phi_1311_: bool;
+    var phi_1306_: bool;
+    var phi_1307_: f32;
+    var phi_1308_: bool;
     var phi_1312_: f32;
-    var phi_1313_: bool;
-    var phi_1317_: f32;
+    var phi_1332_: f32;
     var phi_1337_: f32;
-    var phi_1342_: f32;
-    var phi_1343_: bool;
+    var phi_1338_: bool;
+    var phi_1339_: f32;
+    var phi_1340_: bool;
     var phi_1344_: f32;
-    var phi_1345_: bool;
-    var phi_1349_: f32;
     var local_3: lt_math_LevelPoint;
+    var phi_1393_: i32;
     var phi_1398_: i32;
     var phi_1403_: i32;
     var phi_1408_: i32;
-    var phi_1413_: i32;
+    var phi_1417_: i32;
     var phi_1422_: i32;
     var phi_1427_: i32;
     var phi_1432_: i32;
-    var phi_1437_: i32;
-    var phi_1482_: evaluate_Verdict;
-    var phi_1483_: evaluate_Verdict;
-    var phi_1484_: bool;
-    var phi_1485_: evaluate_Verdict;
+    var phi_1477_: evaluate_Verdict;
+    var phi_1478_: evaluate_Verdict;
+    var phi_1479_: bool;
+    var phi_1480_: evaluate_Verdict;
+    var phi_1481_: evaluate_Verdict;
+    var phi_1482_: bool;
     var phi_1486_: evaluate_Verdict;
-    var phi_1487_: bool;
-    var phi_1491_: evaluate_Verdict;
 
     let _e53 = id_1;
     let _e60 = arrayLength((&map.member));
@@ -635,28 +629,28 @@ fn function_() {
             if (_e90 == _e92) {
                 let _e95 = samples.member[(0u + _e72.shift)].normal[2u];
                 let _e97 = global[2u];
-                phi_732_ = (_e95 == _e97);
-                phi_733_ = false;
+                phi_727_ = (_e95 == _e97);
+                phi_728_ = false;
             } else {
-                phi_732_ = bool();
-                phi_733_ = true;
+                phi_727_ = bool();
+                phi_728_ = true;
             }
-            let _e100 = phi_732_;
-            let _e102 = phi_733_;
-            phi_734_ = _e100;
-            phi_735_ = _e102;
+            let _e100 = phi_727_;
+            let _e102 = phi_728_;
+            phi_729_ = _e100;
+            phi_730_ = _e102;
         } else {
-            phi_734_ = bool();
-            phi_735_ = true;
+            phi_729_ = bool();
+            phi_730_ = true;
         }
-        let _e104 = phi_734_;
-        let _e106 = phi_735_;
+        let _e104 = phi_729_;
+        let _e106 = phi_730_;
         if _e106 {
-            phi_739_ = false;
+            phi_734_ = false;
         } else {
-            phi_739_ = _e104;
+            phi_734_ = _e104;
         }
-        let _e108 = phi_739_;
+        let _e108 = phi_734_;
         if !(_e108) {
             let _e111 = samples.member[(0u + _e72.shift)].position;
             let _e113 = p.member.light.place;
@@ -670,58 +664,58 @@ fn function_() {
                 let _e146 = p.member.light.axis;
                 let _e158 = p.member.light.place[3u];
                 if (_e158 == 0f) {
-                    phi_810_ = true;
+                    phi_805_ = true;
                 } else {
                     let _e161 = p.member.light.range_squared;
                     if (_e144 <= _e161) {
                         let _e164 = p.member.light.cos_outer;
-                        phi_809_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
+                        phi_804_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
                     } else {
-                        phi_809_ = false;
+                        phi_804_ = false;
                     }
-                    let _e169 = phi_809_;
-                    phi_810_ = _e169;
+                    let _e169 = phi_804_;
+                    phi_805_ = _e169;
                 }
-                let _e171 = phi_810_;
+                let _e171 = phi_805_;
                 if _e171 {
                     let _e173 = samples.member[(0u + _e72.shift)].flags;
                     let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
-                    phi_821_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
-                    phi_822_ = false;
+                    phi_816_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
+                    phi_817_ = false;
                 } else {
-                    phi_821_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_822_ = true;
+                    phi_816_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_817_ = true;
                 }
-                let _e192 = phi_821_;
-                let _e194 = phi_822_;
-                phi_823_ = _e192;
-                phi_824_ = _e194;
+                let _e192 = phi_816_;
+                let _e194 = phi_817_;
+                phi_818_ = _e192;
+                phi_819_ = _e194;
             } else {
-                phi_823_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_824_ = true;
+                phi_818_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_819_ = true;
             }
-            let _e196 = phi_823_;
-            let _e198 = phi_824_;
+            let _e196 = phi_818_;
+            let _e198 = phi_819_;
             if _e198 {
                 let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
-                phi_831_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
+                phi_826_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
             } else {
-                phi_831_ = _e196;
+                phi_826_ = _e196;
             }
-            let _e215 = phi_831_;
-            phi_835_ = _e215;
+            let _e215 = phi_826_;
+            phi_830_ = _e215;
         } else {
             let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
-            phi_835_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
+            phi_830_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
         }
-        let _e232 = phi_835_;
+        let _e232 = phi_830_;
         if _e232.unnamed_1 {
-            phi_1485_ = evaluate_Verdict(_e232.unnamed.visibility, _e232.unnamed.is_doubted);
-            phi_1486_ = evaluate_Verdict();
-            phi_1487_ = true;
+            phi_1480_ = evaluate_Verdict(_e232.unnamed.visibility, _e232.unnamed.is_doubted);
+            phi_1481_ = evaluate_Verdict();
+            phi_1482_ = true;
         } else {
             let _e240 = samples.member[(0u + _e72.shift)].position;
             let _e242 = p.member.map_size;
@@ -729,22 +723,22 @@ fn function_() {
             let _e251 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
             let _e258 = lt_math_LightPoint(vec2<f32>(_e251.uv.x, 0f), _e251.depth, _e251.is_inside);
             let _e262 = lt_math_LightPoint(_e258.uv, 0f, _e258.is_inside);
-            phi_855_ = lt_math_LightPoint();
-            phi_858_ = 0u;
-            phi_860_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e262.uv, _e262.depth, false));
+            phi_850_ = lt_math_LightPoint();
+            phi_853_ = 0u;
+            phi_855_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e262.uv, _e262.depth, false));
             loop {
-                let _e269 = phi_855_;
-                let _e271 = phi_858_;
-                let _e273 = phi_860_;
+                let _e269 = phi_850_;
+                let _e271 = phi_853_;
+                let _e273 = phi_855_;
                 local_1 = _e273;
                 local_2 = _e273;
                 local_3 = _e273;
                 if (_e271 < _e78) {
                     if _e273.point.is_inside {
-                        phi_1021_ = lt_math_LightPoint();
-                        phi_1022_ = u32();
-                        phi_1023_ = lt_math_LevelPoint();
-                        phi_1024_ = false;
+                        phi_1016_ = lt_math_LightPoint();
+                        phi_1017_ = u32();
+                        phi_1018_ = lt_math_LevelPoint();
+                        phi_1019_ = false;
                     } else {
                         if (_e271 < _e66) {
                         } else {
@@ -760,129 +754,129 @@ fn function_() {
                         let _e336 = ((((_e325.x * _e240.x) + (_e325.y * _e240.y)) + (_e325.z * _e240.z)) + (_e325.w * 1f));
                         if (_e295 > 0f) {
                             if (_e309 >= 0f) {
-                                phi_946_ = (_e309 <= 1f);
+                                phi_941_ = (_e309 <= 1f);
                             } else {
-                                phi_946_ = false;
+                                phi_941_ = false;
                             }
-                            let _e341 = phi_946_;
+                            let _e341 = phi_941_;
                             if _e341 {
                                 if (_e323 >= 0f) {
-                                    phi_955_ = (_e323 <= 1f);
+                                    phi_950_ = (_e323 <= 1f);
                                 } else {
-                                    phi_955_ = false;
+                                    phi_950_ = false;
                                 }
-                                let _e345 = phi_955_;
+                                let _e345 = phi_950_;
                                 if _e345 {
                                     if (_e336 >= 0f) {
-                                        phi_964_ = (_e336 <= 1f);
+                                        phi_959_ = (_e336 <= 1f);
                                     } else {
-                                        phi_964_ = false;
+                                        phi_959_ = false;
                                     }
-                                    let _e349 = phi_964_;
-                                    phi_965_ = _e349;
-                                    phi_966_ = false;
+                                    let _e349 = phi_959_;
+                                    phi_960_ = _e349;
+                                    phi_961_ = false;
                                 } else {
-                                    phi_965_ = bool();
-                                    phi_966_ = true;
+                                    phi_960_ = bool();
+                                    phi_961_ = true;
                                 }
-                                let _e351 = phi_965_;
-                                let _e353 = phi_966_;
-                                phi_967_ = _e351;
-                                phi_968_ = _e353;
+                                let _e351 = phi_960_;
+                                let _e353 = phi_961_;
+                                phi_962_ = _e351;
+                                phi_963_ = _e353;
                             } else {
-                                phi_967_ = bool();
-                                phi_968_ = true;
+                                phi_962_ = bool();
+                                phi_963_ = true;
                             }
-                            let _e355 = phi_967_;
-                            let _e357 = phi_968_;
-                            phi_969_ = _e355;
-                            phi_970_ = _e357;
+                            let _e355 = phi_962_;
+                            let _e357 = phi_963_;
+                            phi_964_ = _e355;
+                            phi_965_ = _e357;
                         } else {
-                            phi_969_ = bool();
-                            phi_970_ = true;
+                            phi_964_ = bool();
+                            phi_965_ = true;
                         }
-                        let _e359 = phi_969_;
-                        let _e361 = phi_970_;
+                        let _e359 = phi_964_;
+                        let _e361 = phi_965_;
                         if _e361 {
-                            phi_974_ = false;
+                            phi_969_ = false;
                         } else {
-                            phi_974_ = _e359;
+                            phi_969_ = _e359;
                         }
-                        let _e363 = phi_974_;
+                        let _e363 = phi_969_;
                         if _e363 {
                             if (_e309 >= _e244) {
                                 if (_e309 <= (1f - _e244)) {
                                     if (_e323 >= _e244) {
-                                        phi_1001_ = (_e323 <= (1f - _e244));
-                                        phi_1002_ = false;
+                                        phi_996_ = (_e323 <= (1f - _e244));
+                                        phi_997_ = false;
                                     } else {
-                                        phi_1001_ = bool();
-                                        phi_1002_ = true;
+                                        phi_996_ = bool();
+                                        phi_997_ = true;
                                     }
-                                    let _e371 = phi_1001_;
-                                    let _e373 = phi_1002_;
-                                    phi_1003_ = _e371;
-                                    phi_1004_ = _e373;
+                                    let _e371 = phi_996_;
+                                    let _e373 = phi_997_;
+                                    phi_998_ = _e371;
+                                    phi_999_ = _e373;
                                 } else {
-                                    phi_1003_ = bool();
-                                    phi_1004_ = true;
+                                    phi_998_ = bool();
+                                    phi_999_ = true;
                                 }
-                                let _e375 = phi_1003_;
-                                let _e377 = phi_1004_;
-                                phi_1005_ = _e375;
-                                phi_1006_ = _e377;
+                                let _e375 = phi_998_;
+                                let _e377 = phi_999_;
+                                phi_1000_ = _e375;
+                                phi_1001_ = _e377;
                             } else {
-                                phi_1005_ = bool();
-                                phi_1006_ = true;
+                                phi_1000_ = bool();
+                                phi_1001_ = true;
                             }
-                            let _e379 = phi_1005_;
-                            let _e381 = phi_1006_;
-                            phi_1007_ = _e379;
-                            phi_1008_ = _e381;
+                            let _e379 = phi_1000_;
+                            let _e381 = phi_1001_;
+                            phi_1002_ = _e379;
+                            phi_1003_ = _e381;
                         } else {
-                            phi_1007_ = bool();
-                            phi_1008_ = true;
+                            phi_1002_ = bool();
+                            phi_1003_ = true;
                         }
-                        let _e383 = phi_1007_;
-                        let _e385 = phi_1008_;
+                        let _e383 = phi_1002_;
+                        let _e385 = phi_1003_;
                         if _e385 {
-                            phi_1012_ = false;
+                            phi_1007_ = false;
                         } else {
-                            phi_1012_ = _e383;
+                            phi_1007_ = _e383;
                         }
-                        let _e387 = phi_1012_;
+                        let _e387 = phi_1007_;
                         let _e394 = lt_math_LightPoint(vec2<f32>(_e309, _e269.uv.y), _e269.depth, _e269.is_inside);
                         let _e401 = lt_math_LightPoint(vec2<f32>(_e394.uv.x, _e323), _e394.depth, _e394.is_inside);
                         let _e405 = lt_math_LightPoint(_e401.uv, _e336, _e401.is_inside);
                         let _e409 = lt_math_LightPoint(_e405.uv, _e405.depth, _e387);
-                        phi_1021_ = _e409;
-                        phi_1022_ = (_e271 + 1u);
-                        phi_1023_ = lt_math_LevelPoint(_e271, _e409);
-                        phi_1024_ = true;
+                        phi_1016_ = _e409;
+                        phi_1017_ = (_e271 + 1u);
+                        phi_1018_ = lt_math_LevelPoint(_e271, _e409);
+                        phi_1019_ = true;
                     }
-                    let _e413 = phi_1021_;
-                    let _e415 = phi_1022_;
-                    let _e417 = phi_1023_;
-                    let _e419 = phi_1024_;
-                    phi_856_ = _e413;
-                    phi_859_ = _e415;
-                    phi_861_ = _e417;
-                    phi_1025_ = _e419;
+                    let _e413 = phi_1016_;
+                    let _e415 = phi_1017_;
+                    let _e417 = phi_1018_;
+                    let _e419 = phi_1019_;
+                    phi_851_ = _e413;
+                    phi_854_ = _e415;
+                    phi_856_ = _e417;
+                    phi_1020_ = _e419;
                 } else {
-                    phi_856_ = lt_math_LightPoint();
-                    phi_859_ = u32();
-                    phi_861_ = lt_math_LevelPoint();
-                    phi_1025_ = false;
+                    phi_851_ = lt_math_LightPoint();
+                    phi_854_ = u32();
+                    phi_856_ = lt_math_LevelPoint();
+                    phi_1020_ = false;
                 }
-                let _e421 = phi_856_;
-                let _e423 = phi_859_;
-                let _e425 = phi_861_;
-                let _e427 = phi_1025_;
+                let _e421 = phi_851_;
+                let _e423 = phi_854_;
+                let _e425 = phi_856_;
+                let _e427 = phi_1020_;
                 continue;
                 continuing {
-                    phi_855_ = _e421;
-                    phi_858_ = _e423;
-                    phi_860_ = _e425;
+                    phi_850_ = _e421;
+                    phi_853_ = _e423;
+                    phi_855_ = _e425;
                     break if !(_e427);
                 }
             }
@@ -900,39 +894,39 @@ fn function_() {
                         let _e450 = global[1u];
                         if (_e441.row_w.y == _e450) {
                             let _e453 = global[2u];
-                            phi_1065_ = (_e441.row_w.z == _e453);
-                            phi_1066_ = false;
+                            phi_1060_ = (_e441.row_w.z == _e453);
+                            phi_1061_ = false;
                         } else {
-                            phi_1065_ = bool();
-                            phi_1066_ = true;
+                            phi_1060_ = bool();
+                            phi_1061_ = true;
                         }
-                        let _e456 = phi_1065_;
-                        let _e458 = phi_1066_;
-                        phi_1067_ = _e456;
-                        phi_1068_ = _e458;
+                        let _e456 = phi_1060_;
+                        let _e458 = phi_1061_;
+                        phi_1062_ = _e456;
+                        phi_1063_ = _e458;
                     } else {
-                        phi_1067_ = bool();
-                        phi_1068_ = true;
+                        phi_1062_ = bool();
+                        phi_1063_ = true;
                     }
-                    let _e460 = phi_1067_;
-                    let _e462 = phi_1068_;
+                    let _e460 = phi_1062_;
+                    let _e462 = phi_1063_;
                     if _e462 {
-                        phi_1072_ = false;
+                        phi_1067_ = false;
                     } else {
-                        phi_1072_ = _e460;
+                        phi_1067_ = _e460;
                     }
-                    let _e464 = phi_1072_;
+                    let _e464 = phi_1067_;
                     if _e464 {
                         let _e466 = samples.member[(0u + _e72.shift)].normal;
                         let _e468 = p.member.map_size;
                         let _e538 = ((abs(((((_e441.row_x.x * _e466.x) + (_e441.row_x.y * _e466.y)) + (_e441.row_x.z * _e466.z)) / (((_e441.row_x.x * _e441.row_x.x) + (_e441.row_x.y * _e441.row_x.y)) + (_e441.row_x.z * _e441.row_x.z)))) + abs(((((_e441.row_y.x * _e466.x) + (_e441.row_y.y * _e466.y)) + (_e441.row_y.z * _e466.z)) / (((_e441.row_y.x * _e441.row_y.x) + (_e441.row_y.y * _e441.row_y.y)) + (_e441.row_y.z * _e441.row_y.z))))) / (abs(((((_e441.row_z.x * _e466.x) + (_e441.row_z.y * _e466.y)) + (_e441.row_z.z * _e466.z)) / (((_e441.row_z.x * _e441.row_z.x) + (_e441.row_z.y * _e441.row_z.y)) + (_e441.row_z.z * _e441.row_z.z)))) * f32(_e468)));
                         if (_e538 < 0.002f) {
-                            phi_1154_ = _e538;
+                            phi_1149_ = _e538;
                         } else {
-                            phi_1154_ = 0.002f;
+                            phi_1149_ = 0.002f;
                         }
-                        let _e541 = phi_1154_;
-                        phi_1273_ = _e541;
+                        let _e541 = phi_1149_;
+                        phi_1268_ = _e541;
                     } else {
                         let _e543 = p.member.map_size;
                         let _e549 = samples.member[(0u + _e72.shift)].position;
@@ -954,19 +948,19 @@ fn function_() {
                         let _e655 = ((abs(((((_e441.row_z.x * _e601) + (_e441.row_z.y * _e606)) + (_e441.row_z.z * _e611)) / (((_e573 * _e601) + (_e574 * _e606)) + (_e575 * _e611)))) + abs(((((_e441.row_z.x * _e618) + (_e441.row_z.y * _e623)) + (_e441.row_z.z * _e628)) / (((_e588 * _e618) + (_e589 * _e623)) + (_e590 * _e628))))) / f32(_e543));
                         let _e657 = (16f / f32(_e543));
                         if (_e655 < _e657) {
-                            phi_1272_ = _e655;
+                            phi_1267_ = _e655;
                         } else {
-                            phi_1272_ = _e657;
+                            phi_1267_ = _e657;
                         }
-                        let _e660 = phi_1272_;
-                        phi_1273_ = _e660;
+                        let _e660 = phi_1267_;
+                        phi_1268_ = _e660;
                     }
-                    let _e662 = phi_1273_;
-                    phi_1276_ = (_e430.point.depth - (0f * _e662));
+                    let _e662 = phi_1268_;
+                    phi_1271_ = (_e430.point.depth - (0f * _e662));
                 } else {
-                    phi_1276_ = _e430.point.depth;
+                    phi_1271_ = _e430.point.depth;
                 }
-                let _e666 = phi_1276_;
+                let _e666 = phi_1271_;
                 let _e672 = p.member.map_size;
                 let _e673 = f32(_e672);
                 let _e676 = ((_e430.point.uv.x * _e673) - 0.5f);
@@ -974,65 +968,65 @@ fn function_() {
                 if (_e676 > -8388608f) {
                     let _e689 = f32(select(0i, select(select(i32(_e676), i32(-2147483648), (_e676 < bitcast<f32>(3472883712u))), 2147483647i, (_e676 > bitcast<f32>(1325400063u))), (_e676 == _e676)));
                     if (_e689 > _e676) {
-                        phi_1305_ = 1f;
+                        phi_1300_ = 1f;
                     } else {
-                        phi_1305_ = 0f;
+                        phi_1300_ = 0f;
                     }
-                    let _e692 = phi_1305_;
+                    let _e692 = phi_1300_;
                     if (_e676 < 8388608f) {
-                        phi_1310_ = (_e689 - _e692);
-                        phi_1311_ = false;
+                        phi_1305_ = (_e689 - _e692);
+                        phi_1306_ = false;
                     } else {
-                        phi_1310_ = f32();
-                        phi_1311_ = true;
+                        phi_1305_ = f32();
+                        phi_1306_ = true;
                     }
-                    let _e695 = phi_1310_;
-                    let _e697 = phi_1311_;
-                    phi_1312_ = _e695;
-                    phi_1313_ = _e697;
+                    let _e695 = phi_1305_;
+                    let _e697 = phi_1306_;
+                    phi_1307_ = _e695;
+                    phi_1308_ = _e697;
                 } else {
-                    phi_1312_ = f32();
-                    phi_1313_ = true;
+                    phi_1307_ = f32();
+                    phi_1308_ = true;
                 }
-                let _e699 = phi_1312_;
-                let _e701 = phi_1313_;
+                let _e699 = phi_1307_;
+                let _e701 = phi_1308_;
                 if _e701 {
-                    phi_1317_ = _e676;
+                    phi_1312_ = _e676;
                 } else {
-                    phi_1317_ = _e699;
+                    phi_1312_ = _e699;
                 }
-                let _e703 = phi_1317_;
+                let _e703 = phi_1312_;
                 if (_e677 > -8388608f) {
                     let _e715 = f32(select(0i, select(select(i32(_e677), i32(-2147483648), (_e677 < bitcast<f32>(3472883712u))), 2147483647i, (_e677 > bitcast<f32>(1325400063u))), (_e677 == _e677)));
                     if (_e715 > _e677) {
-                        phi_1337_ = 1f;
+                        phi_1332_ = 1f;
                     } else {
-                        phi_1337_ = 0f;
+                        phi_1332_ = 0f;
                     }
-                    let _e718 = phi_1337_;
+                    let _e718 = phi_1332_;
                     if (_e677 < 8388608f) {
-                        phi_1342_ = (_e715 - _e718);
-                        phi_1343_ = false;
+                        phi_1337_ = (_e715 - _e718);
+                        phi_1338_ = false;
                     } else {
-                        phi_1342_ = f32();
-                        phi_1343_ = true;
+                        phi_1337_ = f32();
+                        phi_1338_ = true;
                     }
-                    let _e721 = phi_1342_;
-                    let _e723 = phi_1343_;
-                    phi_1344_ = _e721;
-                    phi_1345_ = _e723;
+                    let _e721 = phi_1337_;
+                    let _e723 = phi_1338_;
+                    phi_1339_ = _e721;
+                    phi_1340_ = _e723;
                 } else {
-                    phi_1344_ = f32();
-                    phi_1345_ = true;
+                    phi_1339_ = f32();
+                    phi_1340_ = true;
                 }
-                let _e725 = phi_1344_;
-                let _e727 = phi_1345_;
+                let _e725 = phi_1339_;
+                let _e727 = phi_1340_;
                 if _e727 {
-                    phi_1349_ = _e677;
+                    phi_1344_ = _e677;
                 } else {
-                    phi_1349_ = _e725;
+                    phi_1344_ = _e725;
                 }
-                let _e729 = phi_1349_;
+                let _e729 = phi_1344_;
                 let _e730 = (_e676 - _e703);
                 let _e731 = (_e677 - _e729);
                 let _e740 = select(0i, select(select(i32(_e703), i32(-2147483648), (_e703 < bitcast<f32>(3472883712u))), 2147483647i, (_e703 > bitcast<f32>(1325400063u))), (_e703 == _e703));
@@ -1045,56 +1039,56 @@ fn function_() {
                 let _e768 = ((_e765.level * _e763) * _e763);
                 let _e770 = (bitcast<i32>(_e763) - 1i);
                 if (_e740 > 0i) {
-                    phi_1398_ = _e740;
+                    phi_1393_ = _e740;
+                } else {
+                    phi_1393_ = 0i;
+                }
+                let _e773 = phi_1393_;
+                if (_e749 > 0i) {
+                    phi_1398_ = _e749;
                 } else {
                     phi_1398_ = 0i;
                 }
-                let _e773 = phi_1398_;
-                if (_e749 > 0i) {
-                    phi_1403_ = _e749;
-                } else {
-                    phi_1403_ = 0i;
-                }
-                let _e776 = phi_1403_;
+                let _e776 = phi_1398_;
                 if (_e773 < _e770) {
-                    phi_1408_ = _e773;
+                    phi_1403_ = _e773;
+                } else {
+                    phi_1403_ = _e770;
+                }
+                let _e779 = phi_1403_;
+                if (_e776 < _e770) {
+                    phi_1408_ = _e776;
                 } else {
                     phi_1408_ = _e770;
                 }
-                let _e779 = phi_1408_;
-                if (_e776 < _e770) {
-                    phi_1413_ = _e776;
-                } else {
-                    phi_1413_ = _e770;
-                }
-                let _e782 = phi_1413_;
+                let _e782 = phi_1408_;
                 let _e783 = bitcast<u32>(_e779);
                 let _e785 = (_e740 + 1i);
                 let _e786 = (_e749 + 1i);
                 if (_e785 > 0i) {
-                    phi_1422_ = _e785;
+                    phi_1417_ = _e785;
+                } else {
+                    phi_1417_ = 0i;
+                }
+                let _e789 = phi_1417_;
+                if (_e786 > 0i) {
+                    phi_1422_ = _e786;
                 } else {
                     phi_1422_ = 0i;
                 }
-                let _e789 = phi_1422_;
-                if (_e786 > 0i) {
-                    phi_1427_ = _e786;
-                } else {
-                    phi_1427_ = 0i;
-                }
-                let _e792 = phi_1427_;
+                let _e792 = phi_1422_;
                 if (_e789 < _e770) {
-                    phi_1432_ = _e789;
+                    phi_1427_ = _e789;
+                } else {
+                    phi_1427_ = _e770;
+                }
+                let _e795 = phi_1427_;
+                if (_e792 < _e770) {
+                    phi_1432_ = _e792;
                 } else {
                     phi_1432_ = _e770;
                 }
-                let _e795 = phi_1432_;
-                if (_e792 < _e770) {
-                    phi_1437_ = _e792;
-                } else {
-                    phi_1437_ = _e770;
-                }
-                let _e798 = phi_1437_;
+                let _e798 = phi_1432_;
                 let _e799 = bitcast<u32>(_e795);
                 let _e801 = (bitcast<u32>(_e782) * _e763);
                 let _e802 = (bitcast<u32>(_e798) * _e763);
@@ -1123,30 +1117,30 @@ fn function_() {
                 }
                 let _e826 = map.member[(0u + _e810)];
                 let _e828 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e814, _e818, _e822, _e826), vec4<f32>(((1f - _e730) * (1f - _e731)), (_e730 * (1f - _e731)), ((1f - _e730) * _e731), (_e730 * _e731)), _e666);
-                phi_1482_ = evaluate_Verdict(_e828, false);
-                phi_1483_ = evaluate_Verdict();
-                phi_1484_ = false;
+                phi_1477_ = evaluate_Verdict(_e828, false);
+                phi_1478_ = evaluate_Verdict();
+                phi_1479_ = false;
             } else {
-                phi_1482_ = evaluate_Verdict();
-                phi_1483_ = evaluate_Verdict(1f, false);
-                phi_1484_ = true;
+                phi_1477_ = evaluate_Verdict();
+                phi_1478_ = evaluate_Verdict(1f, false);
+                phi_1479_ = true;
             }
-            let _e832 = phi_1482_;
-            let _e834 = phi_1483_;
-            let _e836 = phi_1484_;
-            phi_1485_ = _e834;
-            phi_1486_ = _e832;
-            phi_1487_ = _e836;
+            let _e832 = phi_1477_;
+            let _e834 = phi_1478_;
+            let _e836 = phi_1479_;
+            phi_1480_ = _e834;
+            phi_1481_ = _e832;
+            phi_1482_ = _e836;
         }
-        let _e838 = phi_1485_;
-        let _e840 = phi_1486_;
-        let _e842 = phi_1487_;
+        let _e838 = phi_1480_;
+        let _e840 = phi_1481_;
+        let _e842 = phi_1482_;
         if _e842 {
-            phi_1491_ = _e838;
+            phi_1486_ = _e838;
         } else {
-            phi_1491_ = _e840;
+            phi_1486_ = _e840;
         }
-        let _e844 = phi_1491_;
+        let _e844 = phi_1486_;
         if (_e72.shift < arrayLength((&visibility.member))) {
         } else {
             return;

@@ -97,36 +97,36 @@ var<storage> levels: type_41;
 var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_158_: lt_mask_LightPlace;
+    var phi_159_: bool;
     var phi_160_: lt_mask_LightPlace;
     var phi_161_: bool;
-    var phi_162_: lt_mask_LightPlace;
-    var phi_163_: bool;
-    var phi_168_: lt_mask_LightPlace;
+    var phi_166_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_160_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_161_ = false;
+            phi_158_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_159_ = false;
         } else {
-            phi_160_ = lt_mask_LightPlace();
-            phi_161_ = true;
+            phi_158_ = lt_mask_LightPlace();
+            phi_159_ = true;
         }
-        let _e65 = phi_160_;
-        let _e67 = phi_161_;
-        phi_162_ = _e65;
-        phi_163_ = _e67;
+        let _e65 = phi_158_;
+        let _e67 = phi_159_;
+        phi_160_ = _e65;
+        phi_161_ = _e67;
     } else {
-        phi_162_ = lt_mask_LightPlace();
-        phi_163_ = true;
+        phi_160_ = lt_mask_LightPlace();
+        phi_161_ = true;
     }
-    let _e69 = phi_162_;
-    let _e71 = phi_163_;
+    let _e69 = phi_160_;
+    let _e71 = phi_161_;
     if _e71 {
-        phi_168_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_166_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_168_ = _e69;
+        phi_166_ = _e69;
     }
-    let _e76 = phi_168_;
+    let _e76 = phi_166_;
     return lt_mask_LightPlace(_e76.word, _e76.shift);
 }
 
@@ -134,223 +134,217 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
     return param_3.x;
 }
 
-fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_188_: bool;
+fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
+    var phi_191_: f32;
     var phi_192_: f32;
-
-    let _e53 = (*param_4);
-    if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_188_ = true;
-    } else {
-        let _e57 = (84f < _e53);
-        if _e57 {
-        }
-        phi_188_ = _e57;
-    }
-    let _e59 = phi_188_;
-    if _e59 {
-        phi_192_ = 84f;
-    } else {
-        phi_192_ = _e53;
-    }
-    let _e61 = phi_192_;
-    return _e61;
-}
-
-fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_211_: f32;
-    var phi_212_: f32;
-    var phi_213_: f32;
+    var phi_193_: f32;
+    var phi_206_: bool;
+    var phi_210_: f32;
+    var phi_223_: f32;
     var phi_228_: f32;
-    var phi_233_: f32;
+    var phi_250_: f32;
     var phi_255_: f32;
-    var phi_260_: f32;
-    var phi_261_: bool;
+    var phi_256_: bool;
+    var phi_257_: f32;
+    var phi_258_: bool;
     var phi_262_: f32;
-    var phi_263_: bool;
-    var phi_267_: f32;
-    var phi_305_: f32;
-    var phi_321_: f32;
-    var phi_322_: f32;
-    var phi_323_: f32;
+    var phi_300_: f32;
+    var phi_316_: f32;
+    var phi_317_: f32;
+    var phi_318_: f32;
 
-    if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_213_ = param_7;
+    if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
+        phi_193_ = param_6;
     } else {
-        if (param_7 < 0f) {
-            phi_212_ = 0f;
+        if (param_6 < 0f) {
+            phi_192_ = 0f;
         } else {
-            if (param_7 > 1f) {
-                phi_211_ = 1f;
+            if (param_6 > 1f) {
+                phi_191_ = 1f;
             } else {
-                phi_211_ = param_7;
+                phi_191_ = param_6;
             }
-            let _e61 = phi_211_;
-            phi_212_ = _e61;
+            let _e61 = phi_191_;
+            phi_192_ = _e61;
         }
-        let _e63 = phi_212_;
-        phi_213_ = _e63;
+        let _e63 = phi_192_;
+        phi_193_ = _e63;
     }
-    let _e65 = phi_213_;
-    let _e67 = _lt_math_esm_Esm_clamped_exponent(param_5);
-    let _e69 = (_e67 * (1f - _e65));
-    if ((bitcast<u32>(_e69) & 2147483647u) > 2139095040u) {
-        phi_305_ = _e69;
+    let _e65 = phi_193_;
+    let _e67 = (*param_4);
+    if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
+        phi_206_ = true;
     } else {
-        if (_e69 < -87f) {
-            phi_228_ = -87f;
-        } else {
-            phi_228_ = _e69;
+        let _e71 = (84f < _e67);
+        if _e71 {
         }
-        let _e75 = phi_228_;
-        if (_e75 > 88f) {
-            phi_233_ = 88f;
-        } else {
-            phi_233_ = _e75;
-        }
-        let _e78 = phi_233_;
-        let _e80 = ((_e78 * 1.442695f) + 0.5f);
-        if (_e80 > -8388608f) {
-            let _e92 = f32(select(0i, select(select(i32(_e80), i32(-2147483648), (_e80 < bitcast<f32>(3472883712u))), 2147483647i, (_e80 > bitcast<f32>(1325400063u))), (_e80 == _e80)));
-            if (_e92 > _e80) {
-                phi_255_ = 1f;
-            } else {
-                phi_255_ = 0f;
-            }
-            let _e95 = phi_255_;
-            if (_e80 < 8388608f) {
-                phi_260_ = (_e92 - _e95);
-                phi_261_ = false;
-            } else {
-                phi_260_ = f32();
-                phi_261_ = true;
-            }
-            let _e98 = phi_260_;
-            let _e100 = phi_261_;
-            phi_262_ = _e98;
-            phi_263_ = _e100;
-        } else {
-            phi_262_ = f32();
-            phi_263_ = true;
-        }
-        let _e102 = phi_262_;
-        let _e104 = phi_263_;
-        if _e104 {
-            phi_267_ = _e80;
-        } else {
-            phi_267_ = _e102;
-        }
-        let _e106 = phi_267_;
-        let _e110 = ((_e78 - (_e106 * 0.69314575f)) - (_e106 * 0.0000014286068f));
-        phi_305_ = ((((((((((((((((1f / 5040f) * _e110) + (1f / 720f)) * _e110) + (1f / 120f)) * _e110) + (1f / 24f)) * _e110) + (1f / 6f)) * _e110) + 0.5f) * _e110) + 1f) * _e110) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e106), i32(-2147483648), (_e106 < bitcast<f32>(3472883712u))), 2147483647i, (_e106 > bitcast<f32>(1325400063u))), (_e106 == _e106)) + 127i)) << bitcast<u32>(23i))));
+        phi_206_ = _e71;
     }
-    let _e146 = phi_305_;
-    let _e147 = (param_6.x * _e146);
-    if ((bitcast<u32>(_e147) & 2147483647u) > 2139095040u) {
-        phi_323_ = _e147;
+    let _e73 = phi_206_;
+    if _e73 {
+        phi_210_ = 84f;
     } else {
-        if (_e147 < 0f) {
-            phi_322_ = 0f;
-        } else {
-            if (_e147 > 1f) {
-                phi_321_ = 1f;
-            } else {
-                phi_321_ = _e147;
-            }
-            let _e154 = phi_321_;
-            phi_322_ = _e154;
-        }
-        let _e156 = phi_322_;
-        phi_323_ = _e156;
+        phi_210_ = _e67;
     }
-    let _e158 = phi_323_;
-    return _e158;
+    let _e75 = phi_210_;
+    let _e77 = (_e75 * (1f - _e65));
+    if ((bitcast<u32>(_e77) & 2147483647u) > 2139095040u) {
+        phi_300_ = _e77;
+    } else {
+        if (_e77 < -87f) {
+            phi_223_ = -87f;
+        } else {
+            phi_223_ = _e77;
+        }
+        let _e83 = phi_223_;
+        if (_e83 > 88f) {
+            phi_228_ = 88f;
+        } else {
+            phi_228_ = _e83;
+        }
+        let _e86 = phi_228_;
+        let _e88 = ((_e86 * 1.442695f) + 0.5f);
+        if (_e88 > -8388608f) {
+            let _e100 = f32(select(0i, select(select(i32(_e88), i32(-2147483648), (_e88 < bitcast<f32>(3472883712u))), 2147483647i, (_e88 > bitcast<f32>(1325400063u))), (_e88 == _e88)));
+            if (_e100 > _e88) {
+                phi_250_ = 1f;
+            } else {
+                phi_250_ = 0f;
+            }
+            let _e103 = phi_250_;
+            if (_e88 < 8388608f) {
+                phi_255_ = (_e100 - _e103);
+                phi_256_ = false;
+            } else {
+                phi_255_ = f32();
+                phi_256_ = true;
+            }
+            let _e106 = phi_255_;
+            let _e108 = phi_256_;
+            phi_257_ = _e106;
+            phi_258_ = _e108;
+        } else {
+            phi_257_ = f32();
+            phi_258_ = true;
+        }
+        let _e110 = phi_257_;
+        let _e112 = phi_258_;
+        if _e112 {
+            phi_262_ = _e88;
+        } else {
+            phi_262_ = _e110;
+        }
+        let _e114 = phi_262_;
+        let _e118 = ((_e86 - (_e114 * 0.69314575f)) - (_e114 * 0.0000014286068f));
+        phi_300_ = ((((((((((((((((1f / 5040f) * _e118) + (1f / 720f)) * _e118) + (1f / 120f)) * _e118) + (1f / 24f)) * _e118) + (1f / 6f)) * _e118) + 0.5f) * _e118) + 1f) * _e118) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e114), i32(-2147483648), (_e114 < bitcast<f32>(3472883712u))), 2147483647i, (_e114 > bitcast<f32>(1325400063u))), (_e114 == _e114)) + 127i)) << bitcast<u32>(23i))));
+    }
+    let _e154 = phi_300_;
+    let _e155 = (param_5.x * _e154);
+    if ((bitcast<u32>(_e155) & 2147483647u) > 2139095040u) {
+        phi_318_ = _e155;
+    } else {
+        if (_e155 < 0f) {
+            phi_317_ = 0f;
+        } else {
+            if (_e155 > 1f) {
+                phi_316_ = 1f;
+            } else {
+                phi_316_ = _e155;
+            }
+            let _e162 = phi_316_;
+            phi_317_ = _e162;
+        }
+        let _e164 = phi_317_;
+        phi_318_ = _e164;
+    }
+    let _e166 = phi_318_;
+    return _e166;
 }
 
 fn function_() {
     var local: f32;
-    var phi_383_: bool;
-    var phi_384_: bool;
+    var phi_378_: bool;
+    var phi_379_: bool;
+    var phi_380_: bool;
+    var phi_381_: bool;
     var phi_385_: bool;
-    var phi_386_: bool;
-    var phi_390_: bool;
-    var phi_460_: bool;
-    var phi_461_: bool;
-    var phi_472_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_473_: bool;
-    var phi_474_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_475_: bool;
-    var phi_482_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_486_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_506_: lt_math_LightPoint;
-    var phi_509_: u32;
-    var phi_511_: lt_math_LevelPoint;
-    var phi_597_: bool;
-    var phi_606_: bool;
+    var phi_455_: bool;
+    var phi_456_: bool;
+    var phi_467_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_468_: bool;
+    var phi_469_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_470_: bool;
+    var phi_477_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_481_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_501_: lt_math_LightPoint;
+    var phi_504_: u32;
+    var phi_506_: lt_math_LevelPoint;
+    var phi_592_: bool;
+    var phi_601_: bool;
+    var phi_610_: bool;
+    var phi_611_: bool;
+    var phi_612_: bool;
+    var phi_613_: bool;
+    var phi_614_: bool;
     var phi_615_: bool;
     var phi_616_: bool;
-    var phi_617_: bool;
-    var phi_618_: bool;
-    var phi_619_: bool;
     var phi_620_: bool;
-    var phi_621_: bool;
-    var phi_625_: bool;
+    var phi_647_: bool;
+    var phi_648_: bool;
+    var phi_649_: bool;
+    var phi_650_: bool;
+    var phi_651_: bool;
     var phi_652_: bool;
     var phi_653_: bool;
     var phi_654_: bool;
-    var phi_655_: bool;
-    var phi_656_: bool;
-    var phi_657_: bool;
     var phi_658_: bool;
-    var phi_659_: bool;
-    var phi_663_: bool;
-    var phi_672_: lt_math_LightPoint;
-    var phi_673_: u32;
-    var phi_674_: lt_math_LevelPoint;
-    var phi_675_: bool;
-    var phi_507_: lt_math_LightPoint;
-    var phi_510_: u32;
-    var phi_512_: lt_math_LevelPoint;
-    var phi_676_: bool;
+    var phi_667_: lt_math_LightPoint;
+    var phi_668_: u32;
+    var phi_669_: lt_math_LevelPoint;
+    var phi_670_: bool;
+    var phi_502_: lt_math_LightPoint;
+    var phi_505_: u32;
+    var phi_507_: lt_math_LevelPoint;
+    var phi_671_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_716_: bool;
-    var phi_717_: bool;
+    var phi_711_: bool;
+    var phi_712_: bool;
+    var phi_713_: bool;
+    var phi_714_: bool;
     var phi_718_: bool;
-    var phi_719_: bool;
-    var phi_723_: bool;
-    var phi_805_: f32;
-    var phi_923_: f32;
-    var phi_924_: f32;
-    var phi_927_: f32;
+    var phi_800_: f32;
+    var phi_918_: f32;
+    var phi_919_: f32;
+    var phi_922_: f32;
+    var phi_951_: f32;
     var phi_956_: f32;
-    var phi_961_: f32;
-    var phi_962_: bool;
+    var phi_957_: bool;
+    var phi_958_: f32;
+    var phi_959_: bool;
     var phi_963_: f32;
-    var phi_964_: bool;
-    var phi_968_: f32;
+    var phi_983_: f32;
     var phi_988_: f32;
-    var phi_993_: f32;
-    var phi_994_: bool;
+    var phi_989_: bool;
+    var phi_990_: f32;
+    var phi_991_: bool;
     var phi_995_: f32;
-    var phi_996_: bool;
-    var phi_1000_: f32;
     var local_3: lt_math_LevelPoint;
+    var phi_1044_: i32;
     var phi_1049_: i32;
     var phi_1054_: i32;
     var phi_1059_: i32;
-    var phi_1064_: i32;
+    var phi_1068_: i32;
     var phi_1073_: i32;
     var phi_1078_: i32;
     var phi_1083_: i32;
-    var phi_1088_: i32;
-    var phi_1177_: evaluate_Verdict;
-    var phi_1178_: evaluate_Verdict;
-    var phi_1179_: bool;
-    var phi_1180_: evaluate_Verdict;
+    var phi_1172_: evaluate_Verdict;
+    var phi_1173_: evaluate_Verdict;
+    var phi_1174_: bool;
+    var phi_1175_: evaluate_Verdict;
+    var phi_1176_: evaluate_Verdict;
+    var phi_1177_: bool;
     var phi_1181_: evaluate_Verdict;
-    var phi_1182_: bool;
-    var phi_1186_: evaluate_Verdict;
 
     let _e53 = id_1;
     let _e60 = arrayLength((&map.member));
@@ -372,28 +366,28 @@ fn function_() {
             if (_e90 == _e92) {
                 let _e95 = samples.member[(0u + _e72.shift)].normal[2u];
                 let _e97 = global[2u];
-                phi_383_ = (_e95 == _e97);
-                phi_384_ = false;
+                phi_378_ = (_e95 == _e97);
+                phi_379_ = false;
             } else {
-                phi_383_ = bool();
-                phi_384_ = true;
+                phi_378_ = bool();
+                phi_379_ = true;
             }
-            let _e100 = phi_383_;
-            let _e102 = phi_384_;
-            phi_385_ = _e100;
-            phi_386_ = _e102;
+            let _e100 = phi_378_;
+            let _e102 = phi_379_;
+            phi_380_ = _e100;
+            phi_381_ = _e102;
         } else {
-            phi_385_ = bool();
-            phi_386_ = true;
+            phi_380_ = bool();
+            phi_381_ = true;
         }
-        let _e104 = phi_385_;
-        let _e106 = phi_386_;
+        let _e104 = phi_380_;
+        let _e106 = phi_381_;
         if _e106 {
-            phi_390_ = false;
+            phi_385_ = false;
         } else {
-            phi_390_ = _e104;
+            phi_385_ = _e104;
         }
-        let _e108 = phi_390_;
+        let _e108 = phi_385_;
         if !(_e108) {
             let _e111 = samples.member[(0u + _e72.shift)].position;
             let _e113 = p.member.light.place;
@@ -407,58 +401,58 @@ fn function_() {
                 let _e146 = p.member.light.axis;
                 let _e158 = p.member.light.place[3u];
                 if (_e158 == 0f) {
-                    phi_461_ = true;
+                    phi_456_ = true;
                 } else {
                     let _e161 = p.member.light.range_squared;
                     if (_e144 <= _e161) {
                         let _e164 = p.member.light.cos_outer;
-                        phi_460_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
+                        phi_455_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
                     } else {
-                        phi_460_ = false;
+                        phi_455_ = false;
                     }
-                    let _e169 = phi_460_;
-                    phi_461_ = _e169;
+                    let _e169 = phi_455_;
+                    phi_456_ = _e169;
                 }
-                let _e171 = phi_461_;
+                let _e171 = phi_456_;
                 if _e171 {
                     let _e173 = samples.member[(0u + _e72.shift)].flags;
                     let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
-                    phi_472_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
-                    phi_473_ = false;
+                    phi_467_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
+                    phi_468_ = false;
                 } else {
-                    phi_472_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_473_ = true;
+                    phi_467_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_468_ = true;
                 }
-                let _e192 = phi_472_;
-                let _e194 = phi_473_;
-                phi_474_ = _e192;
-                phi_475_ = _e194;
+                let _e192 = phi_467_;
+                let _e194 = phi_468_;
+                phi_469_ = _e192;
+                phi_470_ = _e194;
             } else {
-                phi_474_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_475_ = true;
+                phi_469_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_470_ = true;
             }
-            let _e196 = phi_474_;
-            let _e198 = phi_475_;
+            let _e196 = phi_469_;
+            let _e198 = phi_470_;
             if _e198 {
                 let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
-                phi_482_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
+                phi_477_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
             } else {
-                phi_482_ = _e196;
+                phi_477_ = _e196;
             }
-            let _e215 = phi_482_;
-            phi_486_ = _e215;
+            let _e215 = phi_477_;
+            phi_481_ = _e215;
         } else {
             let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
-            phi_486_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
+            phi_481_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
         }
-        let _e232 = phi_486_;
+        let _e232 = phi_481_;
         if _e232.unnamed_1 {
-            phi_1180_ = evaluate_Verdict(_e232.unnamed.visibility, _e232.unnamed.is_doubted);
-            phi_1181_ = evaluate_Verdict();
-            phi_1182_ = true;
+            phi_1175_ = evaluate_Verdict(_e232.unnamed.visibility, _e232.unnamed.is_doubted);
+            phi_1176_ = evaluate_Verdict();
+            phi_1177_ = true;
         } else {
             let _e240 = samples.member[(0u + _e72.shift)].position;
             let _e242 = p.member.map_size;
@@ -466,22 +460,22 @@ fn function_() {
             let _e251 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
             let _e258 = lt_math_LightPoint(vec2<f32>(_e251.uv.x, 0f), _e251.depth, _e251.is_inside);
             let _e262 = lt_math_LightPoint(_e258.uv, 0f, _e258.is_inside);
-            phi_506_ = lt_math_LightPoint();
-            phi_509_ = 0u;
-            phi_511_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e262.uv, _e262.depth, false));
+            phi_501_ = lt_math_LightPoint();
+            phi_504_ = 0u;
+            phi_506_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e262.uv, _e262.depth, false));
             loop {
-                let _e269 = phi_506_;
-                let _e271 = phi_509_;
-                let _e273 = phi_511_;
+                let _e269 = phi_501_;
+                let _e271 = phi_504_;
+                let _e273 = phi_506_;
                 local_1 = _e273;
                 local_2 = _e273;
                 local_3 = _e273;
                 if (_e271 < _e78) {
                     if _e273.point.is_inside {
-                        phi_672_ = lt_math_LightPoint();
-                        phi_673_ = u32();
-                        phi_674_ = lt_math_LevelPoint();
-                        phi_675_ = false;
+                        phi_667_ = lt_math_LightPoint();
+                        phi_668_ = u32();
+                        phi_669_ = lt_math_LevelPoint();
+                        phi_670_ = false;
                     } else {
                         if (_e271 < _e66) {
                         } else {
@@ -497,129 +491,129 @@ fn function_() {
                         let _e336 = ((((_e325.x * _e240.x) + (_e325.y * _e240.y)) + (_e325.z * _e240.z)) + (_e325.w * 1f));
                         if (_e295 > 0f) {
                             if (_e309 >= 0f) {
-                                phi_597_ = (_e309 <= 1f);
+                                phi_592_ = (_e309 <= 1f);
                             } else {
-                                phi_597_ = false;
+                                phi_592_ = false;
                             }
-                            let _e341 = phi_597_;
+                            let _e341 = phi_592_;
                             if _e341 {
                                 if (_e323 >= 0f) {
-                                    phi_606_ = (_e323 <= 1f);
+                                    phi_601_ = (_e323 <= 1f);
                                 } else {
-                                    phi_606_ = false;
+                                    phi_601_ = false;
                                 }
-                                let _e345 = phi_606_;
+                                let _e345 = phi_601_;
                                 if _e345 {
                                     if (_e336 >= 0f) {
-                                        phi_615_ = (_e336 <= 1f);
+                                        phi_610_ = (_e336 <= 1f);
                                     } else {
-                                        phi_615_ = false;
+                                        phi_610_ = false;
                                     }
-                                    let _e349 = phi_615_;
-                                    phi_616_ = _e349;
-                                    phi_617_ = false;
+                                    let _e349 = phi_610_;
+                                    phi_611_ = _e349;
+                                    phi_612_ = false;
                                 } else {
-                                    phi_616_ = bool();
-                                    phi_617_ = true;
+                                    phi_611_ = bool();
+                                    phi_612_ = true;
                                 }
-                                let _e351 = phi_616_;
-                                let _e353 = phi_617_;
-                                phi_618_ = _e351;
-                                phi_619_ = _e353;
+                                let _e351 = phi_611_;
+                                let _e353 = phi_612_;
+                                phi_613_ = _e351;
+                                phi_614_ = _e353;
                             } else {
-                                phi_618_ = bool();
-                                phi_619_ = true;
+                                phi_613_ = bool();
+                                phi_614_ = true;
                             }
-                            let _e355 = phi_618_;
-                            let _e357 = phi_619_;
-                            phi_620_ = _e355;
-                            phi_621_ = _e357;
+                            let _e355 = phi_613_;
+                            let _e357 = phi_614_;
+                            phi_615_ = _e355;
+                            phi_616_ = _e357;
                         } else {
-                            phi_620_ = bool();
-                            phi_621_ = true;
+                            phi_615_ = bool();
+                            phi_616_ = true;
                         }
-                        let _e359 = phi_620_;
-                        let _e361 = phi_621_;
+                        let _e359 = phi_615_;
+                        let _e361 = phi_616_;
                         if _e361 {
-                            phi_625_ = false;
+                            phi_620_ = false;
                         } else {
-                            phi_625_ = _e359;
+                            phi_620_ = _e359;
                         }
-                        let _e363 = phi_625_;
+                        let _e363 = phi_620_;
                         if _e363 {
                             if (_e309 >= _e244) {
                                 if (_e309 <= (1f - _e244)) {
                                     if (_e323 >= _e244) {
-                                        phi_652_ = (_e323 <= (1f - _e244));
-                                        phi_653_ = false;
+                                        phi_647_ = (_e323 <= (1f - _e244));
+                                        phi_648_ = false;
                                     } else {
-                                        phi_652_ = bool();
-                                        phi_653_ = true;
+                                        phi_647_ = bool();
+                                        phi_648_ = true;
                                     }
-                                    let _e371 = phi_652_;
-                                    let _e373 = phi_653_;
-                                    phi_654_ = _e371;
-                                    phi_655_ = _e373;
+                                    let _e371 = phi_647_;
+                                    let _e373 = phi_648_;
+                                    phi_649_ = _e371;
+                                    phi_650_ = _e373;
                                 } else {
-                                    phi_654_ = bool();
-                                    phi_655_ = true;
+                                    phi_649_ = bool();
+                                    phi_650_ = true;
                                 }
-                                let _e375 = phi_654_;
-                                let _e377 = phi_655_;
-                                phi_656_ = _e375;
-                                phi_657_ = _e377;
+                                let _e375 = phi_649_;
+                                let _e377 = phi_650_;
+                                phi_651_ = _e375;
+                                phi_652_ = _e377;
                             } else {
-                                phi_656_ = bool();
-                                phi_657_ = true;
+                                phi_651_ = bool();
+                                phi_652_ = true;
                             }
-                            let _e379 = phi_656_;
-                            let _e381 = phi_657_;
-                            phi_658_ = _e379;
-                            phi_659_ = _e381;
+                            let _e379 = phi_651_;
+                            let _e381 = phi_652_;
+                            phi_653_ = _e379;
+                            phi_654_ = _e381;
                         } else {
-                            phi_658_ = bool();
-                            phi_659_ = true;
+                            phi_653_ = bool();
+                            phi_654_ = true;
                         }
-                        let _e383 = phi_658_;
-                        let _e385 = phi_659_;
+                        let _e383 = phi_653_;
+                        let _e385 = phi_654_;
                         if _e385 {
-                            phi_663_ = false;
+                            phi_658_ = false;
                         } else {
-                            phi_663_ = _e383;
+                            phi_658_ = _e383;
                         }
-                        let _e387 = phi_663_;
+                        let _e387 = phi_658_;
                         let _e394 = lt_math_LightPoint(vec2<f32>(_e309, _e269.uv.y), _e269.depth, _e269.is_inside);
                         let _e401 = lt_math_LightPoint(vec2<f32>(_e394.uv.x, _e323), _e394.depth, _e394.is_inside);
                         let _e405 = lt_math_LightPoint(_e401.uv, _e336, _e401.is_inside);
                         let _e409 = lt_math_LightPoint(_e405.uv, _e405.depth, _e387);
-                        phi_672_ = _e409;
-                        phi_673_ = (_e271 + 1u);
-                        phi_674_ = lt_math_LevelPoint(_e271, _e409);
-                        phi_675_ = true;
+                        phi_667_ = _e409;
+                        phi_668_ = (_e271 + 1u);
+                        phi_669_ = lt_math_LevelPoint(_e271, _e409);
+                        phi_670_ = true;
                     }
-                    let _e413 = phi_672_;
-                    let _e415 = phi_673_;
-                    let _e417 = phi_674_;
-                    let _e419 = phi_675_;
-                    phi_507_ = _e413;
-                    phi_510_ = _e415;
-                    phi_512_ = _e417;
-                    phi_676_ = _e419;
+                    let _e413 = phi_667_;
+                    let _e415 = phi_668_;
+                    let _e417 = phi_669_;
+                    let _e419 = phi_670_;
+                    phi_502_ = _e413;
+                    phi_505_ = _e415;
+                    phi_507_ = _e417;
+                    phi_671_ = _e419;
                 } else {
-                    phi_507_ = lt_math_LightPoint();
-                    phi_510_ = u32();
-                    phi_512_ = lt_math_LevelPoint();
-                    phi_676_ = false;
+                    phi_502_ = lt_math_LightPoint();
+                    phi_505_ = u32();
+                    phi_507_ = lt_math_LevelPoint();
+                    phi_671_ = false;
                 }
-                let _e421 = phi_507_;
-                let _e423 = phi_510_;
-                let _e425 = phi_512_;
-                let _e427 = phi_676_;
+                let _e421 = phi_502_;
+                let _e423 = phi_505_;
+                let _e425 = phi_507_;
+                let _e427 = phi_671_;
                 continue;
                 continuing {
-                    phi_506_ = _e421;
-                    phi_509_ = _e423;
-                    phi_511_ = _e425;
+                    phi_501_ = _e421;
+                    phi_504_ = _e423;
+                    phi_506_ = _e425;
                     break if !(_e427);
                 }
             }
@@ -637,39 +631,39 @@ fn function_() {
                         let _e450 = global[1u];
                         if (_e441.row_w.y == _e450) {
                             let _e453 = global[2u];
-                            phi_716_ = (_e441.row_w.z == _e453);
-                            phi_717_ = false;
+                            phi_711_ = (_e441.row_w.z == _e453);
+                            phi_712_ = false;
                         } else {
-                            phi_716_ = bool();
-                            phi_717_ = true;
+                            phi_711_ = bool();
+                            phi_712_ = true;
                         }
-                        let _e456 = phi_716_;
-                        let _e458 = phi_717_;
-                        phi_718_ = _e456;
-                        phi_719_ = _e458;
+                        let _e456 = phi_711_;
+                        let _e458 = phi_712_;
+                        phi_713_ = _e456;
+                        phi_714_ = _e458;
                     } else {
-                        phi_718_ = bool();
-                        phi_719_ = true;
+                        phi_713_ = bool();
+                        phi_714_ = true;
                     }
-                    let _e460 = phi_718_;
-                    let _e462 = phi_719_;
+                    let _e460 = phi_713_;
+                    let _e462 = phi_714_;
                     if _e462 {
-                        phi_723_ = false;
+                        phi_718_ = false;
                     } else {
-                        phi_723_ = _e460;
+                        phi_718_ = _e460;
                     }
-                    let _e464 = phi_723_;
+                    let _e464 = phi_718_;
                     if _e464 {
                         let _e466 = samples.member[(0u + _e72.shift)].normal;
                         let _e468 = p.member.map_size;
                         let _e538 = ((abs(((((_e441.row_x.x * _e466.x) + (_e441.row_x.y * _e466.y)) + (_e441.row_x.z * _e466.z)) / (((_e441.row_x.x * _e441.row_x.x) + (_e441.row_x.y * _e441.row_x.y)) + (_e441.row_x.z * _e441.row_x.z)))) + abs(((((_e441.row_y.x * _e466.x) + (_e441.row_y.y * _e466.y)) + (_e441.row_y.z * _e466.z)) / (((_e441.row_y.x * _e441.row_y.x) + (_e441.row_y.y * _e441.row_y.y)) + (_e441.row_y.z * _e441.row_y.z))))) / (abs(((((_e441.row_z.x * _e466.x) + (_e441.row_z.y * _e466.y)) + (_e441.row_z.z * _e466.z)) / (((_e441.row_z.x * _e441.row_z.x) + (_e441.row_z.y * _e441.row_z.y)) + (_e441.row_z.z * _e441.row_z.z)))) * f32(_e468)));
                         if (_e538 < 0.002f) {
-                            phi_805_ = _e538;
+                            phi_800_ = _e538;
                         } else {
-                            phi_805_ = 0.002f;
+                            phi_800_ = 0.002f;
                         }
-                        let _e541 = phi_805_;
-                        phi_924_ = _e541;
+                        let _e541 = phi_800_;
+                        phi_919_ = _e541;
                     } else {
                         let _e543 = p.member.map_size;
                         let _e549 = samples.member[(0u + _e72.shift)].position;
@@ -691,19 +685,19 @@ fn function_() {
                         let _e655 = ((abs(((((_e441.row_z.x * _e601) + (_e441.row_z.y * _e606)) + (_e441.row_z.z * _e611)) / (((_e573 * _e601) + (_e574 * _e606)) + (_e575 * _e611)))) + abs(((((_e441.row_z.x * _e618) + (_e441.row_z.y * _e623)) + (_e441.row_z.z * _e628)) / (((_e588 * _e618) + (_e589 * _e623)) + (_e590 * _e628))))) / f32(_e543));
                         let _e657 = (16f / f32(_e543));
                         if (_e655 < _e657) {
-                            phi_923_ = _e655;
+                            phi_918_ = _e655;
                         } else {
-                            phi_923_ = _e657;
+                            phi_918_ = _e657;
                         }
-                        let _e660 = phi_923_;
-                        phi_924_ = _e660;
+                        let _e660 = phi_918_;
+                        phi_919_ = _e660;
                     }
-                    let _e662 = phi_924_;
-                    phi_927_ = (_e430.point.depth - (0f * _e662));
+                    let _e662 = phi_919_;
+                    phi_922_ = (_e430.point.depth - (0f * _e662));
                 } else {
-                    phi_927_ = _e430.point.depth;
+                    phi_922_ = _e430.point.depth;
                 }
-                let _e666 = phi_927_;
+                let _e666 = phi_922_;
                 let _e672 = p.member.map_size;
                 let _e673 = f32(_e672);
                 let _e676 = ((_e430.point.uv.x * _e673) - 0.5f);
@@ -711,65 +705,65 @@ fn function_() {
                 if (_e676 > -8388608f) {
                     let _e689 = f32(select(0i, select(select(i32(_e676), i32(-2147483648), (_e676 < bitcast<f32>(3472883712u))), 2147483647i, (_e676 > bitcast<f32>(1325400063u))), (_e676 == _e676)));
                     if (_e689 > _e676) {
-                        phi_956_ = 1f;
+                        phi_951_ = 1f;
                     } else {
-                        phi_956_ = 0f;
+                        phi_951_ = 0f;
                     }
-                    let _e692 = phi_956_;
+                    let _e692 = phi_951_;
                     if (_e676 < 8388608f) {
-                        phi_961_ = (_e689 - _e692);
-                        phi_962_ = false;
+                        phi_956_ = (_e689 - _e692);
+                        phi_957_ = false;
                     } else {
-                        phi_961_ = f32();
-                        phi_962_ = true;
+                        phi_956_ = f32();
+                        phi_957_ = true;
                     }
-                    let _e695 = phi_961_;
-                    let _e697 = phi_962_;
-                    phi_963_ = _e695;
-                    phi_964_ = _e697;
+                    let _e695 = phi_956_;
+                    let _e697 = phi_957_;
+                    phi_958_ = _e695;
+                    phi_959_ = _e697;
                 } else {
-                    phi_963_ = f32();
-                    phi_964_ = true;
+                    phi_958_ = f32();
+                    phi_959_ = true;
                 }
-                let _e699 = phi_963_;
-                let _e701 = phi_964_;
+                let _e699 = phi_958_;
+                let _e701 = phi_959_;
                 if _e701 {
-                    phi_968_ = _e676;
+                    phi_963_ = _e676;
                 } else {
-                    phi_968_ = _e699;
+                    phi_963_ = _e699;
                 }
-                let _e703 = phi_968_;
+                let _e703 = phi_963_;
                 if (_e677 > -8388608f) {
                     let _e715 = f32(select(0i, select(select(i32(_e677), i32(-2147483648), (_e677 < bitcast<f32>(3472883712u))), 2147483647i, (_e677 > bitcast<f32>(1325400063u))), (_e677 == _e677)));
                     if (_e715 > _e677) {
-                        phi_988_ = 1f;
+                        phi_983_ = 1f;
                     } else {
-                        phi_988_ = 0f;
+                        phi_983_ = 0f;
                     }
-                    let _e718 = phi_988_;
+                    let _e718 = phi_983_;
                     if (_e677 < 8388608f) {
-                        phi_993_ = (_e715 - _e718);
-                        phi_994_ = false;
+                        phi_988_ = (_e715 - _e718);
+                        phi_989_ = false;
                     } else {
-                        phi_993_ = f32();
-                        phi_994_ = true;
+                        phi_988_ = f32();
+                        phi_989_ = true;
                     }
-                    let _e721 = phi_993_;
-                    let _e723 = phi_994_;
-                    phi_995_ = _e721;
-                    phi_996_ = _e723;
+                    let _e721 = phi_988_;
+                    let _e723 = phi_989_;
+                    phi_990_ = _e721;
+                    phi_991_ = _e723;
                 } else {
-                    phi_995_ = f32();
-                    phi_996_ = true;
+                    phi_990_ = f32();
+                    phi_991_ = true;
                 }
-                let _e725 = phi_995_;
-                let _e727 = phi_996_;
+                let _e725 = phi_990_;
+                let _e727 = phi_991_;
                 if _e727 {
-                    phi_1000_ = _e677;
+                    phi_995_ = _e677;
                 } else {
-                    phi_1000_ = _e725;
+                    phi_995_ = _e725;
                 }
-                let _e729 = phi_1000_;
+                let _e729 = phi_995_;
                 let _e730 = (_e676 - _e703);
                 let _e731 = (_e677 - _e729);
                 let _e740 = select(0i, select(select(i32(_e703), i32(-2147483648), (_e703 < bitcast<f32>(3472883712u))), 2147483647i, (_e703 > bitcast<f32>(1325400063u))), (_e703 == _e703));
@@ -786,56 +780,56 @@ fn function_() {
                 let _e767 = ((_e764.level * _e762) * _e762);
                 let _e769 = (bitcast<i32>(_e762) - 1i);
                 if (_e740 > 0i) {
-                    phi_1049_ = _e740;
+                    phi_1044_ = _e740;
+                } else {
+                    phi_1044_ = 0i;
+                }
+                let _e772 = phi_1044_;
+                if (_e749 > 0i) {
+                    phi_1049_ = _e749;
                 } else {
                     phi_1049_ = 0i;
                 }
-                let _e772 = phi_1049_;
-                if (_e749 > 0i) {
-                    phi_1054_ = _e749;
-                } else {
-                    phi_1054_ = 0i;
-                }
-                let _e775 = phi_1054_;
+                let _e775 = phi_1049_;
                 if (_e772 < _e769) {
-                    phi_1059_ = _e772;
+                    phi_1054_ = _e772;
+                } else {
+                    phi_1054_ = _e769;
+                }
+                let _e778 = phi_1054_;
+                if (_e775 < _e769) {
+                    phi_1059_ = _e775;
                 } else {
                     phi_1059_ = _e769;
                 }
-                let _e778 = phi_1059_;
-                if (_e775 < _e769) {
-                    phi_1064_ = _e775;
-                } else {
-                    phi_1064_ = _e769;
-                }
-                let _e781 = phi_1064_;
+                let _e781 = phi_1059_;
                 let _e782 = bitcast<u32>(_e778);
                 let _e784 = (_e740 + 1i);
                 let _e785 = (_e749 + 1i);
                 if (_e784 > 0i) {
-                    phi_1073_ = _e784;
+                    phi_1068_ = _e784;
+                } else {
+                    phi_1068_ = 0i;
+                }
+                let _e788 = phi_1068_;
+                if (_e785 > 0i) {
+                    phi_1073_ = _e785;
                 } else {
                     phi_1073_ = 0i;
                 }
-                let _e788 = phi_1073_;
-                if (_e785 > 0i) {
-                    phi_1078_ = _e785;
-                } else {
-                    phi_1078_ = 0i;
-                }
-                let _e791 = phi_1078_;
+                let _e791 = phi_1073_;
                 if (_e788 < _e769) {
-                    phi_1083_ = _e788;
+                    phi_1078_ = _e788;
+                } else {
+                    phi_1078_ = _e769;
+                }
+                let _e794 = phi_1078_;
+                if (_e791 < _e769) {
+                    phi_1083_ = _e791;
                 } else {
                     phi_1083_ = _e769;
                 }
-                let _e794 = phi_1083_;
-                if (_e791 < _e769) {
-                    phi_1088_ = _e791;
-                } else {
-                    phi_1088_ = _e769;
-                }
-                let _e797 = phi_1088_;
+                let _e797 = phi_1083_;
                 let _e798 = bitcast<u32>(_e794);
                 let _e800 = (bitcast<u32>(_e781) * _e762);
                 let _e801 = (bitcast<u32>(_e797) * _e762);
@@ -864,30 +858,30 @@ fn function_() {
                 }
                 let _e857 = map.member[(0u + _e809)];
                 let _e871 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e813.x * _e752) + (_e825.x * _e754)) + (_e841.x * _e756)) + (_e857.x * _e757)), ((((_e813.y * _e752) + (_e825.y * _e754)) + (_e841.y * _e756)) + (_e857.y * _e757)), ((((_e813.z * _e752) + (_e825.z * _e754)) + (_e841.z * _e756)) + (_e857.z * _e757)), ((((_e813.w * _e752) + (_e825.w * _e754)) + (_e841.w * _e756)) + (_e857.w * _e757))), _e666);
-                phi_1177_ = evaluate_Verdict(_e871, false);
-                phi_1178_ = evaluate_Verdict();
-                phi_1179_ = false;
+                phi_1172_ = evaluate_Verdict(_e871, false);
+                phi_1173_ = evaluate_Verdict();
+                phi_1174_ = false;
             } else {
-                phi_1177_ = evaluate_Verdict();
-                phi_1178_ = evaluate_Verdict(1f, false);
-                phi_1179_ = true;
+                phi_1172_ = evaluate_Verdict();
+                phi_1173_ = evaluate_Verdict(1f, false);
+                phi_1174_ = true;
             }
-            let _e875 = phi_1177_;
-            let _e877 = phi_1178_;
-            let _e879 = phi_1179_;
-            phi_1180_ = _e877;
-            phi_1181_ = _e875;
-            phi_1182_ = _e879;
+            let _e875 = phi_1172_;
+            let _e877 = phi_1173_;
+            let _e879 = phi_1174_;
+            phi_1175_ = _e877;
+            phi_1176_ = _e875;
+            phi_1177_ = _e879;
         }
-        let _e881 = phi_1180_;
-        let _e883 = phi_1181_;
-        let _e885 = phi_1182_;
+        let _e881 = phi_1175_;
+        let _e883 = phi_1176_;
+        let _e885 = phi_1177_;
         if _e885 {
-            phi_1186_ = _e881;
+            phi_1181_ = _e881;
         } else {
-            phi_1186_ = _e883;
+            phi_1181_ = _e883;
         }
-        let _e887 = phi_1186_;
+        let _e887 = phi_1181_;
         if (_e72.shift < arrayLength((&visibility.member))) {
         } else {
             return;

@@ -84,36 +84,36 @@ var<storage, read_write> visibility: type_13;
 var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_146_: lt_mask_LightPlace;
+    var phi_147_: bool;
     var phi_148_: lt_mask_LightPlace;
     var phi_149_: bool;
-    var phi_150_: lt_mask_LightPlace;
-    var phi_151_: bool;
-    var phi_156_: lt_mask_LightPlace;
+    var phi_154_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_148_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_149_ = false;
+            phi_146_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_147_ = false;
         } else {
-            phi_148_ = lt_mask_LightPlace();
-            phi_149_ = true;
+            phi_146_ = lt_mask_LightPlace();
+            phi_147_ = true;
         }
-        let _e59 = phi_148_;
-        let _e61 = phi_149_;
-        phi_150_ = _e59;
-        phi_151_ = _e61;
+        let _e59 = phi_146_;
+        let _e61 = phi_147_;
+        phi_148_ = _e59;
+        phi_149_ = _e61;
     } else {
-        phi_150_ = lt_mask_LightPlace();
-        phi_151_ = true;
+        phi_148_ = lt_mask_LightPlace();
+        phi_149_ = true;
     }
-    let _e63 = phi_150_;
-    let _e65 = phi_151_;
+    let _e63 = phi_148_;
+    let _e65 = phi_149_;
     if _e65 {
-        phi_156_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_154_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_156_ = _e63;
+        phi_154_ = _e63;
     }
-    let _e70 = phi_156_;
+    let _e70 = phi_154_;
     return lt_mask_LightPlace(_e70.word, _e70.shift);
 }
 
@@ -121,195 +121,189 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
     return param_3.x;
 }
 
-fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_176_: bool;
+fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
+    var phi_179_: f32;
     var phi_180_: f32;
-
-    let _e47 = (*param_4);
-    if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_176_ = true;
-    } else {
-        let _e51 = (84f < _e47);
-        if _e51 {
-        }
-        phi_176_ = _e51;
-    }
-    let _e53 = phi_176_;
-    if _e53 {
-        phi_180_ = 84f;
-    } else {
-        phi_180_ = _e47;
-    }
-    let _e55 = phi_180_;
-    return _e55;
-}
-
-fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_199_: f32;
-    var phi_200_: f32;
-    var phi_201_: f32;
+    var phi_181_: f32;
+    var phi_194_: bool;
+    var phi_198_: f32;
+    var phi_211_: f32;
     var phi_216_: f32;
-    var phi_221_: f32;
+    var phi_238_: f32;
     var phi_243_: f32;
-    var phi_248_: f32;
-    var phi_249_: bool;
+    var phi_244_: bool;
+    var phi_245_: f32;
+    var phi_246_: bool;
     var phi_250_: f32;
-    var phi_251_: bool;
-    var phi_255_: f32;
-    var phi_293_: f32;
-    var phi_309_: f32;
-    var phi_310_: f32;
-    var phi_311_: f32;
+    var phi_288_: f32;
+    var phi_304_: f32;
+    var phi_305_: f32;
+    var phi_306_: f32;
 
-    if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_201_ = param_7;
+    if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
+        phi_181_ = param_6;
     } else {
-        if (param_7 < 0f) {
-            phi_200_ = 0f;
+        if (param_6 < 0f) {
+            phi_180_ = 0f;
         } else {
-            if (param_7 > 1f) {
-                phi_199_ = 1f;
+            if (param_6 > 1f) {
+                phi_179_ = 1f;
             } else {
-                phi_199_ = param_7;
+                phi_179_ = param_6;
             }
-            let _e55 = phi_199_;
-            phi_200_ = _e55;
+            let _e55 = phi_179_;
+            phi_180_ = _e55;
         }
-        let _e57 = phi_200_;
-        phi_201_ = _e57;
+        let _e57 = phi_180_;
+        phi_181_ = _e57;
     }
-    let _e59 = phi_201_;
-    let _e61 = _lt_math_esm_Esm_clamped_exponent(param_5);
-    let _e63 = (_e61 * (1f - _e59));
-    if ((bitcast<u32>(_e63) & 2147483647u) > 2139095040u) {
-        phi_293_ = _e63;
+    let _e59 = phi_181_;
+    let _e61 = (*param_4);
+    if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
+        phi_194_ = true;
     } else {
-        if (_e63 < -87f) {
-            phi_216_ = -87f;
-        } else {
-            phi_216_ = _e63;
+        let _e65 = (84f < _e61);
+        if _e65 {
         }
-        let _e69 = phi_216_;
-        if (_e69 > 88f) {
-            phi_221_ = 88f;
-        } else {
-            phi_221_ = _e69;
-        }
-        let _e72 = phi_221_;
-        let _e74 = ((_e72 * 1.442695f) + 0.5f);
-        if (_e74 > -8388608f) {
-            let _e86 = f32(select(0i, select(select(i32(_e74), i32(-2147483648), (_e74 < bitcast<f32>(3472883712u))), 2147483647i, (_e74 > bitcast<f32>(1325400063u))), (_e74 == _e74)));
-            if (_e86 > _e74) {
-                phi_243_ = 1f;
-            } else {
-                phi_243_ = 0f;
-            }
-            let _e89 = phi_243_;
-            if (_e74 < 8388608f) {
-                phi_248_ = (_e86 - _e89);
-                phi_249_ = false;
-            } else {
-                phi_248_ = f32();
-                phi_249_ = true;
-            }
-            let _e92 = phi_248_;
-            let _e94 = phi_249_;
-            phi_250_ = _e92;
-            phi_251_ = _e94;
-        } else {
-            phi_250_ = f32();
-            phi_251_ = true;
-        }
-        let _e96 = phi_250_;
-        let _e98 = phi_251_;
-        if _e98 {
-            phi_255_ = _e74;
-        } else {
-            phi_255_ = _e96;
-        }
-        let _e100 = phi_255_;
-        let _e104 = ((_e72 - (_e100 * 0.69314575f)) - (_e100 * 0.0000014286068f));
-        phi_293_ = ((((((((((((((((1f / 5040f) * _e104) + (1f / 720f)) * _e104) + (1f / 120f)) * _e104) + (1f / 24f)) * _e104) + (1f / 6f)) * _e104) + 0.5f) * _e104) + 1f) * _e104) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e100), i32(-2147483648), (_e100 < bitcast<f32>(3472883712u))), 2147483647i, (_e100 > bitcast<f32>(1325400063u))), (_e100 == _e100)) + 127i)) << bitcast<u32>(23i))));
+        phi_194_ = _e65;
     }
-    let _e140 = phi_293_;
-    let _e141 = (param_6.x * _e140);
-    if ((bitcast<u32>(_e141) & 2147483647u) > 2139095040u) {
-        phi_311_ = _e141;
+    let _e67 = phi_194_;
+    if _e67 {
+        phi_198_ = 84f;
     } else {
-        if (_e141 < 0f) {
-            phi_310_ = 0f;
-        } else {
-            if (_e141 > 1f) {
-                phi_309_ = 1f;
-            } else {
-                phi_309_ = _e141;
-            }
-            let _e148 = phi_309_;
-            phi_310_ = _e148;
-        }
-        let _e150 = phi_310_;
-        phi_311_ = _e150;
+        phi_198_ = _e61;
     }
-    let _e152 = phi_311_;
-    return _e152;
+    let _e69 = phi_198_;
+    let _e71 = (_e69 * (1f - _e59));
+    if ((bitcast<u32>(_e71) & 2147483647u) > 2139095040u) {
+        phi_288_ = _e71;
+    } else {
+        if (_e71 < -87f) {
+            phi_211_ = -87f;
+        } else {
+            phi_211_ = _e71;
+        }
+        let _e77 = phi_211_;
+        if (_e77 > 88f) {
+            phi_216_ = 88f;
+        } else {
+            phi_216_ = _e77;
+        }
+        let _e80 = phi_216_;
+        let _e82 = ((_e80 * 1.442695f) + 0.5f);
+        if (_e82 > -8388608f) {
+            let _e94 = f32(select(0i, select(select(i32(_e82), i32(-2147483648), (_e82 < bitcast<f32>(3472883712u))), 2147483647i, (_e82 > bitcast<f32>(1325400063u))), (_e82 == _e82)));
+            if (_e94 > _e82) {
+                phi_238_ = 1f;
+            } else {
+                phi_238_ = 0f;
+            }
+            let _e97 = phi_238_;
+            if (_e82 < 8388608f) {
+                phi_243_ = (_e94 - _e97);
+                phi_244_ = false;
+            } else {
+                phi_243_ = f32();
+                phi_244_ = true;
+            }
+            let _e100 = phi_243_;
+            let _e102 = phi_244_;
+            phi_245_ = _e100;
+            phi_246_ = _e102;
+        } else {
+            phi_245_ = f32();
+            phi_246_ = true;
+        }
+        let _e104 = phi_245_;
+        let _e106 = phi_246_;
+        if _e106 {
+            phi_250_ = _e82;
+        } else {
+            phi_250_ = _e104;
+        }
+        let _e108 = phi_250_;
+        let _e112 = ((_e80 - (_e108 * 0.69314575f)) - (_e108 * 0.0000014286068f));
+        phi_288_ = ((((((((((((((((1f / 5040f) * _e112) + (1f / 720f)) * _e112) + (1f / 120f)) * _e112) + (1f / 24f)) * _e112) + (1f / 6f)) * _e112) + 0.5f) * _e112) + 1f) * _e112) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e108), i32(-2147483648), (_e108 < bitcast<f32>(3472883712u))), 2147483647i, (_e108 > bitcast<f32>(1325400063u))), (_e108 == _e108)) + 127i)) << bitcast<u32>(23i))));
+    }
+    let _e148 = phi_288_;
+    let _e149 = (param_5.x * _e148);
+    if ((bitcast<u32>(_e149) & 2147483647u) > 2139095040u) {
+        phi_306_ = _e149;
+    } else {
+        if (_e149 < 0f) {
+            phi_305_ = 0f;
+        } else {
+            if (_e149 > 1f) {
+                phi_304_ = 1f;
+            } else {
+                phi_304_ = _e149;
+            }
+            let _e156 = phi_304_;
+            phi_305_ = _e156;
+        }
+        let _e158 = phi_305_;
+        phi_306_ = _e158;
+    }
+    let _e160 = phi_306_;
+    return _e160;
 }
 
 fn function_() {
     var local: f32;
-    var phi_367_: bool;
-    var phi_368_: bool;
+    var phi_362_: bool;
+    var phi_363_: bool;
+    var phi_364_: bool;
+    var phi_365_: bool;
     var phi_369_: bool;
-    var phi_370_: bool;
-    var phi_374_: bool;
-    var phi_444_: bool;
-    var phi_445_: bool;
-    var phi_456_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_457_: bool;
-    var phi_458_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_459_: bool;
-    var phi_466_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_470_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_544_: bool;
-    var phi_553_: bool;
+    var phi_439_: bool;
+    var phi_440_: bool;
+    var phi_451_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_452_: bool;
+    var phi_453_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_454_: bool;
+    var phi_461_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_465_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_539_: bool;
+    var phi_548_: bool;
+    var phi_557_: bool;
+    var phi_558_: bool;
+    var phi_559_: bool;
+    var phi_560_: bool;
+    var phi_561_: bool;
     var phi_562_: bool;
     var phi_563_: bool;
-    var phi_564_: bool;
-    var phi_565_: bool;
-    var phi_566_: bool;
     var phi_567_: bool;
-    var phi_568_: bool;
-    var phi_572_: bool;
-    var phi_662_: f32;
-    var phi_665_: f32;
+    var phi_657_: f32;
+    var phi_660_: f32;
+    var phi_689_: f32;
     var phi_694_: f32;
-    var phi_699_: f32;
-    var phi_700_: bool;
+    var phi_695_: bool;
+    var phi_696_: f32;
+    var phi_697_: bool;
     var phi_701_: f32;
-    var phi_702_: bool;
-    var phi_706_: f32;
+    var phi_721_: f32;
     var phi_726_: f32;
-    var phi_731_: f32;
-    var phi_732_: bool;
+    var phi_727_: bool;
+    var phi_728_: f32;
+    var phi_729_: bool;
     var phi_733_: f32;
-    var phi_734_: bool;
-    var phi_738_: f32;
+    var phi_781_: i32;
     var phi_786_: i32;
     var phi_791_: i32;
     var phi_796_: i32;
-    var phi_801_: i32;
+    var phi_805_: i32;
     var phi_810_: i32;
     var phi_815_: i32;
     var phi_820_: i32;
-    var phi_825_: i32;
-    var phi_920_: bool;
-    var phi_928_: bool;
-    var phi_940_: bool;
-    var phi_941_: bool;
-    var phi_945_: f32;
-    var phi_951_: f32;
+    var phi_915_: bool;
+    var phi_923_: bool;
+    var phi_935_: bool;
+    var phi_936_: bool;
+    var phi_940_: f32;
+    var phi_946_: f32;
+    var phi_948_: evaluate_Verdict;
     var phi_953_: evaluate_Verdict;
-    var phi_958_: evaluate_Verdict;
-    var phi_959_: evaluate_Verdict;
+    var phi_954_: evaluate_Verdict;
 
     let _e47 = id_1;
     let _e54 = arrayLength((&map.member));
@@ -331,28 +325,28 @@ fn function_() {
             if (_e82 == _e84) {
                 let _e87 = samples.member[(0u + _e63.shift)].normal[2u];
                 let _e89 = global[2u];
-                phi_367_ = (_e87 == _e89);
-                phi_368_ = false;
+                phi_362_ = (_e87 == _e89);
+                phi_363_ = false;
             } else {
-                phi_367_ = bool();
-                phi_368_ = true;
+                phi_362_ = bool();
+                phi_363_ = true;
             }
-            let _e92 = phi_367_;
-            let _e94 = phi_368_;
-            phi_369_ = _e92;
-            phi_370_ = _e94;
+            let _e92 = phi_362_;
+            let _e94 = phi_363_;
+            phi_364_ = _e92;
+            phi_365_ = _e94;
         } else {
-            phi_369_ = bool();
-            phi_370_ = true;
+            phi_364_ = bool();
+            phi_365_ = true;
         }
-        let _e96 = phi_369_;
-        let _e98 = phi_370_;
+        let _e96 = phi_364_;
+        let _e98 = phi_365_;
         if _e98 {
-            phi_374_ = false;
+            phi_369_ = false;
         } else {
-            phi_374_ = _e96;
+            phi_369_ = _e96;
         }
-        let _e100 = phi_374_;
+        let _e100 = phi_369_;
         if !(_e100) {
             let _e103 = samples.member[(0u + _e63.shift)].position;
             let _e105 = p.member.light.place;
@@ -366,56 +360,56 @@ fn function_() {
                 let _e138 = p.member.light.axis;
                 let _e150 = p.member.light.place[3u];
                 if (_e150 == 0f) {
-                    phi_445_ = true;
+                    phi_440_ = true;
                 } else {
                     let _e153 = p.member.light.range_squared;
                     if (_e136 <= _e153) {
                         let _e156 = p.member.light.cos_outer;
-                        phi_444_ = (-((((_e118 * _e138.x) + (_e119 * _e138.y)) + (_e120 * _e138.z))) >= (_e156 * sqrt(_e136)));
+                        phi_439_ = (-((((_e118 * _e138.x) + (_e119 * _e138.y)) + (_e120 * _e138.z))) >= (_e156 * sqrt(_e136)));
                     } else {
-                        phi_444_ = false;
+                        phi_439_ = false;
                     }
-                    let _e161 = phi_444_;
-                    phi_445_ = _e161;
+                    let _e161 = phi_439_;
+                    phi_440_ = _e161;
                 }
-                let _e163 = phi_445_;
+                let _e163 = phi_440_;
                 if _e163 {
                     let _e165 = samples.member[(0u + _e63.shift)].flags;
                     let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
-                    phi_456_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
-                    phi_457_ = false;
+                    phi_451_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
+                    phi_452_ = false;
                 } else {
-                    phi_456_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_457_ = true;
+                    phi_451_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_452_ = true;
                 }
-                let _e184 = phi_456_;
-                let _e186 = phi_457_;
-                phi_458_ = _e184;
-                phi_459_ = _e186;
+                let _e184 = phi_451_;
+                let _e186 = phi_452_;
+                phi_453_ = _e184;
+                phi_454_ = _e186;
             } else {
-                phi_458_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_459_ = true;
+                phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_454_ = true;
             }
-            let _e188 = phi_458_;
-            let _e190 = phi_459_;
+            let _e188 = phi_453_;
+            let _e190 = phi_454_;
             if _e190 {
                 let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e202 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e196.unnamed.visibility, false), _e196.unnamed_1);
-                phi_466_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e202.unnamed, true);
+                phi_461_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e202.unnamed, true);
             } else {
-                phi_466_ = _e188;
+                phi_461_ = _e188;
             }
-            let _e207 = phi_466_;
-            phi_470_ = _e207;
+            let _e207 = phi_461_;
+            phi_465_ = _e207;
         } else {
             let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
-            phi_470_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
+            phi_465_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
         }
-        let _e224 = phi_470_;
+        let _e224 = phi_465_;
         if _e224.unnamed_1 {
-            phi_959_ = evaluate_Verdict(_e224.unnamed.visibility, _e224.unnamed.is_doubted);
+            phi_954_ = evaluate_Verdict(_e224.unnamed.visibility, _e224.unnamed.is_doubted);
         } else {
             let _e232 = samples.member[(0u + _e63.shift)].position;
             let _e250 = ((((_e73.projection.row_w.x * _e232.x) + (_e73.projection.row_w.y * _e232.y)) + (_e73.projection.row_w.z * _e232.z)) + (_e73.projection.row_w.w * 1f));
@@ -424,71 +418,71 @@ fn function_() {
             let _e291 = ((((_e73.projection.row_z.x * _e232.x) + (_e73.projection.row_z.y * _e232.y)) + (_e73.projection.row_z.z * _e232.z)) + (_e73.projection.row_z.w * 1f));
             if (_e250 > 0f) {
                 if (_e264 >= 0f) {
-                    phi_544_ = (_e264 <= 1f);
+                    phi_539_ = (_e264 <= 1f);
                 } else {
-                    phi_544_ = false;
+                    phi_539_ = false;
                 }
-                let _e296 = phi_544_;
+                let _e296 = phi_539_;
                 if _e296 {
                     if (_e278 >= 0f) {
-                        phi_553_ = (_e278 <= 1f);
+                        phi_548_ = (_e278 <= 1f);
                     } else {
-                        phi_553_ = false;
+                        phi_548_ = false;
                     }
-                    let _e300 = phi_553_;
+                    let _e300 = phi_548_;
                     if _e300 {
                         if (_e291 >= 0f) {
-                            phi_562_ = (_e291 <= 1f);
+                            phi_557_ = (_e291 <= 1f);
                         } else {
-                            phi_562_ = false;
+                            phi_557_ = false;
                         }
-                        let _e304 = phi_562_;
-                        phi_563_ = _e304;
-                        phi_564_ = false;
+                        let _e304 = phi_557_;
+                        phi_558_ = _e304;
+                        phi_559_ = false;
                     } else {
-                        phi_563_ = bool();
-                        phi_564_ = true;
+                        phi_558_ = bool();
+                        phi_559_ = true;
                     }
-                    let _e306 = phi_563_;
-                    let _e308 = phi_564_;
-                    phi_565_ = _e306;
-                    phi_566_ = _e308;
+                    let _e306 = phi_558_;
+                    let _e308 = phi_559_;
+                    phi_560_ = _e306;
+                    phi_561_ = _e308;
                 } else {
-                    phi_565_ = bool();
-                    phi_566_ = true;
+                    phi_560_ = bool();
+                    phi_561_ = true;
                 }
-                let _e310 = phi_565_;
-                let _e312 = phi_566_;
-                phi_567_ = _e310;
-                phi_568_ = _e312;
+                let _e310 = phi_560_;
+                let _e312 = phi_561_;
+                phi_562_ = _e310;
+                phi_563_ = _e312;
             } else {
-                phi_567_ = bool();
-                phi_568_ = true;
+                phi_562_ = bool();
+                phi_563_ = true;
             }
-            let _e314 = phi_567_;
-            let _e316 = phi_568_;
+            let _e314 = phi_562_;
+            let _e316 = phi_563_;
             if _e316 {
-                phi_572_ = false;
+                phi_567_ = false;
             } else {
-                phi_572_ = _e314;
+                phi_567_ = _e314;
             }
-            let _e318 = phi_572_;
+            let _e318 = phi_567_;
             if _e318 {
                 if (0f > 0f) {
                     let _e321 = samples.member[(0u + _e63.shift)].normal;
                     let _e323 = p.member.map_size;
                     let _e393 = ((abs(((((_e69.row_x.x * _e321.x) + (_e69.row_x.y * _e321.y)) + (_e69.row_x.z * _e321.z)) / (((_e69.row_x.x * _e69.row_x.x) + (_e69.row_x.y * _e69.row_x.y)) + (_e69.row_x.z * _e69.row_x.z)))) + abs(((((_e69.row_y.x * _e321.x) + (_e69.row_y.y * _e321.y)) + (_e69.row_y.z * _e321.z)) / (((_e69.row_y.x * _e69.row_y.x) + (_e69.row_y.y * _e69.row_y.y)) + (_e69.row_y.z * _e69.row_y.z))))) / (abs(((((_e69.row_z.x * _e321.x) + (_e69.row_z.y * _e321.y)) + (_e69.row_z.z * _e321.z)) / (((_e69.row_z.x * _e69.row_z.x) + (_e69.row_z.y * _e69.row_z.y)) + (_e69.row_z.z * _e69.row_z.z)))) * f32(_e323)));
                     if (_e393 < 0.002f) {
-                        phi_662_ = _e393;
+                        phi_657_ = _e393;
                     } else {
-                        phi_662_ = 0.002f;
+                        phi_657_ = 0.002f;
                     }
-                    let _e396 = phi_662_;
-                    phi_665_ = (_e291 - (0f * _e396));
+                    let _e396 = phi_657_;
+                    phi_660_ = (_e291 - (0f * _e396));
                 } else {
-                    phi_665_ = _e291;
+                    phi_660_ = _e291;
                 }
-                let _e400 = phi_665_;
+                let _e400 = phi_660_;
                 let _e402 = p.member.map_size;
                 let _e403 = f32(_e402);
                 let _e406 = ((_e264 * _e403) - 0.5f);
@@ -496,65 +490,65 @@ fn function_() {
                 if (_e406 > -8388608f) {
                     let _e419 = f32(select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406)));
                     if (_e419 > _e406) {
-                        phi_694_ = 1f;
+                        phi_689_ = 1f;
                     } else {
-                        phi_694_ = 0f;
+                        phi_689_ = 0f;
                     }
-                    let _e422 = phi_694_;
+                    let _e422 = phi_689_;
                     if (_e406 < 8388608f) {
-                        phi_699_ = (_e419 - _e422);
-                        phi_700_ = false;
+                        phi_694_ = (_e419 - _e422);
+                        phi_695_ = false;
                     } else {
-                        phi_699_ = f32();
-                        phi_700_ = true;
+                        phi_694_ = f32();
+                        phi_695_ = true;
                     }
-                    let _e425 = phi_699_;
-                    let _e427 = phi_700_;
-                    phi_701_ = _e425;
-                    phi_702_ = _e427;
+                    let _e425 = phi_694_;
+                    let _e427 = phi_695_;
+                    phi_696_ = _e425;
+                    phi_697_ = _e427;
                 } else {
-                    phi_701_ = f32();
-                    phi_702_ = true;
+                    phi_696_ = f32();
+                    phi_697_ = true;
                 }
-                let _e429 = phi_701_;
-                let _e431 = phi_702_;
+                let _e429 = phi_696_;
+                let _e431 = phi_697_;
                 if _e431 {
-                    phi_706_ = _e406;
+                    phi_701_ = _e406;
                 } else {
-                    phi_706_ = _e429;
+                    phi_701_ = _e429;
                 }
-                let _e433 = phi_706_;
+                let _e433 = phi_701_;
                 if (_e407 > -8388608f) {
                     let _e445 = f32(select(0i, select(select(i32(_e407), i32(-2147483648), (_e407 < bitcast<f32>(3472883712u))), 2147483647i, (_e407 > bitcast<f32>(1325400063u))), (_e407 == _e407)));
                     if (_e445 > _e407) {
-                        phi_726_ = 1f;
+                        phi_721_ = 1f;
                     } else {
-                        phi_726_ = 0f;
+                        phi_721_ = 0f;
                     }
-                    let _e448 = phi_726_;
+                    let _e448 = phi_721_;
                     if (_e407 < 8388608f) {
-                        phi_731_ = (_e445 - _e448);
-                        phi_732_ = false;
+                        phi_726_ = (_e445 - _e448);
+                        phi_727_ = false;
                     } else {
-                        phi_731_ = f32();
-                        phi_732_ = true;
+                        phi_726_ = f32();
+                        phi_727_ = true;
                     }
-                    let _e451 = phi_731_;
-                    let _e453 = phi_732_;
-                    phi_733_ = _e451;
-                    phi_734_ = _e453;
+                    let _e451 = phi_726_;
+                    let _e453 = phi_727_;
+                    phi_728_ = _e451;
+                    phi_729_ = _e453;
                 } else {
-                    phi_733_ = f32();
-                    phi_734_ = true;
+                    phi_728_ = f32();
+                    phi_729_ = true;
                 }
-                let _e455 = phi_733_;
-                let _e457 = phi_734_;
+                let _e455 = phi_728_;
+                let _e457 = phi_729_;
                 if _e457 {
-                    phi_738_ = _e407;
+                    phi_733_ = _e407;
                 } else {
-                    phi_738_ = _e455;
+                    phi_733_ = _e455;
                 }
-                let _e459 = phi_738_;
+                let _e459 = phi_733_;
                 let _e460 = (_e406 - _e433);
                 let _e461 = (_e407 - _e459);
                 let _e470 = select(0i, select(select(i32(_e433), i32(-2147483648), (_e433 < bitcast<f32>(3472883712u))), 2147483647i, (_e433 > bitcast<f32>(1325400063u))), (_e433 == _e433));
@@ -570,56 +564,56 @@ fn function_() {
                 let _e494 = ((0u * _e492) * _e492);
                 let _e496 = (bitcast<i32>(_e492) - 1i);
                 if (_e470 > 0i) {
-                    phi_786_ = _e470;
+                    phi_781_ = _e470;
+                } else {
+                    phi_781_ = 0i;
+                }
+                let _e499 = phi_781_;
+                if (_e479 > 0i) {
+                    phi_786_ = _e479;
                 } else {
                     phi_786_ = 0i;
                 }
-                let _e499 = phi_786_;
-                if (_e479 > 0i) {
-                    phi_791_ = _e479;
-                } else {
-                    phi_791_ = 0i;
-                }
-                let _e502 = phi_791_;
+                let _e502 = phi_786_;
                 if (_e499 < _e496) {
-                    phi_796_ = _e499;
+                    phi_791_ = _e499;
+                } else {
+                    phi_791_ = _e496;
+                }
+                let _e505 = phi_791_;
+                if (_e502 < _e496) {
+                    phi_796_ = _e502;
                 } else {
                     phi_796_ = _e496;
                 }
-                let _e505 = phi_796_;
-                if (_e502 < _e496) {
-                    phi_801_ = _e502;
-                } else {
-                    phi_801_ = _e496;
-                }
-                let _e508 = phi_801_;
+                let _e508 = phi_796_;
                 let _e509 = bitcast<u32>(_e505);
                 let _e511 = (_e470 + 1i);
                 let _e512 = (_e479 + 1i);
                 if (_e511 > 0i) {
-                    phi_810_ = _e511;
+                    phi_805_ = _e511;
+                } else {
+                    phi_805_ = 0i;
+                }
+                let _e515 = phi_805_;
+                if (_e512 > 0i) {
+                    phi_810_ = _e512;
                 } else {
                     phi_810_ = 0i;
                 }
-                let _e515 = phi_810_;
-                if (_e512 > 0i) {
-                    phi_815_ = _e512;
-                } else {
-                    phi_815_ = 0i;
-                }
-                let _e518 = phi_815_;
+                let _e518 = phi_810_;
                 if (_e515 < _e496) {
-                    phi_820_ = _e515;
+                    phi_815_ = _e515;
+                } else {
+                    phi_815_ = _e496;
+                }
+                let _e521 = phi_815_;
+                if (_e518 < _e496) {
+                    phi_820_ = _e518;
                 } else {
                     phi_820_ = _e496;
                 }
-                let _e521 = phi_820_;
-                if (_e518 < _e496) {
-                    phi_825_ = _e518;
-                } else {
-                    phi_825_ = _e496;
-                }
-                let _e524 = phi_825_;
+                let _e524 = phi_820_;
                 let _e525 = bitcast<u32>(_e521);
                 let _e527 = (bitcast<u32>(_e508) * _e492);
                 let _e528 = (bitcast<u32>(_e524) * _e492);
@@ -650,55 +644,55 @@ fn function_() {
                 let _e598 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e540.x * _e482) + (_e552.x * _e484)) + (_e568.x * _e486)) + (_e584.x * _e487)), ((((_e540.y * _e482) + (_e552.y * _e484)) + (_e568.y * _e486)) + (_e584.y * _e487)), ((((_e540.z * _e482) + (_e552.z * _e484)) + (_e568.z * _e486)) + (_e584.z * _e487)), ((((_e540.w * _e482) + (_e552.w * _e484)) + (_e568.w * _e486)) + (_e584.w * _e487))), _e400);
                 let _e600 = p.member.epsilon;
                 if (_e598 <= _e600) {
-                    phi_920_ = true;
+                    phi_915_ = true;
                 } else {
-                    phi_920_ = (_e598 >= (1f - _e600));
+                    phi_915_ = (_e598 >= (1f - _e600));
                 }
-                let _e605 = phi_920_;
+                let _e605 = phi_915_;
                 if ((bitcast<u32>(_e598) & 2147483647u) > 2139095040u) {
-                    phi_928_ = true;
+                    phi_923_ = true;
                 } else {
-                    phi_928_ = !(_e605);
+                    phi_923_ = !(_e605);
                 }
-                let _e611 = phi_928_;
+                let _e611 = phi_923_;
                 if _e611 {
                     if (_e598 > 0f) {
                         if (_e598 < 1f) {
-                            phi_940_ = false;
+                            phi_935_ = false;
                         } else {
-                            phi_940_ = true;
+                            phi_935_ = true;
                         }
-                        let _e615 = phi_940_;
-                        phi_941_ = _e615;
+                        let _e615 = phi_935_;
+                        phi_936_ = _e615;
                     } else {
-                        phi_941_ = true;
+                        phi_936_ = true;
                     }
-                    let _e617 = phi_941_;
+                    let _e617 = phi_936_;
                     if _e617 {
-                        phi_945_ = 0.5f;
+                        phi_940_ = 0.5f;
                     } else {
-                        phi_945_ = _e598;
+                        phi_940_ = _e598;
                     }
-                    let _e619 = phi_945_;
-                    phi_953_ = evaluate_Verdict(_e619, true);
+                    let _e619 = phi_940_;
+                    phi_948_ = evaluate_Verdict(_e619, true);
                 } else {
                     if (_e598 > 0.5f) {
-                        phi_951_ = 1f;
+                        phi_946_ = 1f;
                     } else {
-                        phi_951_ = 0f;
+                        phi_946_ = 0f;
                     }
-                    let _e623 = phi_951_;
-                    phi_953_ = evaluate_Verdict(_e623, false);
+                    let _e623 = phi_946_;
+                    phi_948_ = evaluate_Verdict(_e623, false);
                 }
-                let _e626 = phi_953_;
-                phi_958_ = evaluate_Verdict(_e626.visibility, _e626.is_doubted);
+                let _e626 = phi_948_;
+                phi_953_ = evaluate_Verdict(_e626.visibility, _e626.is_doubted);
             } else {
-                phi_958_ = evaluate_Verdict(0.5f, true);
+                phi_953_ = evaluate_Verdict(0.5f, true);
             }
-            let _e632 = phi_958_;
-            phi_959_ = _e632;
+            let _e632 = phi_953_;
+            phi_954_ = _e632;
         }
-        let _e634 = phi_959_;
+        let _e634 = phi_954_;
         if (_e63.shift < arrayLength((&visibility.member))) {
         } else {
             return;

@@ -92,36 +92,36 @@ var<storage, read_write> visibility: type_18;
 var<storage, read_write> list: type_45;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_158_: lt_mask_LightPlace;
+    var phi_159_: bool;
     var phi_160_: lt_mask_LightPlace;
     var phi_161_: bool;
-    var phi_162_: lt_mask_LightPlace;
-    var phi_163_: bool;
-    var phi_168_: lt_mask_LightPlace;
+    var phi_166_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_160_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_161_ = false;
+            phi_158_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_159_ = false;
         } else {
-            phi_160_ = lt_mask_LightPlace();
-            phi_161_ = true;
+            phi_158_ = lt_mask_LightPlace();
+            phi_159_ = true;
         }
-        let _e63 = phi_160_;
-        let _e65 = phi_161_;
-        phi_162_ = _e63;
-        phi_163_ = _e65;
+        let _e63 = phi_158_;
+        let _e65 = phi_159_;
+        phi_160_ = _e63;
+        phi_161_ = _e65;
     } else {
-        phi_162_ = lt_mask_LightPlace();
-        phi_163_ = true;
+        phi_160_ = lt_mask_LightPlace();
+        phi_161_ = true;
     }
-    let _e67 = phi_162_;
-    let _e69 = phi_163_;
+    let _e67 = phi_160_;
+    let _e69 = phi_161_;
     if _e69 {
-        phi_168_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_166_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_168_ = _e67;
+        phi_166_ = _e67;
     }
-    let _e74 = phi_168_;
+    let _e74 = phi_166_;
     return lt_mask_LightPlace(_e74.word, _e74.shift);
 }
 
@@ -129,465 +129,459 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
     return param_3.x;
 }
 
-fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_188_: bool;
-    var phi_192_: f32;
-
-    let _e51 = (*param_4);
-    if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_188_ = true;
-    } else {
-        let _e55 = (84f < _e51);
-        if _e55 {
-        }
-        phi_188_ = _e55;
-    }
-    let _e57 = phi_188_;
-    if _e57 {
-        phi_192_ = 84f;
-    } else {
-        phi_192_ = _e51;
-    }
-    let _e59 = phi_192_;
-    return _e59;
-}
-
-fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: vec4<f32>, param_8: f32) -> f32 {
-    var phi_213_: f32;
-    var phi_214_: f32;
-    var phi_215_: f32;
-    var phi_231_: f32;
-    var phi_232_: f32;
-    var phi_233_: f32;
-    var phi_249_: f32;
-    var phi_250_: f32;
-    var phi_251_: f32;
-    var phi_267_: f32;
-    var phi_268_: f32;
-    var phi_269_: f32;
-    var phi_285_: f32;
-    var phi_286_: f32;
-    var phi_287_: f32;
+fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
+    var phi_189_: bool;
+    var phi_193_: f32;
+    var phi_208_: f32;
+    var phi_209_: f32;
+    var phi_210_: f32;
+    var phi_226_: f32;
+    var phi_227_: f32;
+    var phi_228_: f32;
+    var phi_244_: f32;
+    var phi_245_: f32;
+    var phi_246_: f32;
+    var phi_262_: f32;
+    var phi_263_: f32;
+    var phi_264_: f32;
+    var phi_280_: f32;
+    var phi_281_: f32;
+    var phi_282_: f32;
+    var phi_301_: f32;
     var phi_306_: f32;
-    var phi_311_: f32;
+    var phi_328_: f32;
     var phi_333_: f32;
-    var phi_338_: f32;
-    var phi_339_: bool;
+    var phi_334_: bool;
+    var phi_335_: f32;
+    var phi_336_: bool;
     var phi_340_: f32;
-    var phi_341_: bool;
-    var phi_345_: f32;
-    var phi_383_: f32;
+    var phi_378_: f32;
+    var phi_389_: f32;
     var phi_394_: f32;
-    var phi_399_: f32;
+    var phi_416_: f32;
     var phi_421_: f32;
-    var phi_426_: f32;
-    var phi_427_: bool;
+    var phi_422_: bool;
+    var phi_423_: f32;
+    var phi_424_: bool;
     var phi_428_: f32;
-    var phi_429_: bool;
-    var phi_433_: f32;
-    var phi_471_: f32;
+    var phi_466_: f32;
+    var phi_477_: f32;
     var phi_482_: f32;
-    var phi_487_: f32;
+    var phi_504_: f32;
     var phi_509_: f32;
-    var phi_514_: f32;
-    var phi_515_: bool;
+    var phi_510_: bool;
+    var phi_511_: f32;
+    var phi_512_: bool;
     var phi_516_: f32;
-    var phi_517_: bool;
-    var phi_521_: f32;
-    var phi_559_: f32;
+    var phi_554_: f32;
+    var phi_565_: f32;
     var phi_570_: f32;
-    var phi_575_: f32;
+    var phi_592_: f32;
     var phi_597_: f32;
-    var phi_602_: f32;
-    var phi_603_: bool;
+    var phi_598_: bool;
+    var phi_599_: f32;
+    var phi_600_: bool;
     var phi_604_: f32;
-    var phi_605_: bool;
-    var phi_609_: f32;
-    var phi_647_: f32;
-    var phi_673_: f32;
-    var phi_674_: f32;
-    var phi_675_: f32;
+    var phi_642_: f32;
+    var phi_668_: f32;
+    var phi_669_: f32;
+    var phi_670_: f32;
 
-    let _e54 = _lt_math_esm_Esm_clamped_exponent(param_5);
-    if ((bitcast<u32>(param_8) & 2147483647u) > 2139095040u) {
-        phi_215_ = param_8;
+    let _e54 = (*param_4);
+    if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
+        phi_189_ = true;
     } else {
-        if (param_8 < 0f) {
-            phi_214_ = 0f;
-        } else {
-            if (param_8 > 1f) {
-                phi_213_ = 1f;
-            } else {
-                phi_213_ = param_8;
-            }
-            let _e61 = phi_213_;
-            phi_214_ = _e61;
+        let _e58 = (84f < _e54);
+        if _e58 {
         }
-        let _e63 = phi_214_;
-        phi_215_ = _e63;
+        phi_189_ = _e58;
     }
-    let _e65 = phi_215_;
-    if ((bitcast<u32>(param_6.x) & 2147483647u) > 2139095040u) {
-        phi_233_ = param_6.x;
+    let _e60 = phi_189_;
+    if _e60 {
+        phi_193_ = 84f;
     } else {
-        if (param_6.x < 0f) {
-            phi_232_ = 0f;
-        } else {
-            if (param_6.x > 1f) {
-                phi_231_ = 1f;
-            } else {
-                phi_231_ = param_6.x;
-            }
-            let _e73 = phi_231_;
-            phi_232_ = _e73;
-        }
-        let _e75 = phi_232_;
-        phi_233_ = _e75;
+        phi_193_ = _e54;
     }
-    let _e77 = phi_233_;
-    if ((bitcast<u32>(param_6.y) & 2147483647u) > 2139095040u) {
-        phi_251_ = param_6.y;
+    let _e62 = phi_193_;
+    if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
+        phi_210_ = param_7;
     } else {
-        if (param_6.y < 0f) {
-            phi_250_ = 0f;
+        if (param_7 < 0f) {
+            phi_209_ = 0f;
         } else {
-            if (param_6.y > 1f) {
-                phi_249_ = 1f;
+            if (param_7 > 1f) {
+                phi_208_ = 1f;
             } else {
-                phi_249_ = param_6.y;
+                phi_208_ = param_7;
             }
-            let _e85 = phi_249_;
-            phi_250_ = _e85;
+            let _e69 = phi_208_;
+            phi_209_ = _e69;
         }
-        let _e87 = phi_250_;
-        phi_251_ = _e87;
+        let _e71 = phi_209_;
+        phi_210_ = _e71;
     }
-    let _e89 = phi_251_;
-    if ((bitcast<u32>(param_6.z) & 2147483647u) > 2139095040u) {
-        phi_269_ = param_6.z;
+    let _e73 = phi_210_;
+    if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
+        phi_228_ = param_5.x;
     } else {
-        if (param_6.z < 0f) {
-            phi_268_ = 0f;
+        if (param_5.x < 0f) {
+            phi_227_ = 0f;
         } else {
-            if (param_6.z > 1f) {
-                phi_267_ = 1f;
+            if (param_5.x > 1f) {
+                phi_226_ = 1f;
             } else {
-                phi_267_ = param_6.z;
+                phi_226_ = param_5.x;
             }
-            let _e97 = phi_267_;
-            phi_268_ = _e97;
+            let _e81 = phi_226_;
+            phi_227_ = _e81;
         }
-        let _e99 = phi_268_;
-        phi_269_ = _e99;
+        let _e83 = phi_227_;
+        phi_228_ = _e83;
     }
-    let _e101 = phi_269_;
-    if ((bitcast<u32>(param_6.w) & 2147483647u) > 2139095040u) {
-        phi_287_ = param_6.w;
+    let _e85 = phi_228_;
+    if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
+        phi_246_ = param_5.y;
     } else {
-        if (param_6.w < 0f) {
-            phi_286_ = 0f;
+        if (param_5.y < 0f) {
+            phi_245_ = 0f;
         } else {
-            if (param_6.w > 1f) {
-                phi_285_ = 1f;
+            if (param_5.y > 1f) {
+                phi_244_ = 1f;
             } else {
-                phi_285_ = param_6.w;
+                phi_244_ = param_5.y;
             }
-            let _e109 = phi_285_;
-            phi_286_ = _e109;
+            let _e93 = phi_244_;
+            phi_245_ = _e93;
         }
-        let _e111 = phi_286_;
-        phi_287_ = _e111;
+        let _e95 = phi_245_;
+        phi_246_ = _e95;
     }
-    let _e113 = phi_287_;
-    let _e118 = (_e54 * (_e77 - _e65));
-    let _e119 = (_e54 * (_e89 - _e65));
-    let _e120 = (_e54 * (_e101 - _e65));
-    let _e121 = (_e54 * (_e113 - _e65));
-    if ((bitcast<u32>(_e118) & 2147483647u) > 2139095040u) {
-        phi_383_ = _e118;
+    let _e97 = phi_246_;
+    if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
+        phi_264_ = param_5.z;
     } else {
-        if (_e118 < -87f) {
-            phi_306_ = -87f;
+        if (param_5.z < 0f) {
+            phi_263_ = 0f;
         } else {
-            phi_306_ = _e118;
-        }
-        let _e127 = phi_306_;
-        if (_e127 > 88f) {
-            phi_311_ = 88f;
-        } else {
-            phi_311_ = _e127;
-        }
-        let _e130 = phi_311_;
-        let _e132 = ((_e130 * 1.442695f) + 0.5f);
-        if (_e132 > -8388608f) {
-            let _e144 = f32(select(0i, select(select(i32(_e132), i32(-2147483648), (_e132 < bitcast<f32>(3472883712u))), 2147483647i, (_e132 > bitcast<f32>(1325400063u))), (_e132 == _e132)));
-            if (_e144 > _e132) {
-                phi_333_ = 1f;
+            if (param_5.z > 1f) {
+                phi_262_ = 1f;
             } else {
-                phi_333_ = 0f;
+                phi_262_ = param_5.z;
             }
-            let _e147 = phi_333_;
-            if (_e132 < 8388608f) {
-                phi_338_ = (_e144 - _e147);
-                phi_339_ = false;
-            } else {
-                phi_338_ = f32();
-                phi_339_ = true;
-            }
-            let _e150 = phi_338_;
-            let _e152 = phi_339_;
-            phi_340_ = _e150;
-            phi_341_ = _e152;
-        } else {
-            phi_340_ = f32();
-            phi_341_ = true;
+            let _e105 = phi_262_;
+            phi_263_ = _e105;
         }
-        let _e154 = phi_340_;
-        let _e156 = phi_341_;
-        if _e156 {
-            phi_345_ = _e132;
-        } else {
-            phi_345_ = _e154;
-        }
-        let _e158 = phi_345_;
-        let _e162 = ((_e130 - (_e158 * 0.69314575f)) - (_e158 * 0.0000014286068f));
-        phi_383_ = ((((((((((((((((1f / 5040f) * _e162) + (1f / 720f)) * _e162) + (1f / 120f)) * _e162) + (1f / 24f)) * _e162) + (1f / 6f)) * _e162) + 0.5f) * _e162) + 1f) * _e162) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e158), i32(-2147483648), (_e158 < bitcast<f32>(3472883712u))), 2147483647i, (_e158 > bitcast<f32>(1325400063u))), (_e158 == _e158)) + 127i)) << bitcast<u32>(23i))));
+        let _e107 = phi_263_;
+        phi_264_ = _e107;
     }
-    let _e198 = phi_383_;
-    if ((bitcast<u32>(_e119) & 2147483647u) > 2139095040u) {
-        phi_471_ = _e119;
+    let _e109 = phi_264_;
+    if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
+        phi_282_ = param_5.w;
     } else {
-        if (_e119 < -87f) {
-            phi_394_ = -87f;
+        if (param_5.w < 0f) {
+            phi_281_ = 0f;
         } else {
-            phi_394_ = _e119;
-        }
-        let _e204 = phi_394_;
-        if (_e204 > 88f) {
-            phi_399_ = 88f;
-        } else {
-            phi_399_ = _e204;
-        }
-        let _e207 = phi_399_;
-        let _e209 = ((_e207 * 1.442695f) + 0.5f);
-        if (_e209 > -8388608f) {
-            let _e221 = f32(select(0i, select(select(i32(_e209), i32(-2147483648), (_e209 < bitcast<f32>(3472883712u))), 2147483647i, (_e209 > bitcast<f32>(1325400063u))), (_e209 == _e209)));
-            if (_e221 > _e209) {
-                phi_421_ = 1f;
+            if (param_5.w > 1f) {
+                phi_280_ = 1f;
             } else {
-                phi_421_ = 0f;
+                phi_280_ = param_5.w;
             }
-            let _e224 = phi_421_;
-            if (_e209 < 8388608f) {
-                phi_426_ = (_e221 - _e224);
-                phi_427_ = false;
-            } else {
-                phi_426_ = f32();
-                phi_427_ = true;
-            }
-            let _e227 = phi_426_;
-            let _e229 = phi_427_;
-            phi_428_ = _e227;
-            phi_429_ = _e229;
-        } else {
-            phi_428_ = f32();
-            phi_429_ = true;
+            let _e117 = phi_280_;
+            phi_281_ = _e117;
         }
-        let _e231 = phi_428_;
-        let _e233 = phi_429_;
-        if _e233 {
-            phi_433_ = _e209;
-        } else {
-            phi_433_ = _e231;
-        }
-        let _e235 = phi_433_;
-        let _e239 = ((_e207 - (_e235 * 0.69314575f)) - (_e235 * 0.0000014286068f));
-        phi_471_ = ((((((((((((((((1f / 5040f) * _e239) + (1f / 720f)) * _e239) + (1f / 120f)) * _e239) + (1f / 24f)) * _e239) + (1f / 6f)) * _e239) + 0.5f) * _e239) + 1f) * _e239) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e235), i32(-2147483648), (_e235 < bitcast<f32>(3472883712u))), 2147483647i, (_e235 > bitcast<f32>(1325400063u))), (_e235 == _e235)) + 127i)) << bitcast<u32>(23i))));
+        let _e119 = phi_281_;
+        phi_282_ = _e119;
     }
-    let _e275 = phi_471_;
-    if ((bitcast<u32>(_e120) & 2147483647u) > 2139095040u) {
-        phi_559_ = _e120;
+    let _e121 = phi_282_;
+    let _e126 = (_e62 * (_e85 - _e73));
+    let _e127 = (_e62 * (_e97 - _e73));
+    let _e128 = (_e62 * (_e109 - _e73));
+    let _e129 = (_e62 * (_e121 - _e73));
+    if ((bitcast<u32>(_e126) & 2147483647u) > 2139095040u) {
+        phi_378_ = _e126;
     } else {
-        if (_e120 < -87f) {
-            phi_482_ = -87f;
+        if (_e126 < -87f) {
+            phi_301_ = -87f;
         } else {
-            phi_482_ = _e120;
+            phi_301_ = _e126;
         }
-        let _e281 = phi_482_;
-        if (_e281 > 88f) {
-            phi_487_ = 88f;
+        let _e135 = phi_301_;
+        if (_e135 > 88f) {
+            phi_306_ = 88f;
         } else {
-            phi_487_ = _e281;
+            phi_306_ = _e135;
         }
-        let _e284 = phi_487_;
-        let _e286 = ((_e284 * 1.442695f) + 0.5f);
-        if (_e286 > -8388608f) {
-            let _e298 = f32(select(0i, select(select(i32(_e286), i32(-2147483648), (_e286 < bitcast<f32>(3472883712u))), 2147483647i, (_e286 > bitcast<f32>(1325400063u))), (_e286 == _e286)));
-            if (_e298 > _e286) {
-                phi_509_ = 1f;
+        let _e138 = phi_306_;
+        let _e140 = ((_e138 * 1.442695f) + 0.5f);
+        if (_e140 > -8388608f) {
+            let _e152 = f32(select(0i, select(select(i32(_e140), i32(-2147483648), (_e140 < bitcast<f32>(3472883712u))), 2147483647i, (_e140 > bitcast<f32>(1325400063u))), (_e140 == _e140)));
+            if (_e152 > _e140) {
+                phi_328_ = 1f;
             } else {
-                phi_509_ = 0f;
+                phi_328_ = 0f;
             }
-            let _e301 = phi_509_;
-            if (_e286 < 8388608f) {
-                phi_514_ = (_e298 - _e301);
-                phi_515_ = false;
+            let _e155 = phi_328_;
+            if (_e140 < 8388608f) {
+                phi_333_ = (_e152 - _e155);
+                phi_334_ = false;
             } else {
-                phi_514_ = f32();
-                phi_515_ = true;
+                phi_333_ = f32();
+                phi_334_ = true;
             }
-            let _e304 = phi_514_;
-            let _e306 = phi_515_;
-            phi_516_ = _e304;
-            phi_517_ = _e306;
+            let _e158 = phi_333_;
+            let _e160 = phi_334_;
+            phi_335_ = _e158;
+            phi_336_ = _e160;
         } else {
-            phi_516_ = f32();
-            phi_517_ = true;
+            phi_335_ = f32();
+            phi_336_ = true;
         }
-        let _e308 = phi_516_;
-        let _e310 = phi_517_;
-        if _e310 {
-            phi_521_ = _e286;
+        let _e162 = phi_335_;
+        let _e164 = phi_336_;
+        if _e164 {
+            phi_340_ = _e140;
         } else {
-            phi_521_ = _e308;
+            phi_340_ = _e162;
         }
-        let _e312 = phi_521_;
-        let _e316 = ((_e284 - (_e312 * 0.69314575f)) - (_e312 * 0.0000014286068f));
-        phi_559_ = ((((((((((((((((1f / 5040f) * _e316) + (1f / 720f)) * _e316) + (1f / 120f)) * _e316) + (1f / 24f)) * _e316) + (1f / 6f)) * _e316) + 0.5f) * _e316) + 1f) * _e316) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e312), i32(-2147483648), (_e312 < bitcast<f32>(3472883712u))), 2147483647i, (_e312 > bitcast<f32>(1325400063u))), (_e312 == _e312)) + 127i)) << bitcast<u32>(23i))));
+        let _e166 = phi_340_;
+        let _e170 = ((_e138 - (_e166 * 0.69314575f)) - (_e166 * 0.0000014286068f));
+        phi_378_ = ((((((((((((((((1f / 5040f) * _e170) + (1f / 720f)) * _e170) + (1f / 120f)) * _e170) + (1f / 24f)) * _e170) + (1f / 6f)) * _e170) + 0.5f) * _e170) + 1f) * _e170) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e166), i32(-2147483648), (_e166 < bitcast<f32>(3472883712u))), 2147483647i, (_e166 > bitcast<f32>(1325400063u))), (_e166 == _e166)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e352 = phi_559_;
-    if ((bitcast<u32>(_e121) & 2147483647u) > 2139095040u) {
-        phi_647_ = _e121;
+    let _e206 = phi_378_;
+    if ((bitcast<u32>(_e127) & 2147483647u) > 2139095040u) {
+        phi_466_ = _e127;
     } else {
-        if (_e121 < -87f) {
-            phi_570_ = -87f;
+        if (_e127 < -87f) {
+            phi_389_ = -87f;
         } else {
-            phi_570_ = _e121;
+            phi_389_ = _e127;
         }
-        let _e358 = phi_570_;
-        if (_e358 > 88f) {
-            phi_575_ = 88f;
+        let _e212 = phi_389_;
+        if (_e212 > 88f) {
+            phi_394_ = 88f;
         } else {
-            phi_575_ = _e358;
+            phi_394_ = _e212;
         }
-        let _e361 = phi_575_;
-        let _e363 = ((_e361 * 1.442695f) + 0.5f);
-        if (_e363 > -8388608f) {
-            let _e375 = f32(select(0i, select(select(i32(_e363), i32(-2147483648), (_e363 < bitcast<f32>(3472883712u))), 2147483647i, (_e363 > bitcast<f32>(1325400063u))), (_e363 == _e363)));
-            if (_e375 > _e363) {
-                phi_597_ = 1f;
+        let _e215 = phi_394_;
+        let _e217 = ((_e215 * 1.442695f) + 0.5f);
+        if (_e217 > -8388608f) {
+            let _e229 = f32(select(0i, select(select(i32(_e217), i32(-2147483648), (_e217 < bitcast<f32>(3472883712u))), 2147483647i, (_e217 > bitcast<f32>(1325400063u))), (_e217 == _e217)));
+            if (_e229 > _e217) {
+                phi_416_ = 1f;
             } else {
-                phi_597_ = 0f;
+                phi_416_ = 0f;
             }
-            let _e378 = phi_597_;
-            if (_e363 < 8388608f) {
-                phi_602_ = (_e375 - _e378);
-                phi_603_ = false;
+            let _e232 = phi_416_;
+            if (_e217 < 8388608f) {
+                phi_421_ = (_e229 - _e232);
+                phi_422_ = false;
             } else {
-                phi_602_ = f32();
-                phi_603_ = true;
+                phi_421_ = f32();
+                phi_422_ = true;
             }
-            let _e381 = phi_602_;
-            let _e383 = phi_603_;
-            phi_604_ = _e381;
-            phi_605_ = _e383;
+            let _e235 = phi_421_;
+            let _e237 = phi_422_;
+            phi_423_ = _e235;
+            phi_424_ = _e237;
         } else {
-            phi_604_ = f32();
-            phi_605_ = true;
+            phi_423_ = f32();
+            phi_424_ = true;
         }
-        let _e385 = phi_604_;
-        let _e387 = phi_605_;
-        if _e387 {
-            phi_609_ = _e363;
+        let _e239 = phi_423_;
+        let _e241 = phi_424_;
+        if _e241 {
+            phi_428_ = _e217;
         } else {
-            phi_609_ = _e385;
+            phi_428_ = _e239;
         }
-        let _e389 = phi_609_;
-        let _e393 = ((_e361 - (_e389 * 0.69314575f)) - (_e389 * 0.0000014286068f));
-        phi_647_ = ((((((((((((((((1f / 5040f) * _e393) + (1f / 720f)) * _e393) + (1f / 120f)) * _e393) + (1f / 24f)) * _e393) + (1f / 6f)) * _e393) + 0.5f) * _e393) + 1f) * _e393) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e389), i32(-2147483648), (_e389 < bitcast<f32>(3472883712u))), 2147483647i, (_e389 > bitcast<f32>(1325400063u))), (_e389 == _e389)) + 127i)) << bitcast<u32>(23i))));
+        let _e243 = phi_428_;
+        let _e247 = ((_e215 - (_e243 * 0.69314575f)) - (_e243 * 0.0000014286068f));
+        phi_466_ = ((((((((((((((((1f / 5040f) * _e247) + (1f / 720f)) * _e247) + (1f / 120f)) * _e247) + (1f / 24f)) * _e247) + (1f / 6f)) * _e247) + 0.5f) * _e247) + 1f) * _e247) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e243), i32(-2147483648), (_e243 < bitcast<f32>(3472883712u))), 2147483647i, (_e243 > bitcast<f32>(1325400063u))), (_e243 == _e243)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e429 = phi_647_;
-    let _e440 = ((((_e198 * param_7.x) + (_e275 * param_7.y)) + (_e352 * param_7.z)) + (_e429 * param_7.w));
-    if ((bitcast<u32>(_e440) & 2147483647u) > 2139095040u) {
-        phi_675_ = _e440;
+    let _e283 = phi_466_;
+    if ((bitcast<u32>(_e128) & 2147483647u) > 2139095040u) {
+        phi_554_ = _e128;
     } else {
-        if (_e440 < 0f) {
-            phi_674_ = 0f;
+        if (_e128 < -87f) {
+            phi_477_ = -87f;
         } else {
-            if (_e440 > 1f) {
-                phi_673_ = 1f;
-            } else {
-                phi_673_ = _e440;
-            }
-            let _e447 = phi_673_;
-            phi_674_ = _e447;
+            phi_477_ = _e128;
         }
-        let _e449 = phi_674_;
-        phi_675_ = _e449;
+        let _e289 = phi_477_;
+        if (_e289 > 88f) {
+            phi_482_ = 88f;
+        } else {
+            phi_482_ = _e289;
+        }
+        let _e292 = phi_482_;
+        let _e294 = ((_e292 * 1.442695f) + 0.5f);
+        if (_e294 > -8388608f) {
+            let _e306 = f32(select(0i, select(select(i32(_e294), i32(-2147483648), (_e294 < bitcast<f32>(3472883712u))), 2147483647i, (_e294 > bitcast<f32>(1325400063u))), (_e294 == _e294)));
+            if (_e306 > _e294) {
+                phi_504_ = 1f;
+            } else {
+                phi_504_ = 0f;
+            }
+            let _e309 = phi_504_;
+            if (_e294 < 8388608f) {
+                phi_509_ = (_e306 - _e309);
+                phi_510_ = false;
+            } else {
+                phi_509_ = f32();
+                phi_510_ = true;
+            }
+            let _e312 = phi_509_;
+            let _e314 = phi_510_;
+            phi_511_ = _e312;
+            phi_512_ = _e314;
+        } else {
+            phi_511_ = f32();
+            phi_512_ = true;
+        }
+        let _e316 = phi_511_;
+        let _e318 = phi_512_;
+        if _e318 {
+            phi_516_ = _e294;
+        } else {
+            phi_516_ = _e316;
+        }
+        let _e320 = phi_516_;
+        let _e324 = ((_e292 - (_e320 * 0.69314575f)) - (_e320 * 0.0000014286068f));
+        phi_554_ = ((((((((((((((((1f / 5040f) * _e324) + (1f / 720f)) * _e324) + (1f / 120f)) * _e324) + (1f / 24f)) * _e324) + (1f / 6f)) * _e324) + 0.5f) * _e324) + 1f) * _e324) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e320), i32(-2147483648), (_e320 < bitcast<f32>(3472883712u))), 2147483647i, (_e320 > bitcast<f32>(1325400063u))), (_e320 == _e320)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e451 = phi_675_;
-    return _e451;
+    let _e360 = phi_554_;
+    if ((bitcast<u32>(_e129) & 2147483647u) > 2139095040u) {
+        phi_642_ = _e129;
+    } else {
+        if (_e129 < -87f) {
+            phi_565_ = -87f;
+        } else {
+            phi_565_ = _e129;
+        }
+        let _e366 = phi_565_;
+        if (_e366 > 88f) {
+            phi_570_ = 88f;
+        } else {
+            phi_570_ = _e366;
+        }
+        let _e369 = phi_570_;
+        let _e371 = ((_e369 * 1.442695f) + 0.5f);
+        if (_e371 > -8388608f) {
+            let _e383 = f32(select(0i, select(select(i32(_e371), i32(-2147483648), (_e371 < bitcast<f32>(3472883712u))), 2147483647i, (_e371 > bitcast<f32>(1325400063u))), (_e371 == _e371)));
+            if (_e383 > _e371) {
+                phi_592_ = 1f;
+            } else {
+                phi_592_ = 0f;
+            }
+            let _e386 = phi_592_;
+            if (_e371 < 8388608f) {
+                phi_597_ = (_e383 - _e386);
+                phi_598_ = false;
+            } else {
+                phi_597_ = f32();
+                phi_598_ = true;
+            }
+            let _e389 = phi_597_;
+            let _e391 = phi_598_;
+            phi_599_ = _e389;
+            phi_600_ = _e391;
+        } else {
+            phi_599_ = f32();
+            phi_600_ = true;
+        }
+        let _e393 = phi_599_;
+        let _e395 = phi_600_;
+        if _e395 {
+            phi_604_ = _e371;
+        } else {
+            phi_604_ = _e393;
+        }
+        let _e397 = phi_604_;
+        let _e401 = ((_e369 - (_e397 * 0.69314575f)) - (_e397 * 0.0000014286068f));
+        phi_642_ = ((((((((((((((((1f / 5040f) * _e401) + (1f / 720f)) * _e401) + (1f / 120f)) * _e401) + (1f / 24f)) * _e401) + (1f / 6f)) * _e401) + 0.5f) * _e401) + 1f) * _e401) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e397), i32(-2147483648), (_e397 < bitcast<f32>(3472883712u))), 2147483647i, (_e397 > bitcast<f32>(1325400063u))), (_e397 == _e397)) + 127i)) << bitcast<u32>(23i))));
+    }
+    let _e437 = phi_642_;
+    let _e448 = ((((_e206 * param_6.x) + (_e283 * param_6.y)) + (_e360 * param_6.z)) + (_e437 * param_6.w));
+    if ((bitcast<u32>(_e448) & 2147483647u) > 2139095040u) {
+        phi_670_ = _e448;
+    } else {
+        if (_e448 < 0f) {
+            phi_669_ = 0f;
+        } else {
+            if (_e448 > 1f) {
+                phi_668_ = 1f;
+            } else {
+                phi_668_ = _e448;
+            }
+            let _e455 = phi_668_;
+            phi_669_ = _e455;
+        }
+        let _e457 = phi_669_;
+        phi_670_ = _e457;
+    }
+    let _e459 = phi_670_;
+    return _e459;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_726_: bool;
-    var phi_727_: bool;
+    var phi_721_: bool;
+    var phi_722_: bool;
+    var phi_723_: bool;
+    var phi_724_: bool;
     var phi_728_: bool;
-    var phi_729_: bool;
-    var phi_733_: bool;
-    var phi_803_: bool;
-    var phi_804_: bool;
-    var phi_815_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_816_: bool;
-    var phi_817_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_818_: bool;
-    var phi_825_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_829_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_903_: bool;
-    var phi_912_: bool;
+    var phi_798_: bool;
+    var phi_799_: bool;
+    var phi_810_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_811_: bool;
+    var phi_812_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_813_: bool;
+    var phi_820_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_824_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_898_: bool;
+    var phi_907_: bool;
+    var phi_916_: bool;
+    var phi_917_: bool;
+    var phi_918_: bool;
+    var phi_919_: bool;
+    var phi_920_: bool;
     var phi_921_: bool;
     var phi_922_: bool;
-    var phi_923_: bool;
-    var phi_924_: bool;
-    var phi_925_: bool;
     var phi_926_: bool;
-    var phi_927_: bool;
-    var phi_931_: bool;
-    var phi_1021_: f32;
-    var phi_1024_: f32;
+    var phi_1016_: f32;
+    var phi_1019_: f32;
+    var phi_1048_: f32;
     var phi_1053_: f32;
-    var phi_1058_: f32;
-    var phi_1059_: bool;
+    var phi_1054_: bool;
+    var phi_1055_: f32;
+    var phi_1056_: bool;
     var phi_1060_: f32;
-    var phi_1061_: bool;
-    var phi_1065_: f32;
+    var phi_1080_: f32;
     var phi_1085_: f32;
-    var phi_1090_: f32;
-    var phi_1091_: bool;
+    var phi_1086_: bool;
+    var phi_1087_: f32;
+    var phi_1088_: bool;
     var phi_1092_: f32;
-    var phi_1093_: bool;
-    var phi_1097_: f32;
+    var phi_1140_: i32;
     var phi_1145_: i32;
     var phi_1150_: i32;
     var phi_1155_: i32;
-    var phi_1160_: i32;
+    var phi_1164_: i32;
     var phi_1169_: i32;
     var phi_1174_: i32;
     var phi_1179_: i32;
-    var phi_1184_: i32;
-    var phi_1235_: bool;
-    var phi_1243_: bool;
-    var phi_1255_: bool;
-    var phi_1256_: bool;
-    var phi_1260_: f32;
-    var phi_1266_: f32;
+    var phi_1230_: bool;
+    var phi_1238_: bool;
+    var phi_1250_: bool;
+    var phi_1251_: bool;
+    var phi_1255_: f32;
+    var phi_1261_: f32;
+    var phi_1263_: evaluate_Verdict;
     var phi_1268_: evaluate_Verdict;
-    var phi_1273_: evaluate_Verdict;
-    var phi_1274_: evaluate_Verdict;
-    var phi_1278_: bool;
-    var phi_1279_: u32;
-    var phi_1290_: u32;
+    var phi_1269_: evaluate_Verdict;
+    var phi_1273_: bool;
+    var phi_1274_: u32;
+    var phi_1285_: u32;
 
     let _e51 = id_1;
     let _e52 = local_2;
@@ -606,28 +600,28 @@ fn function_() {
             if (_e82 == _e84) {
                 let _e87 = samples.member[_e65.shift].normal[2u];
                 let _e89 = global[2u];
-                phi_726_ = (_e87 == _e89);
-                phi_727_ = false;
+                phi_721_ = (_e87 == _e89);
+                phi_722_ = false;
             } else {
-                phi_726_ = bool();
-                phi_727_ = true;
+                phi_721_ = bool();
+                phi_722_ = true;
             }
-            let _e92 = phi_726_;
-            let _e94 = phi_727_;
-            phi_728_ = _e92;
-            phi_729_ = _e94;
+            let _e92 = phi_721_;
+            let _e94 = phi_722_;
+            phi_723_ = _e92;
+            phi_724_ = _e94;
         } else {
-            phi_728_ = bool();
-            phi_729_ = true;
+            phi_723_ = bool();
+            phi_724_ = true;
         }
-        let _e96 = phi_728_;
-        let _e98 = phi_729_;
+        let _e96 = phi_723_;
+        let _e98 = phi_724_;
         if _e98 {
-            phi_733_ = false;
+            phi_728_ = false;
         } else {
-            phi_733_ = _e96;
+            phi_728_ = _e96;
         }
-        let _e100 = phi_733_;
+        let _e100 = phi_728_;
         if !(_e100) {
             let _e103 = samples.member[_e65.shift].position;
             let _e105 = p.member.light.place;
@@ -641,56 +635,56 @@ fn function_() {
                 let _e138 = p.member.light.axis;
                 let _e150 = p.member.light.place[3u];
                 if (_e150 == 0f) {
-                    phi_804_ = true;
+                    phi_799_ = true;
                 } else {
                     let _e153 = p.member.light.range_squared;
                     if (_e136 <= _e153) {
                         let _e156 = p.member.light.cos_outer;
-                        phi_803_ = (-((((_e118 * _e138.x) + (_e119 * _e138.y)) + (_e120 * _e138.z))) >= (_e156 * sqrt(_e136)));
+                        phi_798_ = (-((((_e118 * _e138.x) + (_e119 * _e138.y)) + (_e120 * _e138.z))) >= (_e156 * sqrt(_e136)));
                     } else {
-                        phi_803_ = false;
+                        phi_798_ = false;
                     }
-                    let _e161 = phi_803_;
-                    phi_804_ = _e161;
+                    let _e161 = phi_798_;
+                    phi_799_ = _e161;
                 }
-                let _e163 = phi_804_;
+                let _e163 = phi_799_;
                 if _e163 {
                     let _e165 = samples.member[_e65.shift].flags;
                     let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
-                    phi_815_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
-                    phi_816_ = false;
+                    phi_810_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
+                    phi_811_ = false;
                 } else {
-                    phi_815_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_816_ = true;
+                    phi_810_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_811_ = true;
                 }
-                let _e184 = phi_815_;
-                let _e186 = phi_816_;
-                phi_817_ = _e184;
-                phi_818_ = _e186;
+                let _e184 = phi_810_;
+                let _e186 = phi_811_;
+                phi_812_ = _e184;
+                phi_813_ = _e186;
             } else {
-                phi_817_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_818_ = true;
+                phi_812_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_813_ = true;
             }
-            let _e188 = phi_817_;
-            let _e190 = phi_818_;
+            let _e188 = phi_812_;
+            let _e190 = phi_813_;
             if _e190 {
                 let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e202 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e196.unnamed.visibility, false), _e196.unnamed_1);
-                phi_825_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e202.unnamed, true);
+                phi_820_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e202.unnamed, true);
             } else {
-                phi_825_ = _e188;
+                phi_820_ = _e188;
             }
-            let _e207 = phi_825_;
-            phi_829_ = _e207;
+            let _e207 = phi_820_;
+            phi_824_ = _e207;
         } else {
             let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
-            phi_829_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
+            phi_824_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
         }
-        let _e224 = phi_829_;
+        let _e224 = phi_824_;
         if _e224.unnamed_1 {
-            phi_1274_ = evaluate_Verdict(_e224.unnamed.visibility, _e224.unnamed.is_doubted);
+            phi_1269_ = evaluate_Verdict(_e224.unnamed.visibility, _e224.unnamed.is_doubted);
         } else {
             let _e232 = samples.member[_e65.shift].position;
             let _e250 = ((((_e73.projection.row_w.x * _e232.x) + (_e73.projection.row_w.y * _e232.y)) + (_e73.projection.row_w.z * _e232.z)) + (_e73.projection.row_w.w * 1f));
@@ -699,71 +693,71 @@ fn function_() {
             let _e291 = ((((_e73.projection.row_z.x * _e232.x) + (_e73.projection.row_z.y * _e232.y)) + (_e73.projection.row_z.z * _e232.z)) + (_e73.projection.row_z.w * 1f));
             if (_e250 > 0f) {
                 if (_e264 >= 0f) {
-                    phi_903_ = (_e264 <= 1f);
+                    phi_898_ = (_e264 <= 1f);
                 } else {
-                    phi_903_ = false;
+                    phi_898_ = false;
                 }
-                let _e296 = phi_903_;
+                let _e296 = phi_898_;
                 if _e296 {
                     if (_e278 >= 0f) {
-                        phi_912_ = (_e278 <= 1f);
+                        phi_907_ = (_e278 <= 1f);
                     } else {
-                        phi_912_ = false;
+                        phi_907_ = false;
                     }
-                    let _e300 = phi_912_;
+                    let _e300 = phi_907_;
                     if _e300 {
                         if (_e291 >= 0f) {
-                            phi_921_ = (_e291 <= 1f);
+                            phi_916_ = (_e291 <= 1f);
                         } else {
-                            phi_921_ = false;
+                            phi_916_ = false;
                         }
-                        let _e304 = phi_921_;
-                        phi_922_ = _e304;
-                        phi_923_ = false;
+                        let _e304 = phi_916_;
+                        phi_917_ = _e304;
+                        phi_918_ = false;
                     } else {
-                        phi_922_ = bool();
-                        phi_923_ = true;
+                        phi_917_ = bool();
+                        phi_918_ = true;
                     }
-                    let _e306 = phi_922_;
-                    let _e308 = phi_923_;
-                    phi_924_ = _e306;
-                    phi_925_ = _e308;
+                    let _e306 = phi_917_;
+                    let _e308 = phi_918_;
+                    phi_919_ = _e306;
+                    phi_920_ = _e308;
                 } else {
-                    phi_924_ = bool();
-                    phi_925_ = true;
+                    phi_919_ = bool();
+                    phi_920_ = true;
                 }
-                let _e310 = phi_924_;
-                let _e312 = phi_925_;
-                phi_926_ = _e310;
-                phi_927_ = _e312;
+                let _e310 = phi_919_;
+                let _e312 = phi_920_;
+                phi_921_ = _e310;
+                phi_922_ = _e312;
             } else {
-                phi_926_ = bool();
-                phi_927_ = true;
+                phi_921_ = bool();
+                phi_922_ = true;
             }
-            let _e314 = phi_926_;
-            let _e316 = phi_927_;
+            let _e314 = phi_921_;
+            let _e316 = phi_922_;
             if _e316 {
-                phi_931_ = false;
+                phi_926_ = false;
             } else {
-                phi_931_ = _e314;
+                phi_926_ = _e314;
             }
-            let _e318 = phi_931_;
+            let _e318 = phi_926_;
             if _e318 {
                 if (0f > 0f) {
                     let _e321 = samples.member[_e65.shift].normal;
                     let _e323 = p.member.map_size;
                     let _e393 = ((abs(((((_e72.row_x.x * _e321.x) + (_e72.row_x.y * _e321.y)) + (_e72.row_x.z * _e321.z)) / (((_e72.row_x.x * _e72.row_x.x) + (_e72.row_x.y * _e72.row_x.y)) + (_e72.row_x.z * _e72.row_x.z)))) + abs(((((_e72.row_y.x * _e321.x) + (_e72.row_y.y * _e321.y)) + (_e72.row_y.z * _e321.z)) / (((_e72.row_y.x * _e72.row_y.x) + (_e72.row_y.y * _e72.row_y.y)) + (_e72.row_y.z * _e72.row_y.z))))) / (abs(((((_e72.row_z.x * _e321.x) + (_e72.row_z.y * _e321.y)) + (_e72.row_z.z * _e321.z)) / (((_e72.row_z.x * _e72.row_z.x) + (_e72.row_z.y * _e72.row_z.y)) + (_e72.row_z.z * _e72.row_z.z)))) * f32(_e323)));
                     if (_e393 < 0.002f) {
-                        phi_1021_ = _e393;
+                        phi_1016_ = _e393;
                     } else {
-                        phi_1021_ = 0.002f;
+                        phi_1016_ = 0.002f;
                     }
-                    let _e396 = phi_1021_;
-                    phi_1024_ = (_e291 - (0f * _e396));
+                    let _e396 = phi_1016_;
+                    phi_1019_ = (_e291 - (0f * _e396));
                 } else {
-                    phi_1024_ = _e291;
+                    phi_1019_ = _e291;
                 }
-                let _e400 = phi_1024_;
+                let _e400 = phi_1019_;
                 let _e402 = p.member.map_size;
                 let _e403 = f32(_e402);
                 let _e406 = ((_e264 * _e403) - 0.5f);
@@ -771,65 +765,65 @@ fn function_() {
                 if (_e406 > -8388608f) {
                     let _e419 = f32(select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406)));
                     if (_e419 > _e406) {
-                        phi_1053_ = 1f;
+                        phi_1048_ = 1f;
                     } else {
-                        phi_1053_ = 0f;
+                        phi_1048_ = 0f;
                     }
-                    let _e422 = phi_1053_;
+                    let _e422 = phi_1048_;
                     if (_e406 < 8388608f) {
-                        phi_1058_ = (_e419 - _e422);
-                        phi_1059_ = false;
+                        phi_1053_ = (_e419 - _e422);
+                        phi_1054_ = false;
                     } else {
-                        phi_1058_ = f32();
-                        phi_1059_ = true;
+                        phi_1053_ = f32();
+                        phi_1054_ = true;
                     }
-                    let _e425 = phi_1058_;
-                    let _e427 = phi_1059_;
-                    phi_1060_ = _e425;
-                    phi_1061_ = _e427;
+                    let _e425 = phi_1053_;
+                    let _e427 = phi_1054_;
+                    phi_1055_ = _e425;
+                    phi_1056_ = _e427;
                 } else {
-                    phi_1060_ = f32();
-                    phi_1061_ = true;
+                    phi_1055_ = f32();
+                    phi_1056_ = true;
                 }
-                let _e429 = phi_1060_;
-                let _e431 = phi_1061_;
+                let _e429 = phi_1055_;
+                let _e431 = phi_1056_;
                 if _e431 {
-                    phi_1065_ = _e406;
+                    phi_1060_ = _e406;
                 } else {
-                    phi_1065_ = _e429;
+                    phi_1060_ = _e429;
                 }
-                let _e433 = phi_1065_;
+                let _e433 = phi_1060_;
                 if (_e407 > -8388608f) {
                     let _e445 = f32(select(0i, select(select(i32(_e407), i32(-2147483648), (_e407 < bitcast<f32>(3472883712u))), 2147483647i, (_e407 > bitcast<f32>(1325400063u))), (_e407 == _e407)));
                     if (_e445 > _e407) {
-                        phi_1085_ = 1f;
+                        phi_1080_ = 1f;
                     } else {
-                        phi_1085_ = 0f;
+                        phi_1080_ = 0f;
                     }
-                    let _e448 = phi_1085_;
+                    let _e448 = phi_1080_;
                     if (_e407 < 8388608f) {
-                        phi_1090_ = (_e445 - _e448);
-                        phi_1091_ = false;
+                        phi_1085_ = (_e445 - _e448);
+                        phi_1086_ = false;
                     } else {
-                        phi_1090_ = f32();
-                        phi_1091_ = true;
+                        phi_1085_ = f32();
+                        phi_1086_ = true;
                     }
-                    let _e451 = phi_1090_;
-                    let _e453 = phi_1091_;
-                    phi_1092_ = _e451;
-                    phi_1093_ = _e453;
+                    let _e451 = phi_1085_;
+                    let _e453 = phi_1086_;
+                    phi_1087_ = _e451;
+                    phi_1088_ = _e453;
                 } else {
-                    phi_1092_ = f32();
-                    phi_1093_ = true;
+                    phi_1087_ = f32();
+                    phi_1088_ = true;
                 }
-                let _e455 = phi_1092_;
-                let _e457 = phi_1093_;
+                let _e455 = phi_1087_;
+                let _e457 = phi_1088_;
                 if _e457 {
-                    phi_1097_ = _e407;
+                    phi_1092_ = _e407;
                 } else {
-                    phi_1097_ = _e455;
+                    phi_1092_ = _e455;
                 }
-                let _e459 = phi_1097_;
+                let _e459 = phi_1092_;
                 let _e460 = (_e406 - _e433);
                 let _e461 = (_e407 - _e459);
                 let _e470 = select(0i, select(select(i32(_e433), i32(-2147483648), (_e433 < bitcast<f32>(3472883712u))), 2147483647i, (_e433 > bitcast<f32>(1325400063u))), (_e433 == _e433));
@@ -841,56 +835,56 @@ fn function_() {
                 let _e495 = ((0u * _e493) * _e493);
                 let _e497 = (bitcast<i32>(_e493) - 1i);
                 if (_e470 > 0i) {
-                    phi_1145_ = _e470;
+                    phi_1140_ = _e470;
+                } else {
+                    phi_1140_ = 0i;
+                }
+                let _e500 = phi_1140_;
+                if (_e479 > 0i) {
+                    phi_1145_ = _e479;
                 } else {
                     phi_1145_ = 0i;
                 }
-                let _e500 = phi_1145_;
-                if (_e479 > 0i) {
-                    phi_1150_ = _e479;
-                } else {
-                    phi_1150_ = 0i;
-                }
-                let _e503 = phi_1150_;
+                let _e503 = phi_1145_;
                 if (_e500 < _e497) {
-                    phi_1155_ = _e500;
+                    phi_1150_ = _e500;
+                } else {
+                    phi_1150_ = _e497;
+                }
+                let _e506 = phi_1150_;
+                if (_e503 < _e497) {
+                    phi_1155_ = _e503;
                 } else {
                     phi_1155_ = _e497;
                 }
-                let _e506 = phi_1155_;
-                if (_e503 < _e497) {
-                    phi_1160_ = _e503;
-                } else {
-                    phi_1160_ = _e497;
-                }
-                let _e509 = phi_1160_;
+                let _e509 = phi_1155_;
                 let _e510 = bitcast<u32>(_e506);
                 let _e512 = (_e470 + 1i);
                 let _e513 = (_e479 + 1i);
                 if (_e512 > 0i) {
-                    phi_1169_ = _e512;
+                    phi_1164_ = _e512;
+                } else {
+                    phi_1164_ = 0i;
+                }
+                let _e516 = phi_1164_;
+                if (_e513 > 0i) {
+                    phi_1169_ = _e513;
                 } else {
                     phi_1169_ = 0i;
                 }
-                let _e516 = phi_1169_;
-                if (_e513 > 0i) {
-                    phi_1174_ = _e513;
-                } else {
-                    phi_1174_ = 0i;
-                }
-                let _e519 = phi_1174_;
+                let _e519 = phi_1169_;
                 if (_e516 < _e497) {
-                    phi_1179_ = _e516;
+                    phi_1174_ = _e516;
+                } else {
+                    phi_1174_ = _e497;
+                }
+                let _e522 = phi_1174_;
+                if (_e519 < _e497) {
+                    phi_1179_ = _e519;
                 } else {
                     phi_1179_ = _e497;
                 }
-                let _e522 = phi_1179_;
-                if (_e519 < _e497) {
-                    phi_1184_ = _e519;
-                } else {
-                    phi_1184_ = _e497;
-                }
-                let _e525 = phi_1184_;
+                let _e525 = phi_1179_;
                 let _e526 = bitcast<u32>(_e522);
                 let _e528 = (bitcast<u32>(_e509) * _e493);
                 let _e529 = (bitcast<u32>(_e525) * _e493);
@@ -921,75 +915,75 @@ fn function_() {
                 let _e555 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e541, _e545, _e549, _e553), vec4<f32>(((1f - _e460) * (1f - _e461)), (_e460 * (1f - _e461)), ((1f - _e460) * _e461), (_e460 * _e461)), _e400);
                 let _e557 = p.member.epsilon;
                 if (_e555 <= _e557) {
-                    phi_1235_ = true;
+                    phi_1230_ = true;
                 } else {
-                    phi_1235_ = (_e555 >= (1f - _e557));
+                    phi_1230_ = (_e555 >= (1f - _e557));
                 }
-                let _e562 = phi_1235_;
+                let _e562 = phi_1230_;
                 if ((bitcast<u32>(_e555) & 2147483647u) > 2139095040u) {
-                    phi_1243_ = true;
+                    phi_1238_ = true;
                 } else {
-                    phi_1243_ = !(_e562);
+                    phi_1238_ = !(_e562);
                 }
-                let _e568 = phi_1243_;
+                let _e568 = phi_1238_;
                 if _e568 {
                     if (_e555 > 0f) {
                         if (_e555 < 1f) {
-                            phi_1255_ = false;
+                            phi_1250_ = false;
                         } else {
-                            phi_1255_ = true;
+                            phi_1250_ = true;
                         }
-                        let _e572 = phi_1255_;
-                        phi_1256_ = _e572;
+                        let _e572 = phi_1250_;
+                        phi_1251_ = _e572;
                     } else {
-                        phi_1256_ = true;
+                        phi_1251_ = true;
                     }
-                    let _e574 = phi_1256_;
+                    let _e574 = phi_1251_;
                     if _e574 {
-                        phi_1260_ = 0.5f;
+                        phi_1255_ = 0.5f;
                     } else {
-                        phi_1260_ = _e555;
+                        phi_1255_ = _e555;
                     }
-                    let _e576 = phi_1260_;
-                    phi_1268_ = evaluate_Verdict(_e576, true);
+                    let _e576 = phi_1255_;
+                    phi_1263_ = evaluate_Verdict(_e576, true);
                 } else {
                     if (_e555 > 0.5f) {
-                        phi_1266_ = 1f;
+                        phi_1261_ = 1f;
                     } else {
-                        phi_1266_ = 0f;
+                        phi_1261_ = 0f;
                     }
-                    let _e580 = phi_1266_;
-                    phi_1268_ = evaluate_Verdict(_e580, false);
+                    let _e580 = phi_1261_;
+                    phi_1263_ = evaluate_Verdict(_e580, false);
                 }
-                let _e583 = phi_1268_;
-                phi_1273_ = evaluate_Verdict(_e583.visibility, _e583.is_doubted);
+                let _e583 = phi_1263_;
+                phi_1268_ = evaluate_Verdict(_e583.visibility, _e583.is_doubted);
             } else {
-                phi_1273_ = evaluate_Verdict(0.5f, true);
+                phi_1268_ = evaluate_Verdict(0.5f, true);
             }
-            let _e589 = phi_1273_;
-            phi_1274_ = _e589;
+            let _e589 = phi_1268_;
+            phi_1269_ = _e589;
         }
-        let _e591 = phi_1274_;
+        let _e591 = phi_1269_;
         visibility.member[_e65.shift] = _e591.visibility;
-        phi_1278_ = _e591.is_doubted;
-        phi_1279_ = _e65.shift;
+        phi_1273_ = _e591.is_doubted;
+        phi_1274_ = _e65.shift;
     } else {
-        phi_1278_ = false;
-        phi_1279_ = 0u;
+        phi_1273_ = false;
+        phi_1274_ = 0u;
     }
-    let _e596 = phi_1278_;
-    let _e598 = phi_1279_;
+    let _e596 = phi_1273_;
+    let _e598 = phi_1274_;
     if (_e52 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
     if _e596 {
         let _e602 = atomicAdd((&shared_[0u]), 1u);
-        phi_1290_ = _e602;
+        phi_1285_ = _e602;
     } else {
-        phi_1290_ = 0u;
+        phi_1285_ = 0u;
     }
-    let _e604 = phi_1290_;
+    let _e604 = phi_1285_;
     workgroupBarrier();
     if (_e52 == 0u) {
         let _e608 = atomicLoad((&shared_[0u]));

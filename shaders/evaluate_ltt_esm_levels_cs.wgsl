@@ -105,36 +105,36 @@ var<storage, read_write> list: type_51;
 var<storage> levels: type_45;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_172_: lt_mask_LightPlace;
+    var phi_173_: bool;
     var phi_174_: lt_mask_LightPlace;
     var phi_175_: bool;
-    var phi_176_: lt_mask_LightPlace;
-    var phi_177_: bool;
-    var phi_182_: lt_mask_LightPlace;
+    var phi_180_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_174_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_175_ = false;
+            phi_172_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_173_ = false;
         } else {
-            phi_174_ = lt_mask_LightPlace();
-            phi_175_ = true;
+            phi_172_ = lt_mask_LightPlace();
+            phi_173_ = true;
         }
-        let _e69 = phi_174_;
-        let _e71 = phi_175_;
-        phi_176_ = _e69;
-        phi_177_ = _e71;
+        let _e69 = phi_172_;
+        let _e71 = phi_173_;
+        phi_174_ = _e69;
+        phi_175_ = _e71;
     } else {
-        phi_176_ = lt_mask_LightPlace();
-        phi_177_ = true;
+        phi_174_ = lt_mask_LightPlace();
+        phi_175_ = true;
     }
-    let _e73 = phi_176_;
-    let _e75 = phi_177_;
+    let _e73 = phi_174_;
+    let _e75 = phi_175_;
     if _e75 {
-        phi_182_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_180_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_182_ = _e73;
+        phi_180_ = _e73;
     }
-    let _e80 = phi_182_;
+    let _e80 = phi_180_;
     return lt_mask_LightPlace(_e80.word, _e80.shift);
 }
 
@@ -142,495 +142,489 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
     return param_3.x;
 }
 
-fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_202_: bool;
-    var phi_206_: f32;
-
-    let _e57 = (*param_4);
-    if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_202_ = true;
-    } else {
-        let _e61 = (84f < _e57);
-        if _e61 {
-        }
-        phi_202_ = _e61;
-    }
-    let _e63 = phi_202_;
-    if _e63 {
-        phi_206_ = 84f;
-    } else {
-        phi_206_ = _e57;
-    }
-    let _e65 = phi_206_;
-    return _e65;
-}
-
-fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: vec4<f32>, param_8: f32) -> f32 {
-    var phi_227_: f32;
-    var phi_228_: f32;
-    var phi_229_: f32;
-    var phi_245_: f32;
-    var phi_246_: f32;
-    var phi_247_: f32;
-    var phi_263_: f32;
-    var phi_264_: f32;
-    var phi_265_: f32;
-    var phi_281_: f32;
-    var phi_282_: f32;
-    var phi_283_: f32;
-    var phi_299_: f32;
-    var phi_300_: f32;
-    var phi_301_: f32;
+fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
+    var phi_203_: bool;
+    var phi_207_: f32;
+    var phi_222_: f32;
+    var phi_223_: f32;
+    var phi_224_: f32;
+    var phi_240_: f32;
+    var phi_241_: f32;
+    var phi_242_: f32;
+    var phi_258_: f32;
+    var phi_259_: f32;
+    var phi_260_: f32;
+    var phi_276_: f32;
+    var phi_277_: f32;
+    var phi_278_: f32;
+    var phi_294_: f32;
+    var phi_295_: f32;
+    var phi_296_: f32;
+    var phi_315_: f32;
     var phi_320_: f32;
-    var phi_325_: f32;
+    var phi_342_: f32;
     var phi_347_: f32;
-    var phi_352_: f32;
-    var phi_353_: bool;
+    var phi_348_: bool;
+    var phi_349_: f32;
+    var phi_350_: bool;
     var phi_354_: f32;
-    var phi_355_: bool;
-    var phi_359_: f32;
-    var phi_397_: f32;
+    var phi_392_: f32;
+    var phi_403_: f32;
     var phi_408_: f32;
-    var phi_413_: f32;
+    var phi_430_: f32;
     var phi_435_: f32;
-    var phi_440_: f32;
-    var phi_441_: bool;
+    var phi_436_: bool;
+    var phi_437_: f32;
+    var phi_438_: bool;
     var phi_442_: f32;
-    var phi_443_: bool;
-    var phi_447_: f32;
-    var phi_485_: f32;
+    var phi_480_: f32;
+    var phi_491_: f32;
     var phi_496_: f32;
-    var phi_501_: f32;
+    var phi_518_: f32;
     var phi_523_: f32;
-    var phi_528_: f32;
-    var phi_529_: bool;
+    var phi_524_: bool;
+    var phi_525_: f32;
+    var phi_526_: bool;
     var phi_530_: f32;
-    var phi_531_: bool;
-    var phi_535_: f32;
-    var phi_573_: f32;
+    var phi_568_: f32;
+    var phi_579_: f32;
     var phi_584_: f32;
-    var phi_589_: f32;
+    var phi_606_: f32;
     var phi_611_: f32;
-    var phi_616_: f32;
-    var phi_617_: bool;
+    var phi_612_: bool;
+    var phi_613_: f32;
+    var phi_614_: bool;
     var phi_618_: f32;
-    var phi_619_: bool;
-    var phi_623_: f32;
-    var phi_661_: f32;
-    var phi_687_: f32;
-    var phi_688_: f32;
-    var phi_689_: f32;
+    var phi_656_: f32;
+    var phi_682_: f32;
+    var phi_683_: f32;
+    var phi_684_: f32;
 
-    let _e60 = _lt_math_esm_Esm_clamped_exponent(param_5);
-    if ((bitcast<u32>(param_8) & 2147483647u) > 2139095040u) {
-        phi_229_ = param_8;
+    let _e60 = (*param_4);
+    if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
+        phi_203_ = true;
     } else {
-        if (param_8 < 0f) {
-            phi_228_ = 0f;
-        } else {
-            if (param_8 > 1f) {
-                phi_227_ = 1f;
-            } else {
-                phi_227_ = param_8;
-            }
-            let _e67 = phi_227_;
-            phi_228_ = _e67;
+        let _e64 = (84f < _e60);
+        if _e64 {
         }
-        let _e69 = phi_228_;
-        phi_229_ = _e69;
+        phi_203_ = _e64;
     }
-    let _e71 = phi_229_;
-    if ((bitcast<u32>(param_6.x) & 2147483647u) > 2139095040u) {
-        phi_247_ = param_6.x;
+    let _e66 = phi_203_;
+    if _e66 {
+        phi_207_ = 84f;
     } else {
-        if (param_6.x < 0f) {
-            phi_246_ = 0f;
-        } else {
-            if (param_6.x > 1f) {
-                phi_245_ = 1f;
-            } else {
-                phi_245_ = param_6.x;
-            }
-            let _e79 = phi_245_;
-            phi_246_ = _e79;
-        }
-        let _e81 = phi_246_;
-        phi_247_ = _e81;
+        phi_207_ = _e60;
     }
-    let _e83 = phi_247_;
-    if ((bitcast<u32>(param_6.y) & 2147483647u) > 2139095040u) {
-        phi_265_ = param_6.y;
+    let _e68 = phi_207_;
+    if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
+        phi_224_ = param_7;
     } else {
-        if (param_6.y < 0f) {
-            phi_264_ = 0f;
+        if (param_7 < 0f) {
+            phi_223_ = 0f;
         } else {
-            if (param_6.y > 1f) {
-                phi_263_ = 1f;
+            if (param_7 > 1f) {
+                phi_222_ = 1f;
             } else {
-                phi_263_ = param_6.y;
+                phi_222_ = param_7;
             }
-            let _e91 = phi_263_;
-            phi_264_ = _e91;
+            let _e75 = phi_222_;
+            phi_223_ = _e75;
         }
-        let _e93 = phi_264_;
-        phi_265_ = _e93;
+        let _e77 = phi_223_;
+        phi_224_ = _e77;
     }
-    let _e95 = phi_265_;
-    if ((bitcast<u32>(param_6.z) & 2147483647u) > 2139095040u) {
-        phi_283_ = param_6.z;
+    let _e79 = phi_224_;
+    if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
+        phi_242_ = param_5.x;
     } else {
-        if (param_6.z < 0f) {
-            phi_282_ = 0f;
+        if (param_5.x < 0f) {
+            phi_241_ = 0f;
         } else {
-            if (param_6.z > 1f) {
-                phi_281_ = 1f;
+            if (param_5.x > 1f) {
+                phi_240_ = 1f;
             } else {
-                phi_281_ = param_6.z;
+                phi_240_ = param_5.x;
             }
-            let _e103 = phi_281_;
-            phi_282_ = _e103;
+            let _e87 = phi_240_;
+            phi_241_ = _e87;
         }
-        let _e105 = phi_282_;
-        phi_283_ = _e105;
+        let _e89 = phi_241_;
+        phi_242_ = _e89;
     }
-    let _e107 = phi_283_;
-    if ((bitcast<u32>(param_6.w) & 2147483647u) > 2139095040u) {
-        phi_301_ = param_6.w;
+    let _e91 = phi_242_;
+    if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
+        phi_260_ = param_5.y;
     } else {
-        if (param_6.w < 0f) {
-            phi_300_ = 0f;
+        if (param_5.y < 0f) {
+            phi_259_ = 0f;
         } else {
-            if (param_6.w > 1f) {
-                phi_299_ = 1f;
+            if (param_5.y > 1f) {
+                phi_258_ = 1f;
             } else {
-                phi_299_ = param_6.w;
+                phi_258_ = param_5.y;
             }
-            let _e115 = phi_299_;
-            phi_300_ = _e115;
+            let _e99 = phi_258_;
+            phi_259_ = _e99;
         }
-        let _e117 = phi_300_;
-        phi_301_ = _e117;
+        let _e101 = phi_259_;
+        phi_260_ = _e101;
     }
-    let _e119 = phi_301_;
-    let _e124 = (_e60 * (_e83 - _e71));
-    let _e125 = (_e60 * (_e95 - _e71));
-    let _e126 = (_e60 * (_e107 - _e71));
-    let _e127 = (_e60 * (_e119 - _e71));
-    if ((bitcast<u32>(_e124) & 2147483647u) > 2139095040u) {
-        phi_397_ = _e124;
+    let _e103 = phi_260_;
+    if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
+        phi_278_ = param_5.z;
     } else {
-        if (_e124 < -87f) {
-            phi_320_ = -87f;
+        if (param_5.z < 0f) {
+            phi_277_ = 0f;
         } else {
-            phi_320_ = _e124;
-        }
-        let _e133 = phi_320_;
-        if (_e133 > 88f) {
-            phi_325_ = 88f;
-        } else {
-            phi_325_ = _e133;
-        }
-        let _e136 = phi_325_;
-        let _e138 = ((_e136 * 1.442695f) + 0.5f);
-        if (_e138 > -8388608f) {
-            let _e150 = f32(select(0i, select(select(i32(_e138), i32(-2147483648), (_e138 < bitcast<f32>(3472883712u))), 2147483647i, (_e138 > bitcast<f32>(1325400063u))), (_e138 == _e138)));
-            if (_e150 > _e138) {
-                phi_347_ = 1f;
+            if (param_5.z > 1f) {
+                phi_276_ = 1f;
             } else {
-                phi_347_ = 0f;
+                phi_276_ = param_5.z;
             }
-            let _e153 = phi_347_;
-            if (_e138 < 8388608f) {
-                phi_352_ = (_e150 - _e153);
-                phi_353_ = false;
-            } else {
-                phi_352_ = f32();
-                phi_353_ = true;
-            }
-            let _e156 = phi_352_;
-            let _e158 = phi_353_;
-            phi_354_ = _e156;
-            phi_355_ = _e158;
-        } else {
-            phi_354_ = f32();
-            phi_355_ = true;
+            let _e111 = phi_276_;
+            phi_277_ = _e111;
         }
-        let _e160 = phi_354_;
-        let _e162 = phi_355_;
-        if _e162 {
-            phi_359_ = _e138;
-        } else {
-            phi_359_ = _e160;
-        }
-        let _e164 = phi_359_;
-        let _e168 = ((_e136 - (_e164 * 0.69314575f)) - (_e164 * 0.0000014286068f));
-        phi_397_ = ((((((((((((((((1f / 5040f) * _e168) + (1f / 720f)) * _e168) + (1f / 120f)) * _e168) + (1f / 24f)) * _e168) + (1f / 6f)) * _e168) + 0.5f) * _e168) + 1f) * _e168) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e164), i32(-2147483648), (_e164 < bitcast<f32>(3472883712u))), 2147483647i, (_e164 > bitcast<f32>(1325400063u))), (_e164 == _e164)) + 127i)) << bitcast<u32>(23i))));
+        let _e113 = phi_277_;
+        phi_278_ = _e113;
     }
-    let _e204 = phi_397_;
-    if ((bitcast<u32>(_e125) & 2147483647u) > 2139095040u) {
-        phi_485_ = _e125;
+    let _e115 = phi_278_;
+    if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
+        phi_296_ = param_5.w;
     } else {
-        if (_e125 < -87f) {
-            phi_408_ = -87f;
+        if (param_5.w < 0f) {
+            phi_295_ = 0f;
         } else {
-            phi_408_ = _e125;
-        }
-        let _e210 = phi_408_;
-        if (_e210 > 88f) {
-            phi_413_ = 88f;
-        } else {
-            phi_413_ = _e210;
-        }
-        let _e213 = phi_413_;
-        let _e215 = ((_e213 * 1.442695f) + 0.5f);
-        if (_e215 > -8388608f) {
-            let _e227 = f32(select(0i, select(select(i32(_e215), i32(-2147483648), (_e215 < bitcast<f32>(3472883712u))), 2147483647i, (_e215 > bitcast<f32>(1325400063u))), (_e215 == _e215)));
-            if (_e227 > _e215) {
-                phi_435_ = 1f;
+            if (param_5.w > 1f) {
+                phi_294_ = 1f;
             } else {
-                phi_435_ = 0f;
+                phi_294_ = param_5.w;
             }
-            let _e230 = phi_435_;
-            if (_e215 < 8388608f) {
-                phi_440_ = (_e227 - _e230);
-                phi_441_ = false;
-            } else {
-                phi_440_ = f32();
-                phi_441_ = true;
-            }
-            let _e233 = phi_440_;
-            let _e235 = phi_441_;
-            phi_442_ = _e233;
-            phi_443_ = _e235;
-        } else {
-            phi_442_ = f32();
-            phi_443_ = true;
+            let _e123 = phi_294_;
+            phi_295_ = _e123;
         }
-        let _e237 = phi_442_;
-        let _e239 = phi_443_;
-        if _e239 {
-            phi_447_ = _e215;
-        } else {
-            phi_447_ = _e237;
-        }
-        let _e241 = phi_447_;
-        let _e245 = ((_e213 - (_e241 * 0.69314575f)) - (_e241 * 0.0000014286068f));
-        phi_485_ = ((((((((((((((((1f / 5040f) * _e245) + (1f / 720f)) * _e245) + (1f / 120f)) * _e245) + (1f / 24f)) * _e245) + (1f / 6f)) * _e245) + 0.5f) * _e245) + 1f) * _e245) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e241), i32(-2147483648), (_e241 < bitcast<f32>(3472883712u))), 2147483647i, (_e241 > bitcast<f32>(1325400063u))), (_e241 == _e241)) + 127i)) << bitcast<u32>(23i))));
+        let _e125 = phi_295_;
+        phi_296_ = _e125;
     }
-    let _e281 = phi_485_;
-    if ((bitcast<u32>(_e126) & 2147483647u) > 2139095040u) {
-        phi_573_ = _e126;
+    let _e127 = phi_296_;
+    let _e132 = (_e68 * (_e91 - _e79));
+    let _e133 = (_e68 * (_e103 - _e79));
+    let _e134 = (_e68 * (_e115 - _e79));
+    let _e135 = (_e68 * (_e127 - _e79));
+    if ((bitcast<u32>(_e132) & 2147483647u) > 2139095040u) {
+        phi_392_ = _e132;
     } else {
-        if (_e126 < -87f) {
-            phi_496_ = -87f;
+        if (_e132 < -87f) {
+            phi_315_ = -87f;
         } else {
-            phi_496_ = _e126;
+            phi_315_ = _e132;
         }
-        let _e287 = phi_496_;
-        if (_e287 > 88f) {
-            phi_501_ = 88f;
+        let _e141 = phi_315_;
+        if (_e141 > 88f) {
+            phi_320_ = 88f;
         } else {
-            phi_501_ = _e287;
+            phi_320_ = _e141;
         }
-        let _e290 = phi_501_;
-        let _e292 = ((_e290 * 1.442695f) + 0.5f);
-        if (_e292 > -8388608f) {
-            let _e304 = f32(select(0i, select(select(i32(_e292), i32(-2147483648), (_e292 < bitcast<f32>(3472883712u))), 2147483647i, (_e292 > bitcast<f32>(1325400063u))), (_e292 == _e292)));
-            if (_e304 > _e292) {
-                phi_523_ = 1f;
+        let _e144 = phi_320_;
+        let _e146 = ((_e144 * 1.442695f) + 0.5f);
+        if (_e146 > -8388608f) {
+            let _e158 = f32(select(0i, select(select(i32(_e146), i32(-2147483648), (_e146 < bitcast<f32>(3472883712u))), 2147483647i, (_e146 > bitcast<f32>(1325400063u))), (_e146 == _e146)));
+            if (_e158 > _e146) {
+                phi_342_ = 1f;
             } else {
-                phi_523_ = 0f;
+                phi_342_ = 0f;
             }
-            let _e307 = phi_523_;
-            if (_e292 < 8388608f) {
-                phi_528_ = (_e304 - _e307);
-                phi_529_ = false;
+            let _e161 = phi_342_;
+            if (_e146 < 8388608f) {
+                phi_347_ = (_e158 - _e161);
+                phi_348_ = false;
             } else {
-                phi_528_ = f32();
-                phi_529_ = true;
+                phi_347_ = f32();
+                phi_348_ = true;
             }
-            let _e310 = phi_528_;
-            let _e312 = phi_529_;
-            phi_530_ = _e310;
-            phi_531_ = _e312;
+            let _e164 = phi_347_;
+            let _e166 = phi_348_;
+            phi_349_ = _e164;
+            phi_350_ = _e166;
         } else {
-            phi_530_ = f32();
-            phi_531_ = true;
+            phi_349_ = f32();
+            phi_350_ = true;
         }
-        let _e314 = phi_530_;
-        let _e316 = phi_531_;
-        if _e316 {
-            phi_535_ = _e292;
+        let _e168 = phi_349_;
+        let _e170 = phi_350_;
+        if _e170 {
+            phi_354_ = _e146;
         } else {
-            phi_535_ = _e314;
+            phi_354_ = _e168;
         }
-        let _e318 = phi_535_;
-        let _e322 = ((_e290 - (_e318 * 0.69314575f)) - (_e318 * 0.0000014286068f));
-        phi_573_ = ((((((((((((((((1f / 5040f) * _e322) + (1f / 720f)) * _e322) + (1f / 120f)) * _e322) + (1f / 24f)) * _e322) + (1f / 6f)) * _e322) + 0.5f) * _e322) + 1f) * _e322) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e318), i32(-2147483648), (_e318 < bitcast<f32>(3472883712u))), 2147483647i, (_e318 > bitcast<f32>(1325400063u))), (_e318 == _e318)) + 127i)) << bitcast<u32>(23i))));
+        let _e172 = phi_354_;
+        let _e176 = ((_e144 - (_e172 * 0.69314575f)) - (_e172 * 0.0000014286068f));
+        phi_392_ = ((((((((((((((((1f / 5040f) * _e176) + (1f / 720f)) * _e176) + (1f / 120f)) * _e176) + (1f / 24f)) * _e176) + (1f / 6f)) * _e176) + 0.5f) * _e176) + 1f) * _e176) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e172), i32(-2147483648), (_e172 < bitcast<f32>(3472883712u))), 2147483647i, (_e172 > bitcast<f32>(1325400063u))), (_e172 == _e172)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e358 = phi_573_;
-    if ((bitcast<u32>(_e127) & 2147483647u) > 2139095040u) {
-        phi_661_ = _e127;
+    let _e212 = phi_392_;
+    if ((bitcast<u32>(_e133) & 2147483647u) > 2139095040u) {
+        phi_480_ = _e133;
     } else {
-        if (_e127 < -87f) {
-            phi_584_ = -87f;
+        if (_e133 < -87f) {
+            phi_403_ = -87f;
         } else {
-            phi_584_ = _e127;
+            phi_403_ = _e133;
         }
-        let _e364 = phi_584_;
-        if (_e364 > 88f) {
-            phi_589_ = 88f;
+        let _e218 = phi_403_;
+        if (_e218 > 88f) {
+            phi_408_ = 88f;
         } else {
-            phi_589_ = _e364;
+            phi_408_ = _e218;
         }
-        let _e367 = phi_589_;
-        let _e369 = ((_e367 * 1.442695f) + 0.5f);
-        if (_e369 > -8388608f) {
-            let _e381 = f32(select(0i, select(select(i32(_e369), i32(-2147483648), (_e369 < bitcast<f32>(3472883712u))), 2147483647i, (_e369 > bitcast<f32>(1325400063u))), (_e369 == _e369)));
-            if (_e381 > _e369) {
-                phi_611_ = 1f;
+        let _e221 = phi_408_;
+        let _e223 = ((_e221 * 1.442695f) + 0.5f);
+        if (_e223 > -8388608f) {
+            let _e235 = f32(select(0i, select(select(i32(_e223), i32(-2147483648), (_e223 < bitcast<f32>(3472883712u))), 2147483647i, (_e223 > bitcast<f32>(1325400063u))), (_e223 == _e223)));
+            if (_e235 > _e223) {
+                phi_430_ = 1f;
             } else {
-                phi_611_ = 0f;
+                phi_430_ = 0f;
             }
-            let _e384 = phi_611_;
-            if (_e369 < 8388608f) {
-                phi_616_ = (_e381 - _e384);
-                phi_617_ = false;
+            let _e238 = phi_430_;
+            if (_e223 < 8388608f) {
+                phi_435_ = (_e235 - _e238);
+                phi_436_ = false;
             } else {
-                phi_616_ = f32();
-                phi_617_ = true;
+                phi_435_ = f32();
+                phi_436_ = true;
             }
-            let _e387 = phi_616_;
-            let _e389 = phi_617_;
-            phi_618_ = _e387;
-            phi_619_ = _e389;
+            let _e241 = phi_435_;
+            let _e243 = phi_436_;
+            phi_437_ = _e241;
+            phi_438_ = _e243;
         } else {
-            phi_618_ = f32();
-            phi_619_ = true;
+            phi_437_ = f32();
+            phi_438_ = true;
         }
-        let _e391 = phi_618_;
-        let _e393 = phi_619_;
-        if _e393 {
-            phi_623_ = _e369;
+        let _e245 = phi_437_;
+        let _e247 = phi_438_;
+        if _e247 {
+            phi_442_ = _e223;
         } else {
-            phi_623_ = _e391;
+            phi_442_ = _e245;
         }
-        let _e395 = phi_623_;
-        let _e399 = ((_e367 - (_e395 * 0.69314575f)) - (_e395 * 0.0000014286068f));
-        phi_661_ = ((((((((((((((((1f / 5040f) * _e399) + (1f / 720f)) * _e399) + (1f / 120f)) * _e399) + (1f / 24f)) * _e399) + (1f / 6f)) * _e399) + 0.5f) * _e399) + 1f) * _e399) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e395), i32(-2147483648), (_e395 < bitcast<f32>(3472883712u))), 2147483647i, (_e395 > bitcast<f32>(1325400063u))), (_e395 == _e395)) + 127i)) << bitcast<u32>(23i))));
+        let _e249 = phi_442_;
+        let _e253 = ((_e221 - (_e249 * 0.69314575f)) - (_e249 * 0.0000014286068f));
+        phi_480_ = ((((((((((((((((1f / 5040f) * _e253) + (1f / 720f)) * _e253) + (1f / 120f)) * _e253) + (1f / 24f)) * _e253) + (1f / 6f)) * _e253) + 0.5f) * _e253) + 1f) * _e253) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e249), i32(-2147483648), (_e249 < bitcast<f32>(3472883712u))), 2147483647i, (_e249 > bitcast<f32>(1325400063u))), (_e249 == _e249)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e435 = phi_661_;
-    let _e446 = ((((_e204 * param_7.x) + (_e281 * param_7.y)) + (_e358 * param_7.z)) + (_e435 * param_7.w));
-    if ((bitcast<u32>(_e446) & 2147483647u) > 2139095040u) {
-        phi_689_ = _e446;
+    let _e289 = phi_480_;
+    if ((bitcast<u32>(_e134) & 2147483647u) > 2139095040u) {
+        phi_568_ = _e134;
     } else {
-        if (_e446 < 0f) {
-            phi_688_ = 0f;
+        if (_e134 < -87f) {
+            phi_491_ = -87f;
         } else {
-            if (_e446 > 1f) {
-                phi_687_ = 1f;
-            } else {
-                phi_687_ = _e446;
-            }
-            let _e453 = phi_687_;
-            phi_688_ = _e453;
+            phi_491_ = _e134;
         }
-        let _e455 = phi_688_;
-        phi_689_ = _e455;
+        let _e295 = phi_491_;
+        if (_e295 > 88f) {
+            phi_496_ = 88f;
+        } else {
+            phi_496_ = _e295;
+        }
+        let _e298 = phi_496_;
+        let _e300 = ((_e298 * 1.442695f) + 0.5f);
+        if (_e300 > -8388608f) {
+            let _e312 = f32(select(0i, select(select(i32(_e300), i32(-2147483648), (_e300 < bitcast<f32>(3472883712u))), 2147483647i, (_e300 > bitcast<f32>(1325400063u))), (_e300 == _e300)));
+            if (_e312 > _e300) {
+                phi_518_ = 1f;
+            } else {
+                phi_518_ = 0f;
+            }
+            let _e315 = phi_518_;
+            if (_e300 < 8388608f) {
+                phi_523_ = (_e312 - _e315);
+                phi_524_ = false;
+            } else {
+                phi_523_ = f32();
+                phi_524_ = true;
+            }
+            let _e318 = phi_523_;
+            let _e320 = phi_524_;
+            phi_525_ = _e318;
+            phi_526_ = _e320;
+        } else {
+            phi_525_ = f32();
+            phi_526_ = true;
+        }
+        let _e322 = phi_525_;
+        let _e324 = phi_526_;
+        if _e324 {
+            phi_530_ = _e300;
+        } else {
+            phi_530_ = _e322;
+        }
+        let _e326 = phi_530_;
+        let _e330 = ((_e298 - (_e326 * 0.69314575f)) - (_e326 * 0.0000014286068f));
+        phi_568_ = ((((((((((((((((1f / 5040f) * _e330) + (1f / 720f)) * _e330) + (1f / 120f)) * _e330) + (1f / 24f)) * _e330) + (1f / 6f)) * _e330) + 0.5f) * _e330) + 1f) * _e330) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e326), i32(-2147483648), (_e326 < bitcast<f32>(3472883712u))), 2147483647i, (_e326 > bitcast<f32>(1325400063u))), (_e326 == _e326)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e457 = phi_689_;
-    return _e457;
+    let _e366 = phi_568_;
+    if ((bitcast<u32>(_e135) & 2147483647u) > 2139095040u) {
+        phi_656_ = _e135;
+    } else {
+        if (_e135 < -87f) {
+            phi_579_ = -87f;
+        } else {
+            phi_579_ = _e135;
+        }
+        let _e372 = phi_579_;
+        if (_e372 > 88f) {
+            phi_584_ = 88f;
+        } else {
+            phi_584_ = _e372;
+        }
+        let _e375 = phi_584_;
+        let _e377 = ((_e375 * 1.442695f) + 0.5f);
+        if (_e377 > -8388608f) {
+            let _e389 = f32(select(0i, select(select(i32(_e377), i32(-2147483648), (_e377 < bitcast<f32>(3472883712u))), 2147483647i, (_e377 > bitcast<f32>(1325400063u))), (_e377 == _e377)));
+            if (_e389 > _e377) {
+                phi_606_ = 1f;
+            } else {
+                phi_606_ = 0f;
+            }
+            let _e392 = phi_606_;
+            if (_e377 < 8388608f) {
+                phi_611_ = (_e389 - _e392);
+                phi_612_ = false;
+            } else {
+                phi_611_ = f32();
+                phi_612_ = true;
+            }
+            let _e395 = phi_611_;
+            let _e397 = phi_612_;
+            phi_613_ = _e395;
+            phi_614_ = _e397;
+        } else {
+            phi_613_ = f32();
+            phi_614_ = true;
+        }
+        let _e399 = phi_613_;
+        let _e401 = phi_614_;
+        if _e401 {
+            phi_618_ = _e377;
+        } else {
+            phi_618_ = _e399;
+        }
+        let _e403 = phi_618_;
+        let _e407 = ((_e375 - (_e403 * 0.69314575f)) - (_e403 * 0.0000014286068f));
+        phi_656_ = ((((((((((((((((1f / 5040f) * _e407) + (1f / 720f)) * _e407) + (1f / 120f)) * _e407) + (1f / 24f)) * _e407) + (1f / 6f)) * _e407) + 0.5f) * _e407) + 1f) * _e407) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e403), i32(-2147483648), (_e403 < bitcast<f32>(3472883712u))), 2147483647i, (_e403 > bitcast<f32>(1325400063u))), (_e403 == _e403)) + 127i)) << bitcast<u32>(23i))));
+    }
+    let _e443 = phi_656_;
+    let _e454 = ((((_e212 * param_6.x) + (_e289 * param_6.y)) + (_e366 * param_6.z)) + (_e443 * param_6.w));
+    if ((bitcast<u32>(_e454) & 2147483647u) > 2139095040u) {
+        phi_684_ = _e454;
+    } else {
+        if (_e454 < 0f) {
+            phi_683_ = 0f;
+        } else {
+            if (_e454 > 1f) {
+                phi_682_ = 1f;
+            } else {
+                phi_682_ = _e454;
+            }
+            let _e461 = phi_682_;
+            phi_683_ = _e461;
+        }
+        let _e463 = phi_683_;
+        phi_684_ = _e463;
+    }
+    let _e465 = phi_684_;
+    return _e465;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_744_: bool;
-    var phi_745_: bool;
+    var phi_739_: bool;
+    var phi_740_: bool;
+    var phi_741_: bool;
+    var phi_742_: bool;
     var phi_746_: bool;
-    var phi_747_: bool;
-    var phi_751_: bool;
-    var phi_821_: bool;
-    var phi_822_: bool;
-    var phi_833_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_834_: bool;
-    var phi_835_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_836_: bool;
-    var phi_843_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_847_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_867_: lt_math_LightPoint;
-    var phi_870_: u32;
-    var phi_872_: lt_math_LevelPoint;
-    var phi_958_: bool;
-    var phi_967_: bool;
+    var phi_816_: bool;
+    var phi_817_: bool;
+    var phi_828_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_829_: bool;
+    var phi_830_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_831_: bool;
+    var phi_838_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_842_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_862_: lt_math_LightPoint;
+    var phi_865_: u32;
+    var phi_867_: lt_math_LevelPoint;
+    var phi_953_: bool;
+    var phi_962_: bool;
+    var phi_971_: bool;
+    var phi_972_: bool;
+    var phi_973_: bool;
+    var phi_974_: bool;
+    var phi_975_: bool;
     var phi_976_: bool;
     var phi_977_: bool;
-    var phi_978_: bool;
-    var phi_979_: bool;
-    var phi_980_: bool;
     var phi_981_: bool;
-    var phi_982_: bool;
-    var phi_986_: bool;
+    var phi_1008_: bool;
+    var phi_1009_: bool;
+    var phi_1010_: bool;
+    var phi_1011_: bool;
+    var phi_1012_: bool;
     var phi_1013_: bool;
     var phi_1014_: bool;
     var phi_1015_: bool;
-    var phi_1016_: bool;
-    var phi_1017_: bool;
-    var phi_1018_: bool;
     var phi_1019_: bool;
-    var phi_1020_: bool;
-    var phi_1024_: bool;
-    var phi_1033_: lt_math_LightPoint;
-    var phi_1034_: u32;
-    var phi_1035_: lt_math_LevelPoint;
-    var phi_1036_: bool;
-    var phi_868_: lt_math_LightPoint;
-    var phi_871_: u32;
-    var phi_873_: lt_math_LevelPoint;
-    var phi_1037_: bool;
+    var phi_1028_: lt_math_LightPoint;
+    var phi_1029_: u32;
+    var phi_1030_: lt_math_LevelPoint;
+    var phi_1031_: bool;
+    var phi_863_: lt_math_LightPoint;
+    var phi_866_: u32;
+    var phi_868_: lt_math_LevelPoint;
+    var phi_1032_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_1077_: bool;
-    var phi_1078_: bool;
+    var phi_1072_: bool;
+    var phi_1073_: bool;
+    var phi_1074_: bool;
+    var phi_1075_: bool;
     var phi_1079_: bool;
-    var phi_1080_: bool;
-    var phi_1084_: bool;
-    var phi_1166_: f32;
-    var phi_1284_: f32;
-    var phi_1285_: f32;
-    var phi_1288_: f32;
+    var phi_1161_: f32;
+    var phi_1279_: f32;
+    var phi_1280_: f32;
+    var phi_1283_: f32;
+    var phi_1312_: f32;
     var phi_1317_: f32;
-    var phi_1322_: f32;
-    var phi_1323_: bool;
+    var phi_1318_: bool;
+    var phi_1319_: f32;
+    var phi_1320_: bool;
     var phi_1324_: f32;
-    var phi_1325_: bool;
-    var phi_1329_: f32;
+    var phi_1344_: f32;
     var phi_1349_: f32;
-    var phi_1354_: f32;
-    var phi_1355_: bool;
+    var phi_1350_: bool;
+    var phi_1351_: f32;
+    var phi_1352_: bool;
     var phi_1356_: f32;
-    var phi_1357_: bool;
-    var phi_1361_: f32;
     var local_4: lt_math_LevelPoint;
+    var phi_1405_: i32;
     var phi_1410_: i32;
     var phi_1415_: i32;
     var phi_1420_: i32;
-    var phi_1425_: i32;
+    var phi_1429_: i32;
     var phi_1434_: i32;
     var phi_1439_: i32;
     var phi_1444_: i32;
-    var phi_1449_: i32;
-    var phi_1500_: bool;
-    var phi_1508_: bool;
-    var phi_1520_: bool;
-    var phi_1521_: bool;
-    var phi_1525_: f32;
-    var phi_1531_: f32;
+    var phi_1495_: bool;
+    var phi_1503_: bool;
+    var phi_1515_: bool;
+    var phi_1516_: bool;
+    var phi_1520_: f32;
+    var phi_1526_: f32;
+    var phi_1528_: evaluate_Verdict;
     var phi_1533_: evaluate_Verdict;
-    var phi_1538_: evaluate_Verdict;
-    var phi_1539_: evaluate_Verdict;
-    var phi_1543_: bool;
-    var phi_1544_: u32;
-    var phi_1555_: u32;
+    var phi_1534_: evaluate_Verdict;
+    var phi_1538_: bool;
+    var phi_1539_: u32;
+    var phi_1550_: u32;
 
     let _e57 = id_1;
     let _e58 = local_5;
@@ -649,28 +643,28 @@ fn function_() {
             if (_e90 == _e92) {
                 let _e95 = samples.member[_e74.shift].normal[2u];
                 let _e97 = global[2u];
-                phi_744_ = (_e95 == _e97);
-                phi_745_ = false;
+                phi_739_ = (_e95 == _e97);
+                phi_740_ = false;
             } else {
-                phi_744_ = bool();
-                phi_745_ = true;
+                phi_739_ = bool();
+                phi_740_ = true;
             }
-            let _e100 = phi_744_;
-            let _e102 = phi_745_;
-            phi_746_ = _e100;
-            phi_747_ = _e102;
+            let _e100 = phi_739_;
+            let _e102 = phi_740_;
+            phi_741_ = _e100;
+            phi_742_ = _e102;
         } else {
-            phi_746_ = bool();
-            phi_747_ = true;
+            phi_741_ = bool();
+            phi_742_ = true;
         }
-        let _e104 = phi_746_;
-        let _e106 = phi_747_;
+        let _e104 = phi_741_;
+        let _e106 = phi_742_;
         if _e106 {
-            phi_751_ = false;
+            phi_746_ = false;
         } else {
-            phi_751_ = _e104;
+            phi_746_ = _e104;
         }
-        let _e108 = phi_751_;
+        let _e108 = phi_746_;
         if !(_e108) {
             let _e111 = samples.member[_e74.shift].position;
             let _e113 = p.member.light.place;
@@ -684,56 +678,56 @@ fn function_() {
                 let _e146 = p.member.light.axis;
                 let _e158 = p.member.light.place[3u];
                 if (_e158 == 0f) {
-                    phi_822_ = true;
+                    phi_817_ = true;
                 } else {
                     let _e161 = p.member.light.range_squared;
                     if (_e144 <= _e161) {
                         let _e164 = p.member.light.cos_outer;
-                        phi_821_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
+                        phi_816_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
                     } else {
-                        phi_821_ = false;
+                        phi_816_ = false;
                     }
-                    let _e169 = phi_821_;
-                    phi_822_ = _e169;
+                    let _e169 = phi_816_;
+                    phi_817_ = _e169;
                 }
-                let _e171 = phi_822_;
+                let _e171 = phi_817_;
                 if _e171 {
                     let _e173 = samples.member[_e74.shift].flags;
                     let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
-                    phi_833_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
-                    phi_834_ = false;
+                    phi_828_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
+                    phi_829_ = false;
                 } else {
-                    phi_833_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_834_ = true;
+                    phi_828_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_829_ = true;
                 }
-                let _e192 = phi_833_;
-                let _e194 = phi_834_;
-                phi_835_ = _e192;
-                phi_836_ = _e194;
+                let _e192 = phi_828_;
+                let _e194 = phi_829_;
+                phi_830_ = _e192;
+                phi_831_ = _e194;
             } else {
-                phi_835_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_836_ = true;
+                phi_830_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_831_ = true;
             }
-            let _e196 = phi_835_;
-            let _e198 = phi_836_;
+            let _e196 = phi_830_;
+            let _e198 = phi_831_;
             if _e198 {
                 let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
-                phi_843_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
+                phi_838_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
             } else {
-                phi_843_ = _e196;
+                phi_838_ = _e196;
             }
-            let _e215 = phi_843_;
-            phi_847_ = _e215;
+            let _e215 = phi_838_;
+            phi_842_ = _e215;
         } else {
             let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
-            phi_847_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
+            phi_842_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
         }
-        let _e232 = phi_847_;
+        let _e232 = phi_842_;
         if _e232.unnamed_1 {
-            phi_1539_ = evaluate_Verdict(_e232.unnamed.visibility, _e232.unnamed.is_doubted);
+            phi_1534_ = evaluate_Verdict(_e232.unnamed.visibility, _e232.unnamed.is_doubted);
         } else {
             let _e240 = samples.member[_e74.shift].position;
             let _e242 = p.member.map_size;
@@ -741,22 +735,22 @@ fn function_() {
             let _e251 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
             let _e258 = lt_math_LightPoint(vec2<f32>(_e251.uv.x, 0f), _e251.depth, _e251.is_inside);
             let _e262 = lt_math_LightPoint(_e258.uv, 0f, _e258.is_inside);
-            phi_867_ = lt_math_LightPoint();
-            phi_870_ = 0u;
-            phi_872_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e262.uv, _e262.depth, false));
+            phi_862_ = lt_math_LightPoint();
+            phi_865_ = 0u;
+            phi_867_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e262.uv, _e262.depth, false));
             loop {
-                let _e269 = phi_867_;
-                let _e271 = phi_870_;
-                let _e273 = phi_872_;
+                let _e269 = phi_862_;
+                let _e271 = phi_865_;
+                let _e273 = phi_867_;
                 local_2 = _e273;
                 local_3 = _e273;
                 local_4 = _e273;
                 if (_e271 < _e81) {
                     if _e273.point.is_inside {
-                        phi_1033_ = lt_math_LightPoint();
-                        phi_1034_ = u32();
-                        phi_1035_ = lt_math_LevelPoint();
-                        phi_1036_ = false;
+                        phi_1028_ = lt_math_LightPoint();
+                        phi_1029_ = u32();
+                        phi_1030_ = lt_math_LevelPoint();
+                        phi_1031_ = false;
                     } else {
                         if (_e271 < _e68) {
                         } else {
@@ -772,129 +766,129 @@ fn function_() {
                         let _e336 = ((((_e325.x * _e240.x) + (_e325.y * _e240.y)) + (_e325.z * _e240.z)) + (_e325.w * 1f));
                         if (_e295 > 0f) {
                             if (_e309 >= 0f) {
-                                phi_958_ = (_e309 <= 1f);
+                                phi_953_ = (_e309 <= 1f);
                             } else {
-                                phi_958_ = false;
+                                phi_953_ = false;
                             }
-                            let _e341 = phi_958_;
+                            let _e341 = phi_953_;
                             if _e341 {
                                 if (_e323 >= 0f) {
-                                    phi_967_ = (_e323 <= 1f);
+                                    phi_962_ = (_e323 <= 1f);
                                 } else {
-                                    phi_967_ = false;
+                                    phi_962_ = false;
                                 }
-                                let _e345 = phi_967_;
+                                let _e345 = phi_962_;
                                 if _e345 {
                                     if (_e336 >= 0f) {
-                                        phi_976_ = (_e336 <= 1f);
+                                        phi_971_ = (_e336 <= 1f);
                                     } else {
-                                        phi_976_ = false;
+                                        phi_971_ = false;
                                     }
-                                    let _e349 = phi_976_;
-                                    phi_977_ = _e349;
-                                    phi_978_ = false;
+                                    let _e349 = phi_971_;
+                                    phi_972_ = _e349;
+                                    phi_973_ = false;
                                 } else {
-                                    phi_977_ = bool();
-                                    phi_978_ = true;
+                                    phi_972_ = bool();
+                                    phi_973_ = true;
                                 }
-                                let _e351 = phi_977_;
-                                let _e353 = phi_978_;
-                                phi_979_ = _e351;
-                                phi_980_ = _e353;
+                                let _e351 = phi_972_;
+                                let _e353 = phi_973_;
+                                phi_974_ = _e351;
+                                phi_975_ = _e353;
                             } else {
-                                phi_979_ = bool();
-                                phi_980_ = true;
+                                phi_974_ = bool();
+                                phi_975_ = true;
                             }
-                            let _e355 = phi_979_;
-                            let _e357 = phi_980_;
-                            phi_981_ = _e355;
-                            phi_982_ = _e357;
+                            let _e355 = phi_974_;
+                            let _e357 = phi_975_;
+                            phi_976_ = _e355;
+                            phi_977_ = _e357;
                         } else {
-                            phi_981_ = bool();
-                            phi_982_ = true;
+                            phi_976_ = bool();
+                            phi_977_ = true;
                         }
-                        let _e359 = phi_981_;
-                        let _e361 = phi_982_;
+                        let _e359 = phi_976_;
+                        let _e361 = phi_977_;
                         if _e361 {
-                            phi_986_ = false;
+                            phi_981_ = false;
                         } else {
-                            phi_986_ = _e359;
+                            phi_981_ = _e359;
                         }
-                        let _e363 = phi_986_;
+                        let _e363 = phi_981_;
                         if _e363 {
                             if (_e309 >= _e244) {
                                 if (_e309 <= (1f - _e244)) {
                                     if (_e323 >= _e244) {
-                                        phi_1013_ = (_e323 <= (1f - _e244));
-                                        phi_1014_ = false;
+                                        phi_1008_ = (_e323 <= (1f - _e244));
+                                        phi_1009_ = false;
                                     } else {
-                                        phi_1013_ = bool();
-                                        phi_1014_ = true;
+                                        phi_1008_ = bool();
+                                        phi_1009_ = true;
                                     }
-                                    let _e371 = phi_1013_;
-                                    let _e373 = phi_1014_;
-                                    phi_1015_ = _e371;
-                                    phi_1016_ = _e373;
+                                    let _e371 = phi_1008_;
+                                    let _e373 = phi_1009_;
+                                    phi_1010_ = _e371;
+                                    phi_1011_ = _e373;
                                 } else {
-                                    phi_1015_ = bool();
-                                    phi_1016_ = true;
+                                    phi_1010_ = bool();
+                                    phi_1011_ = true;
                                 }
-                                let _e375 = phi_1015_;
-                                let _e377 = phi_1016_;
-                                phi_1017_ = _e375;
-                                phi_1018_ = _e377;
+                                let _e375 = phi_1010_;
+                                let _e377 = phi_1011_;
+                                phi_1012_ = _e375;
+                                phi_1013_ = _e377;
                             } else {
-                                phi_1017_ = bool();
-                                phi_1018_ = true;
+                                phi_1012_ = bool();
+                                phi_1013_ = true;
                             }
-                            let _e379 = phi_1017_;
-                            let _e381 = phi_1018_;
-                            phi_1019_ = _e379;
-                            phi_1020_ = _e381;
+                            let _e379 = phi_1012_;
+                            let _e381 = phi_1013_;
+                            phi_1014_ = _e379;
+                            phi_1015_ = _e381;
                         } else {
-                            phi_1019_ = bool();
-                            phi_1020_ = true;
+                            phi_1014_ = bool();
+                            phi_1015_ = true;
                         }
-                        let _e383 = phi_1019_;
-                        let _e385 = phi_1020_;
+                        let _e383 = phi_1014_;
+                        let _e385 = phi_1015_;
                         if _e385 {
-                            phi_1024_ = false;
+                            phi_1019_ = false;
                         } else {
-                            phi_1024_ = _e383;
+                            phi_1019_ = _e383;
                         }
-                        let _e387 = phi_1024_;
+                        let _e387 = phi_1019_;
                         let _e394 = lt_math_LightPoint(vec2<f32>(_e309, _e269.uv.y), _e269.depth, _e269.is_inside);
                         let _e401 = lt_math_LightPoint(vec2<f32>(_e394.uv.x, _e323), _e394.depth, _e394.is_inside);
                         let _e405 = lt_math_LightPoint(_e401.uv, _e336, _e401.is_inside);
                         let _e409 = lt_math_LightPoint(_e405.uv, _e405.depth, _e387);
-                        phi_1033_ = _e409;
-                        phi_1034_ = (_e271 + 1u);
-                        phi_1035_ = lt_math_LevelPoint(_e271, _e409);
-                        phi_1036_ = true;
+                        phi_1028_ = _e409;
+                        phi_1029_ = (_e271 + 1u);
+                        phi_1030_ = lt_math_LevelPoint(_e271, _e409);
+                        phi_1031_ = true;
                     }
-                    let _e413 = phi_1033_;
-                    let _e415 = phi_1034_;
-                    let _e417 = phi_1035_;
-                    let _e419 = phi_1036_;
-                    phi_868_ = _e413;
-                    phi_871_ = _e415;
-                    phi_873_ = _e417;
-                    phi_1037_ = _e419;
+                    let _e413 = phi_1028_;
+                    let _e415 = phi_1029_;
+                    let _e417 = phi_1030_;
+                    let _e419 = phi_1031_;
+                    phi_863_ = _e413;
+                    phi_866_ = _e415;
+                    phi_868_ = _e417;
+                    phi_1032_ = _e419;
                 } else {
-                    phi_868_ = lt_math_LightPoint();
-                    phi_871_ = u32();
-                    phi_873_ = lt_math_LevelPoint();
-                    phi_1037_ = false;
+                    phi_863_ = lt_math_LightPoint();
+                    phi_866_ = u32();
+                    phi_868_ = lt_math_LevelPoint();
+                    phi_1032_ = false;
                 }
-                let _e421 = phi_868_;
-                let _e423 = phi_871_;
-                let _e425 = phi_873_;
-                let _e427 = phi_1037_;
+                let _e421 = phi_863_;
+                let _e423 = phi_866_;
+                let _e425 = phi_868_;
+                let _e427 = phi_1032_;
                 continue;
                 continuing {
-                    phi_867_ = _e421;
-                    phi_870_ = _e423;
-                    phi_872_ = _e425;
+                    phi_862_ = _e421;
+                    phi_865_ = _e423;
+                    phi_867_ = _e425;
                     break if !(_e427);
                 }
             }
@@ -912,39 +906,39 @@ fn function_() {
                         let _e450 = global[1u];
                         if (_e441.row_w.y == _e450) {
                             let _e453 = global[2u];
-                            phi_1077_ = (_e441.row_w.z == _e453);
-                            phi_1078_ = false;
+                            phi_1072_ = (_e441.row_w.z == _e453);
+                            phi_1073_ = false;
                         } else {
-                            phi_1077_ = bool();
-                            phi_1078_ = true;
+                            phi_1072_ = bool();
+                            phi_1073_ = true;
                         }
-                        let _e456 = phi_1077_;
-                        let _e458 = phi_1078_;
-                        phi_1079_ = _e456;
-                        phi_1080_ = _e458;
+                        let _e456 = phi_1072_;
+                        let _e458 = phi_1073_;
+                        phi_1074_ = _e456;
+                        phi_1075_ = _e458;
                     } else {
-                        phi_1079_ = bool();
-                        phi_1080_ = true;
+                        phi_1074_ = bool();
+                        phi_1075_ = true;
                     }
-                    let _e460 = phi_1079_;
-                    let _e462 = phi_1080_;
+                    let _e460 = phi_1074_;
+                    let _e462 = phi_1075_;
                     if _e462 {
-                        phi_1084_ = false;
+                        phi_1079_ = false;
                     } else {
-                        phi_1084_ = _e460;
+                        phi_1079_ = _e460;
                     }
-                    let _e464 = phi_1084_;
+                    let _e464 = phi_1079_;
                     if _e464 {
                         let _e466 = samples.member[_e74.shift].normal;
                         let _e468 = p.member.map_size;
                         let _e538 = ((abs(((((_e441.row_x.x * _e466.x) + (_e441.row_x.y * _e466.y)) + (_e441.row_x.z * _e466.z)) / (((_e441.row_x.x * _e441.row_x.x) + (_e441.row_x.y * _e441.row_x.y)) + (_e441.row_x.z * _e441.row_x.z)))) + abs(((((_e441.row_y.x * _e466.x) + (_e441.row_y.y * _e466.y)) + (_e441.row_y.z * _e466.z)) / (((_e441.row_y.x * _e441.row_y.x) + (_e441.row_y.y * _e441.row_y.y)) + (_e441.row_y.z * _e441.row_y.z))))) / (abs(((((_e441.row_z.x * _e466.x) + (_e441.row_z.y * _e466.y)) + (_e441.row_z.z * _e466.z)) / (((_e441.row_z.x * _e441.row_z.x) + (_e441.row_z.y * _e441.row_z.y)) + (_e441.row_z.z * _e441.row_z.z)))) * f32(_e468)));
                         if (_e538 < 0.002f) {
-                            phi_1166_ = _e538;
+                            phi_1161_ = _e538;
                         } else {
-                            phi_1166_ = 0.002f;
+                            phi_1161_ = 0.002f;
                         }
-                        let _e541 = phi_1166_;
-                        phi_1285_ = _e541;
+                        let _e541 = phi_1161_;
+                        phi_1280_ = _e541;
                     } else {
                         let _e543 = p.member.map_size;
                         let _e549 = samples.member[_e74.shift].position;
@@ -966,19 +960,19 @@ fn function_() {
                         let _e655 = ((abs(((((_e441.row_z.x * _e601) + (_e441.row_z.y * _e606)) + (_e441.row_z.z * _e611)) / (((_e573 * _e601) + (_e574 * _e606)) + (_e575 * _e611)))) + abs(((((_e441.row_z.x * _e618) + (_e441.row_z.y * _e623)) + (_e441.row_z.z * _e628)) / (((_e588 * _e618) + (_e589 * _e623)) + (_e590 * _e628))))) / f32(_e543));
                         let _e657 = (16f / f32(_e543));
                         if (_e655 < _e657) {
-                            phi_1284_ = _e655;
+                            phi_1279_ = _e655;
                         } else {
-                            phi_1284_ = _e657;
+                            phi_1279_ = _e657;
                         }
-                        let _e660 = phi_1284_;
-                        phi_1285_ = _e660;
+                        let _e660 = phi_1279_;
+                        phi_1280_ = _e660;
                     }
-                    let _e662 = phi_1285_;
-                    phi_1288_ = (_e430.point.depth - (0f * _e662));
+                    let _e662 = phi_1280_;
+                    phi_1283_ = (_e430.point.depth - (0f * _e662));
                 } else {
-                    phi_1288_ = _e430.point.depth;
+                    phi_1283_ = _e430.point.depth;
                 }
-                let _e666 = phi_1288_;
+                let _e666 = phi_1283_;
                 let _e672 = p.member.map_size;
                 let _e673 = f32(_e672);
                 let _e676 = ((_e430.point.uv.x * _e673) - 0.5f);
@@ -986,65 +980,65 @@ fn function_() {
                 if (_e676 > -8388608f) {
                     let _e689 = f32(select(0i, select(select(i32(_e676), i32(-2147483648), (_e676 < bitcast<f32>(3472883712u))), 2147483647i, (_e676 > bitcast<f32>(1325400063u))), (_e676 == _e676)));
                     if (_e689 > _e676) {
-                        phi_1317_ = 1f;
+                        phi_1312_ = 1f;
                     } else {
-                        phi_1317_ = 0f;
+                        phi_1312_ = 0f;
                     }
-                    let _e692 = phi_1317_;
+                    let _e692 = phi_1312_;
                     if (_e676 < 8388608f) {
-                        phi_1322_ = (_e689 - _e692);
-                        phi_1323_ = false;
+                        phi_1317_ = (_e689 - _e692);
+                        phi_1318_ = false;
                     } else {
-                        phi_1322_ = f32();
-                        phi_1323_ = true;
+                        phi_1317_ = f32();
+                        phi_1318_ = true;
                     }
-                    let _e695 = phi_1322_;
-                    let _e697 = phi_1323_;
-                    phi_1324_ = _e695;
-                    phi_1325_ = _e697;
+                    let _e695 = phi_1317_;
+                    let _e697 = phi_1318_;
+                    phi_1319_ = _e695;
+                    phi_1320_ = _e697;
                 } else {
-                    phi_1324_ = f32();
-                    phi_1325_ = true;
+                    phi_1319_ = f32();
+                    phi_1320_ = true;
                 }
-                let _e699 = phi_1324_;
-                let _e701 = phi_1325_;
+                let _e699 = phi_1319_;
+                let _e701 = phi_1320_;
                 if _e701 {
-                    phi_1329_ = _e676;
+                    phi_1324_ = _e676;
                 } else {
-                    phi_1329_ = _e699;
+                    phi_1324_ = _e699;
                 }
-                let _e703 = phi_1329_;
+                let _e703 = phi_1324_;
                 if (_e677 > -8388608f) {
                     let _e715 = f32(select(0i, select(select(i32(_e677), i32(-2147483648), (_e677 < bitcast<f32>(3472883712u))), 2147483647i, (_e677 > bitcast<f32>(1325400063u))), (_e677 == _e677)));
                     if (_e715 > _e677) {
-                        phi_1349_ = 1f;
+                        phi_1344_ = 1f;
                     } else {
-                        phi_1349_ = 0f;
+                        phi_1344_ = 0f;
                     }
-                    let _e718 = phi_1349_;
+                    let _e718 = phi_1344_;
                     if (_e677 < 8388608f) {
-                        phi_1354_ = (_e715 - _e718);
-                        phi_1355_ = false;
+                        phi_1349_ = (_e715 - _e718);
+                        phi_1350_ = false;
                     } else {
-                        phi_1354_ = f32();
-                        phi_1355_ = true;
+                        phi_1349_ = f32();
+                        phi_1350_ = true;
                     }
-                    let _e721 = phi_1354_;
-                    let _e723 = phi_1355_;
-                    phi_1356_ = _e721;
-                    phi_1357_ = _e723;
+                    let _e721 = phi_1349_;
+                    let _e723 = phi_1350_;
+                    phi_1351_ = _e721;
+                    phi_1352_ = _e723;
                 } else {
-                    phi_1356_ = f32();
-                    phi_1357_ = true;
+                    phi_1351_ = f32();
+                    phi_1352_ = true;
                 }
-                let _e725 = phi_1356_;
-                let _e727 = phi_1357_;
+                let _e725 = phi_1351_;
+                let _e727 = phi_1352_;
                 if _e727 {
-                    phi_1361_ = _e677;
+                    phi_1356_ = _e677;
                 } else {
-                    phi_1361_ = _e725;
+                    phi_1356_ = _e725;
                 }
-                let _e729 = phi_1361_;
+                let _e729 = phi_1356_;
                 let _e730 = (_e676 - _e703);
                 let _e731 = (_e677 - _e729);
                 let _e740 = select(0i, select(select(i32(_e703), i32(-2147483648), (_e703 < bitcast<f32>(3472883712u))), 2147483647i, (_e703 > bitcast<f32>(1325400063u))), (_e703 == _e703));
@@ -1057,56 +1051,56 @@ fn function_() {
                 let _e768 = ((_e765.level * _e763) * _e763);
                 let _e770 = (bitcast<i32>(_e763) - 1i);
                 if (_e740 > 0i) {
-                    phi_1410_ = _e740;
+                    phi_1405_ = _e740;
+                } else {
+                    phi_1405_ = 0i;
+                }
+                let _e773 = phi_1405_;
+                if (_e749 > 0i) {
+                    phi_1410_ = _e749;
                 } else {
                     phi_1410_ = 0i;
                 }
-                let _e773 = phi_1410_;
-                if (_e749 > 0i) {
-                    phi_1415_ = _e749;
-                } else {
-                    phi_1415_ = 0i;
-                }
-                let _e776 = phi_1415_;
+                let _e776 = phi_1410_;
                 if (_e773 < _e770) {
-                    phi_1420_ = _e773;
+                    phi_1415_ = _e773;
+                } else {
+                    phi_1415_ = _e770;
+                }
+                let _e779 = phi_1415_;
+                if (_e776 < _e770) {
+                    phi_1420_ = _e776;
                 } else {
                     phi_1420_ = _e770;
                 }
-                let _e779 = phi_1420_;
-                if (_e776 < _e770) {
-                    phi_1425_ = _e776;
-                } else {
-                    phi_1425_ = _e770;
-                }
-                let _e782 = phi_1425_;
+                let _e782 = phi_1420_;
                 let _e783 = bitcast<u32>(_e779);
                 let _e785 = (_e740 + 1i);
                 let _e786 = (_e749 + 1i);
                 if (_e785 > 0i) {
-                    phi_1434_ = _e785;
+                    phi_1429_ = _e785;
+                } else {
+                    phi_1429_ = 0i;
+                }
+                let _e789 = phi_1429_;
+                if (_e786 > 0i) {
+                    phi_1434_ = _e786;
                 } else {
                     phi_1434_ = 0i;
                 }
-                let _e789 = phi_1434_;
-                if (_e786 > 0i) {
-                    phi_1439_ = _e786;
-                } else {
-                    phi_1439_ = 0i;
-                }
-                let _e792 = phi_1439_;
+                let _e792 = phi_1434_;
                 if (_e789 < _e770) {
-                    phi_1444_ = _e789;
+                    phi_1439_ = _e789;
+                } else {
+                    phi_1439_ = _e770;
+                }
+                let _e795 = phi_1439_;
+                if (_e792 < _e770) {
+                    phi_1444_ = _e792;
                 } else {
                     phi_1444_ = _e770;
                 }
-                let _e795 = phi_1444_;
-                if (_e792 < _e770) {
-                    phi_1449_ = _e792;
-                } else {
-                    phi_1449_ = _e770;
-                }
-                let _e798 = phi_1449_;
+                let _e798 = phi_1444_;
                 let _e799 = bitcast<u32>(_e795);
                 let _e801 = (bitcast<u32>(_e782) * _e763);
                 let _e802 = (bitcast<u32>(_e798) * _e763);
@@ -1137,75 +1131,75 @@ fn function_() {
                 let _e828 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e814, _e818, _e822, _e826), vec4<f32>(((1f - _e730) * (1f - _e731)), (_e730 * (1f - _e731)), ((1f - _e730) * _e731), (_e730 * _e731)), _e666);
                 let _e830 = p.member.epsilon;
                 if (_e828 <= _e830) {
-                    phi_1500_ = true;
+                    phi_1495_ = true;
                 } else {
-                    phi_1500_ = (_e828 >= (1f - _e830));
+                    phi_1495_ = (_e828 >= (1f - _e830));
                 }
-                let _e835 = phi_1500_;
+                let _e835 = phi_1495_;
                 if ((bitcast<u32>(_e828) & 2147483647u) > 2139095040u) {
-                    phi_1508_ = true;
+                    phi_1503_ = true;
                 } else {
-                    phi_1508_ = !(_e835);
+                    phi_1503_ = !(_e835);
                 }
-                let _e841 = phi_1508_;
+                let _e841 = phi_1503_;
                 if _e841 {
                     if (_e828 > 0f) {
                         if (_e828 < 1f) {
-                            phi_1520_ = false;
+                            phi_1515_ = false;
                         } else {
-                            phi_1520_ = true;
+                            phi_1515_ = true;
                         }
-                        let _e845 = phi_1520_;
-                        phi_1521_ = _e845;
+                        let _e845 = phi_1515_;
+                        phi_1516_ = _e845;
                     } else {
-                        phi_1521_ = true;
+                        phi_1516_ = true;
                     }
-                    let _e847 = phi_1521_;
+                    let _e847 = phi_1516_;
                     if _e847 {
-                        phi_1525_ = 0.5f;
+                        phi_1520_ = 0.5f;
                     } else {
-                        phi_1525_ = _e828;
+                        phi_1520_ = _e828;
                     }
-                    let _e849 = phi_1525_;
-                    phi_1533_ = evaluate_Verdict(_e849, true);
+                    let _e849 = phi_1520_;
+                    phi_1528_ = evaluate_Verdict(_e849, true);
                 } else {
                     if (_e828 > 0.5f) {
-                        phi_1531_ = 1f;
+                        phi_1526_ = 1f;
                     } else {
-                        phi_1531_ = 0f;
+                        phi_1526_ = 0f;
                     }
-                    let _e853 = phi_1531_;
-                    phi_1533_ = evaluate_Verdict(_e853, false);
+                    let _e853 = phi_1526_;
+                    phi_1528_ = evaluate_Verdict(_e853, false);
                 }
-                let _e856 = phi_1533_;
-                phi_1538_ = evaluate_Verdict(_e856.visibility, _e856.is_doubted);
+                let _e856 = phi_1528_;
+                phi_1533_ = evaluate_Verdict(_e856.visibility, _e856.is_doubted);
             } else {
-                phi_1538_ = evaluate_Verdict(0.5f, true);
+                phi_1533_ = evaluate_Verdict(0.5f, true);
             }
-            let _e862 = phi_1538_;
-            phi_1539_ = _e862;
+            let _e862 = phi_1533_;
+            phi_1534_ = _e862;
         }
-        let _e864 = phi_1539_;
+        let _e864 = phi_1534_;
         visibility.member[_e74.shift] = _e864.visibility;
-        phi_1543_ = _e864.is_doubted;
-        phi_1544_ = _e74.shift;
+        phi_1538_ = _e864.is_doubted;
+        phi_1539_ = _e74.shift;
     } else {
-        phi_1543_ = false;
-        phi_1544_ = 0u;
+        phi_1538_ = false;
+        phi_1539_ = 0u;
     }
-    let _e869 = phi_1543_;
-    let _e871 = phi_1544_;
+    let _e869 = phi_1538_;
+    let _e871 = phi_1539_;
     if (_e58 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
     if _e869 {
         let _e875 = atomicAdd((&shared_[0u]), 1u);
-        phi_1555_ = _e875;
+        phi_1550_ = _e875;
     } else {
-        phi_1555_ = 0u;
+        phi_1550_ = 0u;
     }
-    let _e877 = phi_1555_;
+    let _e877 = phi_1550_;
     workgroupBarrier();
     if (_e58 == 0u) {
         let _e881 = atomicLoad((&shared_[0u]));

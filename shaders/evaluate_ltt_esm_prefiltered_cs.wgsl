@@ -96,36 +96,36 @@ var<storage, read_write> list: type_50;
 var<storage> map: type_39;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_162_: lt_mask_LightPlace;
+    var phi_163_: bool;
     var phi_164_: lt_mask_LightPlace;
     var phi_165_: bool;
-    var phi_166_: lt_mask_LightPlace;
-    var phi_167_: bool;
-    var phi_172_: lt_mask_LightPlace;
+    var phi_170_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_164_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_165_ = false;
+            phi_162_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_163_ = false;
         } else {
-            phi_164_ = lt_mask_LightPlace();
-            phi_165_ = true;
+            phi_162_ = lt_mask_LightPlace();
+            phi_163_ = true;
         }
-        let _e63 = phi_164_;
-        let _e65 = phi_165_;
-        phi_166_ = _e63;
-        phi_167_ = _e65;
+        let _e63 = phi_162_;
+        let _e65 = phi_163_;
+        phi_164_ = _e63;
+        phi_165_ = _e65;
     } else {
-        phi_166_ = lt_mask_LightPlace();
-        phi_167_ = true;
+        phi_164_ = lt_mask_LightPlace();
+        phi_165_ = true;
     }
-    let _e67 = phi_166_;
-    let _e69 = phi_167_;
+    let _e67 = phi_164_;
+    let _e69 = phi_165_;
     if _e69 {
-        phi_172_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_170_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_172_ = _e67;
+        phi_170_ = _e67;
     }
-    let _e74 = phi_172_;
+    let _e74 = phi_170_;
     return lt_mask_LightPlace(_e74.word, _e74.shift);
 }
 
@@ -133,198 +133,192 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
     return param_3.x;
 }
 
-fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_192_: bool;
+fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
+    var phi_195_: f32;
     var phi_196_: f32;
-
-    let _e51 = (*param_4);
-    if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_192_ = true;
-    } else {
-        let _e55 = (84f < _e51);
-        if _e55 {
-        }
-        phi_192_ = _e55;
-    }
-    let _e57 = phi_192_;
-    if _e57 {
-        phi_196_ = 84f;
-    } else {
-        phi_196_ = _e51;
-    }
-    let _e59 = phi_196_;
-    return _e59;
-}
-
-fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_215_: f32;
-    var phi_216_: f32;
-    var phi_217_: f32;
+    var phi_197_: f32;
+    var phi_210_: bool;
+    var phi_214_: f32;
+    var phi_227_: f32;
     var phi_232_: f32;
-    var phi_237_: f32;
+    var phi_254_: f32;
     var phi_259_: f32;
-    var phi_264_: f32;
-    var phi_265_: bool;
+    var phi_260_: bool;
+    var phi_261_: f32;
+    var phi_262_: bool;
     var phi_266_: f32;
-    var phi_267_: bool;
-    var phi_271_: f32;
-    var phi_309_: f32;
-    var phi_325_: f32;
-    var phi_326_: f32;
-    var phi_327_: f32;
+    var phi_304_: f32;
+    var phi_320_: f32;
+    var phi_321_: f32;
+    var phi_322_: f32;
 
-    if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_217_ = param_7;
+    if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
+        phi_197_ = param_6;
     } else {
-        if (param_7 < 0f) {
-            phi_216_ = 0f;
+        if (param_6 < 0f) {
+            phi_196_ = 0f;
         } else {
-            if (param_7 > 1f) {
-                phi_215_ = 1f;
+            if (param_6 > 1f) {
+                phi_195_ = 1f;
             } else {
-                phi_215_ = param_7;
+                phi_195_ = param_6;
             }
-            let _e59 = phi_215_;
-            phi_216_ = _e59;
+            let _e59 = phi_195_;
+            phi_196_ = _e59;
         }
-        let _e61 = phi_216_;
-        phi_217_ = _e61;
+        let _e61 = phi_196_;
+        phi_197_ = _e61;
     }
-    let _e63 = phi_217_;
-    let _e65 = _lt_math_esm_Esm_clamped_exponent(param_5);
-    let _e67 = (_e65 * (1f - _e63));
-    if ((bitcast<u32>(_e67) & 2147483647u) > 2139095040u) {
-        phi_309_ = _e67;
+    let _e63 = phi_197_;
+    let _e65 = (*param_4);
+    if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
+        phi_210_ = true;
     } else {
-        if (_e67 < -87f) {
-            phi_232_ = -87f;
-        } else {
-            phi_232_ = _e67;
+        let _e69 = (84f < _e65);
+        if _e69 {
         }
-        let _e73 = phi_232_;
-        if (_e73 > 88f) {
-            phi_237_ = 88f;
-        } else {
-            phi_237_ = _e73;
-        }
-        let _e76 = phi_237_;
-        let _e78 = ((_e76 * 1.442695f) + 0.5f);
-        if (_e78 > -8388608f) {
-            let _e90 = f32(select(0i, select(select(i32(_e78), i32(-2147483648), (_e78 < bitcast<f32>(3472883712u))), 2147483647i, (_e78 > bitcast<f32>(1325400063u))), (_e78 == _e78)));
-            if (_e90 > _e78) {
-                phi_259_ = 1f;
-            } else {
-                phi_259_ = 0f;
-            }
-            let _e93 = phi_259_;
-            if (_e78 < 8388608f) {
-                phi_264_ = (_e90 - _e93);
-                phi_265_ = false;
-            } else {
-                phi_264_ = f32();
-                phi_265_ = true;
-            }
-            let _e96 = phi_264_;
-            let _e98 = phi_265_;
-            phi_266_ = _e96;
-            phi_267_ = _e98;
-        } else {
-            phi_266_ = f32();
-            phi_267_ = true;
-        }
-        let _e100 = phi_266_;
-        let _e102 = phi_267_;
-        if _e102 {
-            phi_271_ = _e78;
-        } else {
-            phi_271_ = _e100;
-        }
-        let _e104 = phi_271_;
-        let _e108 = ((_e76 - (_e104 * 0.69314575f)) - (_e104 * 0.0000014286068f));
-        phi_309_ = ((((((((((((((((1f / 5040f) * _e108) + (1f / 720f)) * _e108) + (1f / 120f)) * _e108) + (1f / 24f)) * _e108) + (1f / 6f)) * _e108) + 0.5f) * _e108) + 1f) * _e108) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e104), i32(-2147483648), (_e104 < bitcast<f32>(3472883712u))), 2147483647i, (_e104 > bitcast<f32>(1325400063u))), (_e104 == _e104)) + 127i)) << bitcast<u32>(23i))));
+        phi_210_ = _e69;
     }
-    let _e144 = phi_309_;
-    let _e145 = (param_6.x * _e144);
-    if ((bitcast<u32>(_e145) & 2147483647u) > 2139095040u) {
-        phi_327_ = _e145;
+    let _e71 = phi_210_;
+    if _e71 {
+        phi_214_ = 84f;
     } else {
-        if (_e145 < 0f) {
-            phi_326_ = 0f;
-        } else {
-            if (_e145 > 1f) {
-                phi_325_ = 1f;
-            } else {
-                phi_325_ = _e145;
-            }
-            let _e152 = phi_325_;
-            phi_326_ = _e152;
-        }
-        let _e154 = phi_326_;
-        phi_327_ = _e154;
+        phi_214_ = _e65;
     }
-    let _e156 = phi_327_;
-    return _e156;
+    let _e73 = phi_214_;
+    let _e75 = (_e73 * (1f - _e63));
+    if ((bitcast<u32>(_e75) & 2147483647u) > 2139095040u) {
+        phi_304_ = _e75;
+    } else {
+        if (_e75 < -87f) {
+            phi_227_ = -87f;
+        } else {
+            phi_227_ = _e75;
+        }
+        let _e81 = phi_227_;
+        if (_e81 > 88f) {
+            phi_232_ = 88f;
+        } else {
+            phi_232_ = _e81;
+        }
+        let _e84 = phi_232_;
+        let _e86 = ((_e84 * 1.442695f) + 0.5f);
+        if (_e86 > -8388608f) {
+            let _e98 = f32(select(0i, select(select(i32(_e86), i32(-2147483648), (_e86 < bitcast<f32>(3472883712u))), 2147483647i, (_e86 > bitcast<f32>(1325400063u))), (_e86 == _e86)));
+            if (_e98 > _e86) {
+                phi_254_ = 1f;
+            } else {
+                phi_254_ = 0f;
+            }
+            let _e101 = phi_254_;
+            if (_e86 < 8388608f) {
+                phi_259_ = (_e98 - _e101);
+                phi_260_ = false;
+            } else {
+                phi_259_ = f32();
+                phi_260_ = true;
+            }
+            let _e104 = phi_259_;
+            let _e106 = phi_260_;
+            phi_261_ = _e104;
+            phi_262_ = _e106;
+        } else {
+            phi_261_ = f32();
+            phi_262_ = true;
+        }
+        let _e108 = phi_261_;
+        let _e110 = phi_262_;
+        if _e110 {
+            phi_266_ = _e86;
+        } else {
+            phi_266_ = _e108;
+        }
+        let _e112 = phi_266_;
+        let _e116 = ((_e84 - (_e112 * 0.69314575f)) - (_e112 * 0.0000014286068f));
+        phi_304_ = ((((((((((((((((1f / 5040f) * _e116) + (1f / 720f)) * _e116) + (1f / 120f)) * _e116) + (1f / 24f)) * _e116) + (1f / 6f)) * _e116) + 0.5f) * _e116) + 1f) * _e116) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e112), i32(-2147483648), (_e112 < bitcast<f32>(3472883712u))), 2147483647i, (_e112 > bitcast<f32>(1325400063u))), (_e112 == _e112)) + 127i)) << bitcast<u32>(23i))));
+    }
+    let _e152 = phi_304_;
+    let _e153 = (param_5.x * _e152);
+    if ((bitcast<u32>(_e153) & 2147483647u) > 2139095040u) {
+        phi_322_ = _e153;
+    } else {
+        if (_e153 < 0f) {
+            phi_321_ = 0f;
+        } else {
+            if (_e153 > 1f) {
+                phi_320_ = 1f;
+            } else {
+                phi_320_ = _e153;
+            }
+            let _e160 = phi_320_;
+            phi_321_ = _e160;
+        }
+        let _e162 = phi_321_;
+        phi_322_ = _e162;
+    }
+    let _e164 = phi_322_;
+    return _e164;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_378_: bool;
-    var phi_379_: bool;
+    var phi_373_: bool;
+    var phi_374_: bool;
+    var phi_375_: bool;
+    var phi_376_: bool;
     var phi_380_: bool;
-    var phi_381_: bool;
-    var phi_385_: bool;
-    var phi_455_: bool;
-    var phi_456_: bool;
-    var phi_467_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_468_: bool;
-    var phi_469_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_470_: bool;
-    var phi_477_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_481_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_555_: bool;
-    var phi_564_: bool;
+    var phi_450_: bool;
+    var phi_451_: bool;
+    var phi_462_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_463_: bool;
+    var phi_464_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_465_: bool;
+    var phi_472_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_476_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_550_: bool;
+    var phi_559_: bool;
+    var phi_568_: bool;
+    var phi_569_: bool;
+    var phi_570_: bool;
+    var phi_571_: bool;
+    var phi_572_: bool;
     var phi_573_: bool;
     var phi_574_: bool;
-    var phi_575_: bool;
-    var phi_576_: bool;
-    var phi_577_: bool;
     var phi_578_: bool;
-    var phi_579_: bool;
-    var phi_583_: bool;
-    var phi_673_: f32;
-    var phi_676_: f32;
+    var phi_668_: f32;
+    var phi_671_: f32;
+    var phi_700_: f32;
     var phi_705_: f32;
-    var phi_710_: f32;
-    var phi_711_: bool;
+    var phi_706_: bool;
+    var phi_707_: f32;
+    var phi_708_: bool;
     var phi_712_: f32;
-    var phi_713_: bool;
-    var phi_717_: f32;
+    var phi_732_: f32;
     var phi_737_: f32;
-    var phi_742_: f32;
-    var phi_743_: bool;
+    var phi_738_: bool;
+    var phi_739_: f32;
+    var phi_740_: bool;
     var phi_744_: f32;
-    var phi_745_: bool;
-    var phi_749_: f32;
+    var phi_792_: i32;
     var phi_797_: i32;
     var phi_802_: i32;
     var phi_807_: i32;
-    var phi_812_: i32;
+    var phi_816_: i32;
     var phi_821_: i32;
     var phi_826_: i32;
     var phi_831_: i32;
-    var phi_836_: i32;
-    var phi_931_: bool;
-    var phi_939_: bool;
-    var phi_951_: bool;
-    var phi_952_: bool;
-    var phi_956_: f32;
-    var phi_962_: f32;
+    var phi_926_: bool;
+    var phi_934_: bool;
+    var phi_946_: bool;
+    var phi_947_: bool;
+    var phi_951_: f32;
+    var phi_957_: f32;
+    var phi_959_: evaluate_Verdict;
     var phi_964_: evaluate_Verdict;
-    var phi_969_: evaluate_Verdict;
-    var phi_970_: evaluate_Verdict;
-    var phi_974_: bool;
-    var phi_975_: u32;
-    var phi_986_: u32;
+    var phi_965_: evaluate_Verdict;
+    var phi_969_: bool;
+    var phi_970_: u32;
+    var phi_981_: u32;
 
     let _e51 = id_1;
     let _e52 = local_2;
@@ -343,28 +337,28 @@ fn function_() {
             if (_e82 == _e84) {
                 let _e87 = samples.member[_e65.shift].normal[2u];
                 let _e89 = global[2u];
-                phi_378_ = (_e87 == _e89);
-                phi_379_ = false;
+                phi_373_ = (_e87 == _e89);
+                phi_374_ = false;
             } else {
-                phi_378_ = bool();
-                phi_379_ = true;
+                phi_373_ = bool();
+                phi_374_ = true;
             }
-            let _e92 = phi_378_;
-            let _e94 = phi_379_;
-            phi_380_ = _e92;
-            phi_381_ = _e94;
+            let _e92 = phi_373_;
+            let _e94 = phi_374_;
+            phi_375_ = _e92;
+            phi_376_ = _e94;
         } else {
-            phi_380_ = bool();
-            phi_381_ = true;
+            phi_375_ = bool();
+            phi_376_ = true;
         }
-        let _e96 = phi_380_;
-        let _e98 = phi_381_;
+        let _e96 = phi_375_;
+        let _e98 = phi_376_;
         if _e98 {
-            phi_385_ = false;
+            phi_380_ = false;
         } else {
-            phi_385_ = _e96;
+            phi_380_ = _e96;
         }
-        let _e100 = phi_385_;
+        let _e100 = phi_380_;
         if !(_e100) {
             let _e103 = samples.member[_e65.shift].position;
             let _e105 = p.member.light.place;
@@ -378,56 +372,56 @@ fn function_() {
                 let _e138 = p.member.light.axis;
                 let _e150 = p.member.light.place[3u];
                 if (_e150 == 0f) {
-                    phi_456_ = true;
+                    phi_451_ = true;
                 } else {
                     let _e153 = p.member.light.range_squared;
                     if (_e136 <= _e153) {
                         let _e156 = p.member.light.cos_outer;
-                        phi_455_ = (-((((_e118 * _e138.x) + (_e119 * _e138.y)) + (_e120 * _e138.z))) >= (_e156 * sqrt(_e136)));
+                        phi_450_ = (-((((_e118 * _e138.x) + (_e119 * _e138.y)) + (_e120 * _e138.z))) >= (_e156 * sqrt(_e136)));
                     } else {
-                        phi_455_ = false;
+                        phi_450_ = false;
                     }
-                    let _e161 = phi_455_;
-                    phi_456_ = _e161;
+                    let _e161 = phi_450_;
+                    phi_451_ = _e161;
                 }
-                let _e163 = phi_456_;
+                let _e163 = phi_451_;
                 if _e163 {
                     let _e165 = samples.member[_e65.shift].flags;
                     let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
-                    phi_467_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
-                    phi_468_ = false;
+                    phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
+                    phi_463_ = false;
                 } else {
-                    phi_467_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_468_ = true;
+                    phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_463_ = true;
                 }
-                let _e184 = phi_467_;
-                let _e186 = phi_468_;
-                phi_469_ = _e184;
-                phi_470_ = _e186;
+                let _e184 = phi_462_;
+                let _e186 = phi_463_;
+                phi_464_ = _e184;
+                phi_465_ = _e186;
             } else {
-                phi_469_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_470_ = true;
+                phi_464_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_465_ = true;
             }
-            let _e188 = phi_469_;
-            let _e190 = phi_470_;
+            let _e188 = phi_464_;
+            let _e190 = phi_465_;
             if _e190 {
                 let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e202 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e196.unnamed.visibility, false), _e196.unnamed_1);
-                phi_477_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e202.unnamed, true);
+                phi_472_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e202.unnamed, true);
             } else {
-                phi_477_ = _e188;
+                phi_472_ = _e188;
             }
-            let _e207 = phi_477_;
-            phi_481_ = _e207;
+            let _e207 = phi_472_;
+            phi_476_ = _e207;
         } else {
             let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
-            phi_481_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
+            phi_476_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
         }
-        let _e224 = phi_481_;
+        let _e224 = phi_476_;
         if _e224.unnamed_1 {
-            phi_970_ = evaluate_Verdict(_e224.unnamed.visibility, _e224.unnamed.is_doubted);
+            phi_965_ = evaluate_Verdict(_e224.unnamed.visibility, _e224.unnamed.is_doubted);
         } else {
             let _e232 = samples.member[_e65.shift].position;
             let _e250 = ((((_e73.projection.row_w.x * _e232.x) + (_e73.projection.row_w.y * _e232.y)) + (_e73.projection.row_w.z * _e232.z)) + (_e73.projection.row_w.w * 1f));
@@ -436,71 +430,71 @@ fn function_() {
             let _e291 = ((((_e73.projection.row_z.x * _e232.x) + (_e73.projection.row_z.y * _e232.y)) + (_e73.projection.row_z.z * _e232.z)) + (_e73.projection.row_z.w * 1f));
             if (_e250 > 0f) {
                 if (_e264 >= 0f) {
-                    phi_555_ = (_e264 <= 1f);
+                    phi_550_ = (_e264 <= 1f);
                 } else {
-                    phi_555_ = false;
+                    phi_550_ = false;
                 }
-                let _e296 = phi_555_;
+                let _e296 = phi_550_;
                 if _e296 {
                     if (_e278 >= 0f) {
-                        phi_564_ = (_e278 <= 1f);
+                        phi_559_ = (_e278 <= 1f);
                     } else {
-                        phi_564_ = false;
+                        phi_559_ = false;
                     }
-                    let _e300 = phi_564_;
+                    let _e300 = phi_559_;
                     if _e300 {
                         if (_e291 >= 0f) {
-                            phi_573_ = (_e291 <= 1f);
+                            phi_568_ = (_e291 <= 1f);
                         } else {
-                            phi_573_ = false;
+                            phi_568_ = false;
                         }
-                        let _e304 = phi_573_;
-                        phi_574_ = _e304;
-                        phi_575_ = false;
+                        let _e304 = phi_568_;
+                        phi_569_ = _e304;
+                        phi_570_ = false;
                     } else {
-                        phi_574_ = bool();
-                        phi_575_ = true;
+                        phi_569_ = bool();
+                        phi_570_ = true;
                     }
-                    let _e306 = phi_574_;
-                    let _e308 = phi_575_;
-                    phi_576_ = _e306;
-                    phi_577_ = _e308;
+                    let _e306 = phi_569_;
+                    let _e308 = phi_570_;
+                    phi_571_ = _e306;
+                    phi_572_ = _e308;
                 } else {
-                    phi_576_ = bool();
-                    phi_577_ = true;
+                    phi_571_ = bool();
+                    phi_572_ = true;
                 }
-                let _e310 = phi_576_;
-                let _e312 = phi_577_;
-                phi_578_ = _e310;
-                phi_579_ = _e312;
+                let _e310 = phi_571_;
+                let _e312 = phi_572_;
+                phi_573_ = _e310;
+                phi_574_ = _e312;
             } else {
-                phi_578_ = bool();
-                phi_579_ = true;
+                phi_573_ = bool();
+                phi_574_ = true;
             }
-            let _e314 = phi_578_;
-            let _e316 = phi_579_;
+            let _e314 = phi_573_;
+            let _e316 = phi_574_;
             if _e316 {
-                phi_583_ = false;
+                phi_578_ = false;
             } else {
-                phi_583_ = _e314;
+                phi_578_ = _e314;
             }
-            let _e318 = phi_583_;
+            let _e318 = phi_578_;
             if _e318 {
                 if (0f > 0f) {
                     let _e321 = samples.member[_e65.shift].normal;
                     let _e323 = p.member.map_size;
                     let _e393 = ((abs(((((_e72.row_x.x * _e321.x) + (_e72.row_x.y * _e321.y)) + (_e72.row_x.z * _e321.z)) / (((_e72.row_x.x * _e72.row_x.x) + (_e72.row_x.y * _e72.row_x.y)) + (_e72.row_x.z * _e72.row_x.z)))) + abs(((((_e72.row_y.x * _e321.x) + (_e72.row_y.y * _e321.y)) + (_e72.row_y.z * _e321.z)) / (((_e72.row_y.x * _e72.row_y.x) + (_e72.row_y.y * _e72.row_y.y)) + (_e72.row_y.z * _e72.row_y.z))))) / (abs(((((_e72.row_z.x * _e321.x) + (_e72.row_z.y * _e321.y)) + (_e72.row_z.z * _e321.z)) / (((_e72.row_z.x * _e72.row_z.x) + (_e72.row_z.y * _e72.row_z.y)) + (_e72.row_z.z * _e72.row_z.z)))) * f32(_e323)));
                     if (_e393 < 0.002f) {
-                        phi_673_ = _e393;
+                        phi_668_ = _e393;
                     } else {
-                        phi_673_ = 0.002f;
+                        phi_668_ = 0.002f;
                     }
-                    let _e396 = phi_673_;
-                    phi_676_ = (_e291 - (0f * _e396));
+                    let _e396 = phi_668_;
+                    phi_671_ = (_e291 - (0f * _e396));
                 } else {
-                    phi_676_ = _e291;
+                    phi_671_ = _e291;
                 }
-                let _e400 = phi_676_;
+                let _e400 = phi_671_;
                 let _e402 = p.member.map_size;
                 let _e403 = f32(_e402);
                 let _e406 = ((_e264 * _e403) - 0.5f);
@@ -508,65 +502,65 @@ fn function_() {
                 if (_e406 > -8388608f) {
                     let _e419 = f32(select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406)));
                     if (_e419 > _e406) {
-                        phi_705_ = 1f;
+                        phi_700_ = 1f;
                     } else {
-                        phi_705_ = 0f;
+                        phi_700_ = 0f;
                     }
-                    let _e422 = phi_705_;
+                    let _e422 = phi_700_;
                     if (_e406 < 8388608f) {
-                        phi_710_ = (_e419 - _e422);
-                        phi_711_ = false;
+                        phi_705_ = (_e419 - _e422);
+                        phi_706_ = false;
                     } else {
-                        phi_710_ = f32();
-                        phi_711_ = true;
+                        phi_705_ = f32();
+                        phi_706_ = true;
                     }
-                    let _e425 = phi_710_;
-                    let _e427 = phi_711_;
-                    phi_712_ = _e425;
-                    phi_713_ = _e427;
+                    let _e425 = phi_705_;
+                    let _e427 = phi_706_;
+                    phi_707_ = _e425;
+                    phi_708_ = _e427;
                 } else {
-                    phi_712_ = f32();
-                    phi_713_ = true;
+                    phi_707_ = f32();
+                    phi_708_ = true;
                 }
-                let _e429 = phi_712_;
-                let _e431 = phi_713_;
+                let _e429 = phi_707_;
+                let _e431 = phi_708_;
                 if _e431 {
-                    phi_717_ = _e406;
+                    phi_712_ = _e406;
                 } else {
-                    phi_717_ = _e429;
+                    phi_712_ = _e429;
                 }
-                let _e433 = phi_717_;
+                let _e433 = phi_712_;
                 if (_e407 > -8388608f) {
                     let _e445 = f32(select(0i, select(select(i32(_e407), i32(-2147483648), (_e407 < bitcast<f32>(3472883712u))), 2147483647i, (_e407 > bitcast<f32>(1325400063u))), (_e407 == _e407)));
                     if (_e445 > _e407) {
-                        phi_737_ = 1f;
+                        phi_732_ = 1f;
                     } else {
-                        phi_737_ = 0f;
+                        phi_732_ = 0f;
                     }
-                    let _e448 = phi_737_;
+                    let _e448 = phi_732_;
                     if (_e407 < 8388608f) {
-                        phi_742_ = (_e445 - _e448);
-                        phi_743_ = false;
+                        phi_737_ = (_e445 - _e448);
+                        phi_738_ = false;
                     } else {
-                        phi_742_ = f32();
-                        phi_743_ = true;
+                        phi_737_ = f32();
+                        phi_738_ = true;
                     }
-                    let _e451 = phi_742_;
-                    let _e453 = phi_743_;
-                    phi_744_ = _e451;
-                    phi_745_ = _e453;
+                    let _e451 = phi_737_;
+                    let _e453 = phi_738_;
+                    phi_739_ = _e451;
+                    phi_740_ = _e453;
                 } else {
-                    phi_744_ = f32();
-                    phi_745_ = true;
+                    phi_739_ = f32();
+                    phi_740_ = true;
                 }
-                let _e455 = phi_744_;
-                let _e457 = phi_745_;
+                let _e455 = phi_739_;
+                let _e457 = phi_740_;
                 if _e457 {
-                    phi_749_ = _e407;
+                    phi_744_ = _e407;
                 } else {
-                    phi_749_ = _e455;
+                    phi_744_ = _e455;
                 }
-                let _e459 = phi_749_;
+                let _e459 = phi_744_;
                 let _e460 = (_e406 - _e433);
                 let _e461 = (_e407 - _e459);
                 let _e470 = select(0i, select(select(i32(_e433), i32(-2147483648), (_e433 < bitcast<f32>(3472883712u))), 2147483647i, (_e433 > bitcast<f32>(1325400063u))), (_e433 == _e433));
@@ -582,56 +576,56 @@ fn function_() {
                 let _e494 = ((0u * _e492) * _e492);
                 let _e496 = (bitcast<i32>(_e492) - 1i);
                 if (_e470 > 0i) {
-                    phi_797_ = _e470;
+                    phi_792_ = _e470;
+                } else {
+                    phi_792_ = 0i;
+                }
+                let _e499 = phi_792_;
+                if (_e479 > 0i) {
+                    phi_797_ = _e479;
                 } else {
                     phi_797_ = 0i;
                 }
-                let _e499 = phi_797_;
-                if (_e479 > 0i) {
-                    phi_802_ = _e479;
-                } else {
-                    phi_802_ = 0i;
-                }
-                let _e502 = phi_802_;
+                let _e502 = phi_797_;
                 if (_e499 < _e496) {
-                    phi_807_ = _e499;
+                    phi_802_ = _e499;
+                } else {
+                    phi_802_ = _e496;
+                }
+                let _e505 = phi_802_;
+                if (_e502 < _e496) {
+                    phi_807_ = _e502;
                 } else {
                     phi_807_ = _e496;
                 }
-                let _e505 = phi_807_;
-                if (_e502 < _e496) {
-                    phi_812_ = _e502;
-                } else {
-                    phi_812_ = _e496;
-                }
-                let _e508 = phi_812_;
+                let _e508 = phi_807_;
                 let _e509 = bitcast<u32>(_e505);
                 let _e511 = (_e470 + 1i);
                 let _e512 = (_e479 + 1i);
                 if (_e511 > 0i) {
-                    phi_821_ = _e511;
+                    phi_816_ = _e511;
+                } else {
+                    phi_816_ = 0i;
+                }
+                let _e515 = phi_816_;
+                if (_e512 > 0i) {
+                    phi_821_ = _e512;
                 } else {
                     phi_821_ = 0i;
                 }
-                let _e515 = phi_821_;
-                if (_e512 > 0i) {
-                    phi_826_ = _e512;
-                } else {
-                    phi_826_ = 0i;
-                }
-                let _e518 = phi_826_;
+                let _e518 = phi_821_;
                 if (_e515 < _e496) {
-                    phi_831_ = _e515;
+                    phi_826_ = _e515;
+                } else {
+                    phi_826_ = _e496;
+                }
+                let _e521 = phi_826_;
+                if (_e518 < _e496) {
+                    phi_831_ = _e518;
                 } else {
                     phi_831_ = _e496;
                 }
-                let _e521 = phi_831_;
-                if (_e518 < _e496) {
-                    phi_836_ = _e518;
-                } else {
-                    phi_836_ = _e496;
-                }
-                let _e524 = phi_836_;
+                let _e524 = phi_831_;
                 let _e525 = bitcast<u32>(_e521);
                 let _e527 = (bitcast<u32>(_e508) * _e492);
                 let _e528 = (bitcast<u32>(_e524) * _e492);
@@ -662,75 +656,75 @@ fn function_() {
                 let _e598 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e540.x * _e482) + (_e552.x * _e484)) + (_e568.x * _e486)) + (_e584.x * _e487)), ((((_e540.y * _e482) + (_e552.y * _e484)) + (_e568.y * _e486)) + (_e584.y * _e487)), ((((_e540.z * _e482) + (_e552.z * _e484)) + (_e568.z * _e486)) + (_e584.z * _e487)), ((((_e540.w * _e482) + (_e552.w * _e484)) + (_e568.w * _e486)) + (_e584.w * _e487))), _e400);
                 let _e600 = p.member.epsilon;
                 if (_e598 <= _e600) {
-                    phi_931_ = true;
+                    phi_926_ = true;
                 } else {
-                    phi_931_ = (_e598 >= (1f - _e600));
+                    phi_926_ = (_e598 >= (1f - _e600));
                 }
-                let _e605 = phi_931_;
+                let _e605 = phi_926_;
                 if ((bitcast<u32>(_e598) & 2147483647u) > 2139095040u) {
-                    phi_939_ = true;
+                    phi_934_ = true;
                 } else {
-                    phi_939_ = !(_e605);
+                    phi_934_ = !(_e605);
                 }
-                let _e611 = phi_939_;
+                let _e611 = phi_934_;
                 if _e611 {
                     if (_e598 > 0f) {
                         if (_e598 < 1f) {
-                            phi_951_ = false;
+                            phi_946_ = false;
                         } else {
-                            phi_951_ = true;
+                            phi_946_ = true;
                         }
-                        let _e615 = phi_951_;
-                        phi_952_ = _e615;
+                        let _e615 = phi_946_;
+                        phi_947_ = _e615;
                     } else {
-                        phi_952_ = true;
+                        phi_947_ = true;
                     }
-                    let _e617 = phi_952_;
+                    let _e617 = phi_947_;
                     if _e617 {
-                        phi_956_ = 0.5f;
+                        phi_951_ = 0.5f;
                     } else {
-                        phi_956_ = _e598;
+                        phi_951_ = _e598;
                     }
-                    let _e619 = phi_956_;
-                    phi_964_ = evaluate_Verdict(_e619, true);
+                    let _e619 = phi_951_;
+                    phi_959_ = evaluate_Verdict(_e619, true);
                 } else {
                     if (_e598 > 0.5f) {
-                        phi_962_ = 1f;
+                        phi_957_ = 1f;
                     } else {
-                        phi_962_ = 0f;
+                        phi_957_ = 0f;
                     }
-                    let _e623 = phi_962_;
-                    phi_964_ = evaluate_Verdict(_e623, false);
+                    let _e623 = phi_957_;
+                    phi_959_ = evaluate_Verdict(_e623, false);
                 }
-                let _e626 = phi_964_;
-                phi_969_ = evaluate_Verdict(_e626.visibility, _e626.is_doubted);
+                let _e626 = phi_959_;
+                phi_964_ = evaluate_Verdict(_e626.visibility, _e626.is_doubted);
             } else {
-                phi_969_ = evaluate_Verdict(0.5f, true);
+                phi_964_ = evaluate_Verdict(0.5f, true);
             }
-            let _e632 = phi_969_;
-            phi_970_ = _e632;
+            let _e632 = phi_964_;
+            phi_965_ = _e632;
         }
-        let _e634 = phi_970_;
+        let _e634 = phi_965_;
         visibility.member[_e65.shift] = _e634.visibility;
-        phi_974_ = _e634.is_doubted;
-        phi_975_ = _e65.shift;
+        phi_969_ = _e634.is_doubted;
+        phi_970_ = _e65.shift;
     } else {
-        phi_974_ = false;
-        phi_975_ = 0u;
+        phi_969_ = false;
+        phi_970_ = 0u;
     }
-    let _e639 = phi_974_;
-    let _e641 = phi_975_;
+    let _e639 = phi_969_;
+    let _e641 = phi_970_;
     if (_e52 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
     if _e639 {
         let _e645 = atomicAdd((&shared_[0u]), 1u);
-        phi_986_ = _e645;
+        phi_981_ = _e645;
     } else {
-        phi_986_ = 0u;
+        phi_981_ = 0u;
     }
-    let _e647 = phi_986_;
+    let _e647 = phi_981_;
     workgroupBarrier();
     if (_e52 == 0u) {
         let _e651 = atomicLoad((&shared_[0u]));

@@ -109,36 +109,36 @@ var<storage> levels: type_49;
 var<storage> map: type_39;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
+    var phi_175_: lt_mask_LightPlace;
+    var phi_176_: bool;
     var phi_177_: lt_mask_LightPlace;
     var phi_178_: bool;
-    var phi_179_: lt_mask_LightPlace;
-    var phi_180_: bool;
-    var phi_185_: lt_mask_LightPlace;
+    var phi_183_: lt_mask_LightPlace;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_177_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_178_ = false;
+            phi_175_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_176_ = false;
         } else {
-            phi_177_ = lt_mask_LightPlace();
-            phi_178_ = true;
+            phi_175_ = lt_mask_LightPlace();
+            phi_176_ = true;
         }
-        let _e69 = phi_177_;
-        let _e71 = phi_178_;
-        phi_179_ = _e69;
-        phi_180_ = _e71;
+        let _e69 = phi_175_;
+        let _e71 = phi_176_;
+        phi_177_ = _e69;
+        phi_178_ = _e71;
     } else {
-        phi_179_ = lt_mask_LightPlace();
-        phi_180_ = true;
+        phi_177_ = lt_mask_LightPlace();
+        phi_178_ = true;
     }
-    let _e73 = phi_179_;
-    let _e75 = phi_180_;
+    let _e73 = phi_177_;
+    let _e75 = phi_178_;
     if _e75 {
-        phi_185_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_183_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
     } else {
-        phi_185_ = _e73;
+        phi_183_ = _e73;
     }
-    let _e80 = phi_185_;
+    let _e80 = phi_183_;
     return lt_mask_LightPlace(_e80.word, _e80.shift);
 }
 
@@ -146,228 +146,222 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
     return param_3.x;
 }
 
-fn _lt_math_esm_Esm_clamped_exponent(param_4: ptr<function, f32>) -> f32 {
-    var phi_205_: bool;
+fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
+    var phi_208_: f32;
     var phi_209_: f32;
-
-    let _e57 = (*param_4);
-    if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_205_ = true;
-    } else {
-        let _e61 = (84f < _e57);
-        if _e61 {
-        }
-        phi_205_ = _e61;
-    }
-    let _e63 = phi_205_;
-    if _e63 {
-        phi_209_ = 84f;
-    } else {
-        phi_209_ = _e57;
-    }
-    let _e65 = phi_209_;
-    return _e65;
-}
-
-fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_5: ptr<function, f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_228_: f32;
-    var phi_229_: f32;
-    var phi_230_: f32;
+    var phi_210_: f32;
+    var phi_223_: bool;
+    var phi_227_: f32;
+    var phi_240_: f32;
     var phi_245_: f32;
-    var phi_250_: f32;
+    var phi_267_: f32;
     var phi_272_: f32;
-    var phi_277_: f32;
-    var phi_278_: bool;
+    var phi_273_: bool;
+    var phi_274_: f32;
+    var phi_275_: bool;
     var phi_279_: f32;
-    var phi_280_: bool;
-    var phi_284_: f32;
-    var phi_322_: f32;
-    var phi_338_: f32;
-    var phi_339_: f32;
-    var phi_340_: f32;
+    var phi_317_: f32;
+    var phi_333_: f32;
+    var phi_334_: f32;
+    var phi_335_: f32;
 
-    if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_230_ = param_7;
+    if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
+        phi_210_ = param_6;
     } else {
-        if (param_7 < 0f) {
-            phi_229_ = 0f;
+        if (param_6 < 0f) {
+            phi_209_ = 0f;
         } else {
-            if (param_7 > 1f) {
-                phi_228_ = 1f;
+            if (param_6 > 1f) {
+                phi_208_ = 1f;
             } else {
-                phi_228_ = param_7;
+                phi_208_ = param_6;
             }
-            let _e65 = phi_228_;
-            phi_229_ = _e65;
+            let _e65 = phi_208_;
+            phi_209_ = _e65;
         }
-        let _e67 = phi_229_;
-        phi_230_ = _e67;
+        let _e67 = phi_209_;
+        phi_210_ = _e67;
     }
-    let _e69 = phi_230_;
-    let _e71 = _lt_math_esm_Esm_clamped_exponent(param_5);
-    let _e73 = (_e71 * (1f - _e69));
-    if ((bitcast<u32>(_e73) & 2147483647u) > 2139095040u) {
-        phi_322_ = _e73;
+    let _e69 = phi_210_;
+    let _e71 = (*param_4);
+    if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
+        phi_223_ = true;
     } else {
-        if (_e73 < -87f) {
-            phi_245_ = -87f;
-        } else {
-            phi_245_ = _e73;
+        let _e75 = (84f < _e71);
+        if _e75 {
         }
-        let _e79 = phi_245_;
-        if (_e79 > 88f) {
-            phi_250_ = 88f;
-        } else {
-            phi_250_ = _e79;
-        }
-        let _e82 = phi_250_;
-        let _e84 = ((_e82 * 1.442695f) + 0.5f);
-        if (_e84 > -8388608f) {
-            let _e96 = f32(select(0i, select(select(i32(_e84), i32(-2147483648), (_e84 < bitcast<f32>(3472883712u))), 2147483647i, (_e84 > bitcast<f32>(1325400063u))), (_e84 == _e84)));
-            if (_e96 > _e84) {
-                phi_272_ = 1f;
-            } else {
-                phi_272_ = 0f;
-            }
-            let _e99 = phi_272_;
-            if (_e84 < 8388608f) {
-                phi_277_ = (_e96 - _e99);
-                phi_278_ = false;
-            } else {
-                phi_277_ = f32();
-                phi_278_ = true;
-            }
-            let _e102 = phi_277_;
-            let _e104 = phi_278_;
-            phi_279_ = _e102;
-            phi_280_ = _e104;
-        } else {
-            phi_279_ = f32();
-            phi_280_ = true;
-        }
-        let _e106 = phi_279_;
-        let _e108 = phi_280_;
-        if _e108 {
-            phi_284_ = _e84;
-        } else {
-            phi_284_ = _e106;
-        }
-        let _e110 = phi_284_;
-        let _e114 = ((_e82 - (_e110 * 0.69314575f)) - (_e110 * 0.0000014286068f));
-        phi_322_ = ((((((((((((((((1f / 5040f) * _e114) + (1f / 720f)) * _e114) + (1f / 120f)) * _e114) + (1f / 24f)) * _e114) + (1f / 6f)) * _e114) + 0.5f) * _e114) + 1f) * _e114) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e110), i32(-2147483648), (_e110 < bitcast<f32>(3472883712u))), 2147483647i, (_e110 > bitcast<f32>(1325400063u))), (_e110 == _e110)) + 127i)) << bitcast<u32>(23i))));
+        phi_223_ = _e75;
     }
-    let _e150 = phi_322_;
-    let _e151 = (param_6.x * _e150);
-    if ((bitcast<u32>(_e151) & 2147483647u) > 2139095040u) {
-        phi_340_ = _e151;
+    let _e77 = phi_223_;
+    if _e77 {
+        phi_227_ = 84f;
     } else {
-        if (_e151 < 0f) {
-            phi_339_ = 0f;
-        } else {
-            if (_e151 > 1f) {
-                phi_338_ = 1f;
-            } else {
-                phi_338_ = _e151;
-            }
-            let _e158 = phi_338_;
-            phi_339_ = _e158;
-        }
-        let _e160 = phi_339_;
-        phi_340_ = _e160;
+        phi_227_ = _e71;
     }
-    let _e162 = phi_340_;
-    return _e162;
+    let _e79 = phi_227_;
+    let _e81 = (_e79 * (1f - _e69));
+    if ((bitcast<u32>(_e81) & 2147483647u) > 2139095040u) {
+        phi_317_ = _e81;
+    } else {
+        if (_e81 < -87f) {
+            phi_240_ = -87f;
+        } else {
+            phi_240_ = _e81;
+        }
+        let _e87 = phi_240_;
+        if (_e87 > 88f) {
+            phi_245_ = 88f;
+        } else {
+            phi_245_ = _e87;
+        }
+        let _e90 = phi_245_;
+        let _e92 = ((_e90 * 1.442695f) + 0.5f);
+        if (_e92 > -8388608f) {
+            let _e104 = f32(select(0i, select(select(i32(_e92), i32(-2147483648), (_e92 < bitcast<f32>(3472883712u))), 2147483647i, (_e92 > bitcast<f32>(1325400063u))), (_e92 == _e92)));
+            if (_e104 > _e92) {
+                phi_267_ = 1f;
+            } else {
+                phi_267_ = 0f;
+            }
+            let _e107 = phi_267_;
+            if (_e92 < 8388608f) {
+                phi_272_ = (_e104 - _e107);
+                phi_273_ = false;
+            } else {
+                phi_272_ = f32();
+                phi_273_ = true;
+            }
+            let _e110 = phi_272_;
+            let _e112 = phi_273_;
+            phi_274_ = _e110;
+            phi_275_ = _e112;
+        } else {
+            phi_274_ = f32();
+            phi_275_ = true;
+        }
+        let _e114 = phi_274_;
+        let _e116 = phi_275_;
+        if _e116 {
+            phi_279_ = _e92;
+        } else {
+            phi_279_ = _e114;
+        }
+        let _e118 = phi_279_;
+        let _e122 = ((_e90 - (_e118 * 0.69314575f)) - (_e118 * 0.0000014286068f));
+        phi_317_ = ((((((((((((((((1f / 5040f) * _e122) + (1f / 720f)) * _e122) + (1f / 120f)) * _e122) + (1f / 24f)) * _e122) + (1f / 6f)) * _e122) + 0.5f) * _e122) + 1f) * _e122) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e118), i32(-2147483648), (_e118 < bitcast<f32>(3472883712u))), 2147483647i, (_e118 > bitcast<f32>(1325400063u))), (_e118 == _e118)) + 127i)) << bitcast<u32>(23i))));
+    }
+    let _e158 = phi_317_;
+    let _e159 = (param_5.x * _e158);
+    if ((bitcast<u32>(_e159) & 2147483647u) > 2139095040u) {
+        phi_335_ = _e159;
+    } else {
+        if (_e159 < 0f) {
+            phi_334_ = 0f;
+        } else {
+            if (_e159 > 1f) {
+                phi_333_ = 1f;
+            } else {
+                phi_333_ = _e159;
+            }
+            let _e166 = phi_333_;
+            phi_334_ = _e166;
+        }
+        let _e168 = phi_334_;
+        phi_335_ = _e168;
+    }
+    let _e170 = phi_335_;
+    return _e170;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_395_: bool;
-    var phi_396_: bool;
+    var phi_390_: bool;
+    var phi_391_: bool;
+    var phi_392_: bool;
+    var phi_393_: bool;
     var phi_397_: bool;
-    var phi_398_: bool;
-    var phi_402_: bool;
-    var phi_472_: bool;
-    var phi_473_: bool;
-    var phi_484_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_485_: bool;
-    var phi_486_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_487_: bool;
-    var phi_494_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_498_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_518_: lt_math_LightPoint;
-    var phi_521_: u32;
-    var phi_523_: lt_math_LevelPoint;
-    var phi_609_: bool;
-    var phi_618_: bool;
+    var phi_467_: bool;
+    var phi_468_: bool;
+    var phi_479_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_480_: bool;
+    var phi_481_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_482_: bool;
+    var phi_489_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_493_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_513_: lt_math_LightPoint;
+    var phi_516_: u32;
+    var phi_518_: lt_math_LevelPoint;
+    var phi_604_: bool;
+    var phi_613_: bool;
+    var phi_622_: bool;
+    var phi_623_: bool;
+    var phi_624_: bool;
+    var phi_625_: bool;
+    var phi_626_: bool;
     var phi_627_: bool;
     var phi_628_: bool;
-    var phi_629_: bool;
-    var phi_630_: bool;
-    var phi_631_: bool;
     var phi_632_: bool;
-    var phi_633_: bool;
-    var phi_637_: bool;
+    var phi_659_: bool;
+    var phi_660_: bool;
+    var phi_661_: bool;
+    var phi_662_: bool;
+    var phi_663_: bool;
     var phi_664_: bool;
     var phi_665_: bool;
     var phi_666_: bool;
-    var phi_667_: bool;
-    var phi_668_: bool;
-    var phi_669_: bool;
     var phi_670_: bool;
-    var phi_671_: bool;
-    var phi_675_: bool;
-    var phi_684_: lt_math_LightPoint;
-    var phi_685_: u32;
-    var phi_686_: lt_math_LevelPoint;
-    var phi_687_: bool;
-    var phi_519_: lt_math_LightPoint;
-    var phi_522_: u32;
-    var phi_524_: lt_math_LevelPoint;
-    var phi_688_: bool;
+    var phi_679_: lt_math_LightPoint;
+    var phi_680_: u32;
+    var phi_681_: lt_math_LevelPoint;
+    var phi_682_: bool;
+    var phi_514_: lt_math_LightPoint;
+    var phi_517_: u32;
+    var phi_519_: lt_math_LevelPoint;
+    var phi_683_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_728_: bool;
-    var phi_729_: bool;
+    var phi_723_: bool;
+    var phi_724_: bool;
+    var phi_725_: bool;
+    var phi_726_: bool;
     var phi_730_: bool;
-    var phi_731_: bool;
-    var phi_735_: bool;
-    var phi_817_: f32;
-    var phi_935_: f32;
-    var phi_936_: f32;
-    var phi_939_: f32;
+    var phi_812_: f32;
+    var phi_930_: f32;
+    var phi_931_: f32;
+    var phi_934_: f32;
+    var phi_963_: f32;
     var phi_968_: f32;
-    var phi_973_: f32;
-    var phi_974_: bool;
+    var phi_969_: bool;
+    var phi_970_: f32;
+    var phi_971_: bool;
     var phi_975_: f32;
-    var phi_976_: bool;
-    var phi_980_: f32;
+    var phi_995_: f32;
     var phi_1000_: f32;
-    var phi_1005_: f32;
-    var phi_1006_: bool;
+    var phi_1001_: bool;
+    var phi_1002_: f32;
+    var phi_1003_: bool;
     var phi_1007_: f32;
-    var phi_1008_: bool;
-    var phi_1012_: f32;
     var local_4: lt_math_LevelPoint;
+    var phi_1056_: i32;
     var phi_1061_: i32;
     var phi_1066_: i32;
     var phi_1071_: i32;
-    var phi_1076_: i32;
+    var phi_1080_: i32;
     var phi_1085_: i32;
     var phi_1090_: i32;
     var phi_1095_: i32;
-    var phi_1100_: i32;
-    var phi_1195_: bool;
-    var phi_1203_: bool;
-    var phi_1215_: bool;
-    var phi_1216_: bool;
-    var phi_1220_: f32;
-    var phi_1226_: f32;
+    var phi_1190_: bool;
+    var phi_1198_: bool;
+    var phi_1210_: bool;
+    var phi_1211_: bool;
+    var phi_1215_: f32;
+    var phi_1221_: f32;
+    var phi_1223_: evaluate_Verdict;
     var phi_1228_: evaluate_Verdict;
-    var phi_1233_: evaluate_Verdict;
-    var phi_1234_: evaluate_Verdict;
-    var phi_1238_: bool;
-    var phi_1239_: u32;
-    var phi_1250_: u32;
+    var phi_1229_: evaluate_Verdict;
+    var phi_1233_: bool;
+    var phi_1234_: u32;
+    var phi_1245_: u32;
 
     let _e57 = id_1;
     let _e58 = local_5;
@@ -386,28 +380,28 @@ fn function_() {
             if (_e90 == _e92) {
                 let _e95 = samples.member[_e74.shift].normal[2u];
                 let _e97 = global[2u];
-                phi_395_ = (_e95 == _e97);
-                phi_396_ = false;
+                phi_390_ = (_e95 == _e97);
+                phi_391_ = false;
             } else {
-                phi_395_ = bool();
-                phi_396_ = true;
+                phi_390_ = bool();
+                phi_391_ = true;
             }
-            let _e100 = phi_395_;
-            let _e102 = phi_396_;
-            phi_397_ = _e100;
-            phi_398_ = _e102;
+            let _e100 = phi_390_;
+            let _e102 = phi_391_;
+            phi_392_ = _e100;
+            phi_393_ = _e102;
         } else {
-            phi_397_ = bool();
-            phi_398_ = true;
+            phi_392_ = bool();
+            phi_393_ = true;
         }
-        let _e104 = phi_397_;
-        let _e106 = phi_398_;
+        let _e104 = phi_392_;
+        let _e106 = phi_393_;
         if _e106 {
-            phi_402_ = false;
+            phi_397_ = false;
         } else {
-            phi_402_ = _e104;
+            phi_397_ = _e104;
         }
-        let _e108 = phi_402_;
+        let _e108 = phi_397_;
         if !(_e108) {
             let _e111 = samples.member[_e74.shift].position;
             let _e113 = p.member.light.place;
@@ -421,56 +415,56 @@ fn function_() {
                 let _e146 = p.member.light.axis;
                 let _e158 = p.member.light.place[3u];
                 if (_e158 == 0f) {
-                    phi_473_ = true;
+                    phi_468_ = true;
                 } else {
                     let _e161 = p.member.light.range_squared;
                     if (_e144 <= _e161) {
                         let _e164 = p.member.light.cos_outer;
-                        phi_472_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
+                        phi_467_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
                     } else {
-                        phi_472_ = false;
+                        phi_467_ = false;
                     }
-                    let _e169 = phi_472_;
-                    phi_473_ = _e169;
+                    let _e169 = phi_467_;
+                    phi_468_ = _e169;
                 }
-                let _e171 = phi_473_;
+                let _e171 = phi_468_;
                 if _e171 {
                     let _e173 = samples.member[_e74.shift].flags;
                     let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
-                    phi_484_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
-                    phi_485_ = false;
+                    phi_479_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
+                    phi_480_ = false;
                 } else {
-                    phi_484_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_485_ = true;
+                    phi_479_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_480_ = true;
                 }
-                let _e192 = phi_484_;
-                let _e194 = phi_485_;
-                phi_486_ = _e192;
-                phi_487_ = _e194;
+                let _e192 = phi_479_;
+                let _e194 = phi_480_;
+                phi_481_ = _e192;
+                phi_482_ = _e194;
             } else {
-                phi_486_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_487_ = true;
+                phi_481_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_482_ = true;
             }
-            let _e196 = phi_486_;
-            let _e198 = phi_487_;
+            let _e196 = phi_481_;
+            let _e198 = phi_482_;
             if _e198 {
                 let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                 let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
-                phi_494_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
+                phi_489_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
             } else {
-                phi_494_ = _e196;
+                phi_489_ = _e196;
             }
-            let _e215 = phi_494_;
-            phi_498_ = _e215;
+            let _e215 = phi_489_;
+            phi_493_ = _e215;
         } else {
             let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
             let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
-            phi_498_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
+            phi_493_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
         }
-        let _e232 = phi_498_;
+        let _e232 = phi_493_;
         if _e232.unnamed_1 {
-            phi_1234_ = evaluate_Verdict(_e232.unnamed.visibility, _e232.unnamed.is_doubted);
+            phi_1229_ = evaluate_Verdict(_e232.unnamed.visibility, _e232.unnamed.is_doubted);
         } else {
             let _e240 = samples.member[_e74.shift].position;
             let _e242 = p.member.map_size;
@@ -478,22 +472,22 @@ fn function_() {
             let _e251 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
             let _e258 = lt_math_LightPoint(vec2<f32>(_e251.uv.x, 0f), _e251.depth, _e251.is_inside);
             let _e262 = lt_math_LightPoint(_e258.uv, 0f, _e258.is_inside);
-            phi_518_ = lt_math_LightPoint();
-            phi_521_ = 0u;
-            phi_523_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e262.uv, _e262.depth, false));
+            phi_513_ = lt_math_LightPoint();
+            phi_516_ = 0u;
+            phi_518_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e262.uv, _e262.depth, false));
             loop {
-                let _e269 = phi_518_;
-                let _e271 = phi_521_;
-                let _e273 = phi_523_;
+                let _e269 = phi_513_;
+                let _e271 = phi_516_;
+                let _e273 = phi_518_;
                 local_2 = _e273;
                 local_3 = _e273;
                 local_4 = _e273;
                 if (_e271 < _e81) {
                     if _e273.point.is_inside {
-                        phi_684_ = lt_math_LightPoint();
-                        phi_685_ = u32();
-                        phi_686_ = lt_math_LevelPoint();
-                        phi_687_ = false;
+                        phi_679_ = lt_math_LightPoint();
+                        phi_680_ = u32();
+                        phi_681_ = lt_math_LevelPoint();
+                        phi_682_ = false;
                     } else {
                         if (_e271 < _e68) {
                         } else {
@@ -509,129 +503,129 @@ fn function_() {
                         let _e336 = ((((_e325.x * _e240.x) + (_e325.y * _e240.y)) + (_e325.z * _e240.z)) + (_e325.w * 1f));
                         if (_e295 > 0f) {
                             if (_e309 >= 0f) {
-                                phi_609_ = (_e309 <= 1f);
+                                phi_604_ = (_e309 <= 1f);
                             } else {
-                                phi_609_ = false;
+                                phi_604_ = false;
                             }
-                            let _e341 = phi_609_;
+                            let _e341 = phi_604_;
                             if _e341 {
                                 if (_e323 >= 0f) {
-                                    phi_618_ = (_e323 <= 1f);
+                                    phi_613_ = (_e323 <= 1f);
                                 } else {
-                                    phi_618_ = false;
+                                    phi_613_ = false;
                                 }
-                                let _e345 = phi_618_;
+                                let _e345 = phi_613_;
                                 if _e345 {
                                     if (_e336 >= 0f) {
-                                        phi_627_ = (_e336 <= 1f);
+                                        phi_622_ = (_e336 <= 1f);
                                     } else {
-                                        phi_627_ = false;
+                                        phi_622_ = false;
                                     }
-                                    let _e349 = phi_627_;
-                                    phi_628_ = _e349;
-                                    phi_629_ = false;
+                                    let _e349 = phi_622_;
+                                    phi_623_ = _e349;
+                                    phi_624_ = false;
                                 } else {
-                                    phi_628_ = bool();
-                                    phi_629_ = true;
+                                    phi_623_ = bool();
+                                    phi_624_ = true;
                                 }
-                                let _e351 = phi_628_;
-                                let _e353 = phi_629_;
-                                phi_630_ = _e351;
-                                phi_631_ = _e353;
+                                let _e351 = phi_623_;
+                                let _e353 = phi_624_;
+                                phi_625_ = _e351;
+                                phi_626_ = _e353;
                             } else {
-                                phi_630_ = bool();
-                                phi_631_ = true;
+                                phi_625_ = bool();
+                                phi_626_ = true;
                             }
-                            let _e355 = phi_630_;
-                            let _e357 = phi_631_;
-                            phi_632_ = _e355;
-                            phi_633_ = _e357;
+                            let _e355 = phi_625_;
+                            let _e357 = phi_626_;
+                            phi_627_ = _e355;
+                            phi_628_ = _e357;
                         } else {
-                            phi_632_ = bool();
-                            phi_633_ = true;
+                            phi_627_ = bool();
+                            phi_628_ = true;
                         }
-                        let _e359 = phi_632_;
-                        let _e361 = phi_633_;
+                        let _e359 = phi_627_;
+                        let _e361 = phi_628_;
                         if _e361 {
-                            phi_637_ = false;
+                            phi_632_ = false;
                         } else {
-                            phi_637_ = _e359;
+                            phi_632_ = _e359;
                         }
-                        let _e363 = phi_637_;
+                        let _e363 = phi_632_;
                         if _e363 {
                             if (_e309 >= _e244) {
                                 if (_e309 <= (1f - _e244)) {
                                     if (_e323 >= _e244) {
-                                        phi_664_ = (_e323 <= (1f - _e244));
-                                        phi_665_ = false;
+                                        phi_659_ = (_e323 <= (1f - _e244));
+                                        phi_660_ = false;
                                     } else {
-                                        phi_664_ = bool();
-                                        phi_665_ = true;
+                                        phi_659_ = bool();
+                                        phi_660_ = true;
                                     }
-                                    let _e371 = phi_664_;
-                                    let _e373 = phi_665_;
-                                    phi_666_ = _e371;
-                                    phi_667_ = _e373;
+                                    let _e371 = phi_659_;
+                                    let _e373 = phi_660_;
+                                    phi_661_ = _e371;
+                                    phi_662_ = _e373;
                                 } else {
-                                    phi_666_ = bool();
-                                    phi_667_ = true;
+                                    phi_661_ = bool();
+                                    phi_662_ = true;
                                 }
-                                let _e375 = phi_666_;
-                                let _e377 = phi_667_;
-                                phi_668_ = _e375;
-                                phi_669_ = _e377;
+                                let _e375 = phi_661_;
+                                let _e377 = phi_662_;
+                                phi_663_ = _e375;
+                                phi_664_ = _e377;
                             } else {
-                                phi_668_ = bool();
-                                phi_669_ = true;
+                                phi_663_ = bool();
+                                phi_664_ = true;
                             }
-                            let _e379 = phi_668_;
-                            let _e381 = phi_669_;
-                            phi_670_ = _e379;
-                            phi_671_ = _e381;
+                            let _e379 = phi_663_;
+                            let _e381 = phi_664_;
+                            phi_665_ = _e379;
+                            phi_666_ = _e381;
                         } else {
-                            phi_670_ = bool();
-                            phi_671_ = true;
+                            phi_665_ = bool();
+                            phi_666_ = true;
                         }
-                        let _e383 = phi_670_;
-                        let _e385 = phi_671_;
+                        let _e383 = phi_665_;
+                        let _e385 = phi_666_;
                         if _e385 {
-                            phi_675_ = false;
+                            phi_670_ = false;
                         } else {
-                            phi_675_ = _e383;
+                            phi_670_ = _e383;
                         }
-                        let _e387 = phi_675_;
+                        let _e387 = phi_670_;
                         let _e394 = lt_math_LightPoint(vec2<f32>(_e309, _e269.uv.y), _e269.depth, _e269.is_inside);
                         let _e401 = lt_math_LightPoint(vec2<f32>(_e394.uv.x, _e323), _e394.depth, _e394.is_inside);
                         let _e405 = lt_math_LightPoint(_e401.uv, _e336, _e401.is_inside);
                         let _e409 = lt_math_LightPoint(_e405.uv, _e405.depth, _e387);
-                        phi_684_ = _e409;
-                        phi_685_ = (_e271 + 1u);
-                        phi_686_ = lt_math_LevelPoint(_e271, _e409);
-                        phi_687_ = true;
+                        phi_679_ = _e409;
+                        phi_680_ = (_e271 + 1u);
+                        phi_681_ = lt_math_LevelPoint(_e271, _e409);
+                        phi_682_ = true;
                     }
-                    let _e413 = phi_684_;
-                    let _e415 = phi_685_;
-                    let _e417 = phi_686_;
-                    let _e419 = phi_687_;
-                    phi_519_ = _e413;
-                    phi_522_ = _e415;
-                    phi_524_ = _e417;
-                    phi_688_ = _e419;
+                    let _e413 = phi_679_;
+                    let _e415 = phi_680_;
+                    let _e417 = phi_681_;
+                    let _e419 = phi_682_;
+                    phi_514_ = _e413;
+                    phi_517_ = _e415;
+                    phi_519_ = _e417;
+                    phi_683_ = _e419;
                 } else {
-                    phi_519_ = lt_math_LightPoint();
-                    phi_522_ = u32();
-                    phi_524_ = lt_math_LevelPoint();
-                    phi_688_ = false;
+                    phi_514_ = lt_math_LightPoint();
+                    phi_517_ = u32();
+                    phi_519_ = lt_math_LevelPoint();
+                    phi_683_ = false;
                 }
-                let _e421 = phi_519_;
-                let _e423 = phi_522_;
-                let _e425 = phi_524_;
-                let _e427 = phi_688_;
+                let _e421 = phi_514_;
+                let _e423 = phi_517_;
+                let _e425 = phi_519_;
+                let _e427 = phi_683_;
                 continue;
                 continuing {
-                    phi_518_ = _e421;
-                    phi_521_ = _e423;
-                    phi_523_ = _e425;
+                    phi_513_ = _e421;
+                    phi_516_ = _e423;
+                    phi_518_ = _e425;
                     break if !(_e427);
                 }
             }
@@ -649,39 +643,39 @@ fn function_() {
                         let _e450 = global[1u];
                         if (_e441.row_w.y == _e450) {
                             let _e453 = global[2u];
-                            phi_728_ = (_e441.row_w.z == _e453);
-                            phi_729_ = false;
+                            phi_723_ = (_e441.row_w.z == _e453);
+                            phi_724_ = false;
                         } else {
-                            phi_728_ = bool();
-                            phi_729_ = true;
+                            phi_723_ = bool();
+                            phi_724_ = true;
                         }
-                        let _e456 = phi_728_;
-                        let _e458 = phi_729_;
-                        phi_730_ = _e456;
-                        phi_731_ = _e458;
+                        let _e456 = phi_723_;
+                        let _e458 = phi_724_;
+                        phi_725_ = _e456;
+                        phi_726_ = _e458;
                     } else {
-                        phi_730_ = bool();
-                        phi_731_ = true;
+                        phi_725_ = bool();
+                        phi_726_ = true;
                     }
-                    let _e460 = phi_730_;
-                    let _e462 = phi_731_;
+                    let _e460 = phi_725_;
+                    let _e462 = phi_726_;
                     if _e462 {
-                        phi_735_ = false;
+                        phi_730_ = false;
                     } else {
-                        phi_735_ = _e460;
+                        phi_730_ = _e460;
                     }
-                    let _e464 = phi_735_;
+                    let _e464 = phi_730_;
                     if _e464 {
                         let _e466 = samples.member[_e74.shift].normal;
                         let _e468 = p.member.map_size;
                         let _e538 = ((abs(((((_e441.row_x.x * _e466.x) + (_e441.row_x.y * _e466.y)) + (_e441.row_x.z * _e466.z)) / (((_e441.row_x.x * _e441.row_x.x) + (_e441.row_x.y * _e441.row_x.y)) + (_e441.row_x.z * _e441.row_x.z)))) + abs(((((_e441.row_y.x * _e466.x) + (_e441.row_y.y * _e466.y)) + (_e441.row_y.z * _e466.z)) / (((_e441.row_y.x * _e441.row_y.x) + (_e441.row_y.y * _e441.row_y.y)) + (_e441.row_y.z * _e441.row_y.z))))) / (abs(((((_e441.row_z.x * _e466.x) + (_e441.row_z.y * _e466.y)) + (_e441.row_z.z * _e466.z)) / (((_e441.row_z.x * _e441.row_z.x) + (_e441.row_z.y * _e441.row_z.y)) + (_e441.row_z.z * _e441.row_z.z)))) * f32(_e468)));
                         if (_e538 < 0.002f) {
-                            phi_817_ = _e538;
+                            phi_812_ = _e538;
                         } else {
-                            phi_817_ = 0.002f;
+                            phi_812_ = 0.002f;
                         }
-                        let _e541 = phi_817_;
-                        phi_936_ = _e541;
+                        let _e541 = phi_812_;
+                        phi_931_ = _e541;
                     } else {
                         let _e543 = p.member.map_size;
                         let _e549 = samples.member[_e74.shift].position;
@@ -703,19 +697,19 @@ fn function_() {
                         let _e655 = ((abs(((((_e441.row_z.x * _e601) + (_e441.row_z.y * _e606)) + (_e441.row_z.z * _e611)) / (((_e573 * _e601) + (_e574 * _e606)) + (_e575 * _e611)))) + abs(((((_e441.row_z.x * _e618) + (_e441.row_z.y * _e623)) + (_e441.row_z.z * _e628)) / (((_e588 * _e618) + (_e589 * _e623)) + (_e590 * _e628))))) / f32(_e543));
                         let _e657 = (16f / f32(_e543));
                         if (_e655 < _e657) {
-                            phi_935_ = _e655;
+                            phi_930_ = _e655;
                         } else {
-                            phi_935_ = _e657;
+                            phi_930_ = _e657;
                         }
-                        let _e660 = phi_935_;
-                        phi_936_ = _e660;
+                        let _e660 = phi_930_;
+                        phi_931_ = _e660;
                     }
-                    let _e662 = phi_936_;
-                    phi_939_ = (_e430.point.depth - (0f * _e662));
+                    let _e662 = phi_931_;
+                    phi_934_ = (_e430.point.depth - (0f * _e662));
                 } else {
-                    phi_939_ = _e430.point.depth;
+                    phi_934_ = _e430.point.depth;
                 }
-                let _e666 = phi_939_;
+                let _e666 = phi_934_;
                 let _e672 = p.member.map_size;
                 let _e673 = f32(_e672);
                 let _e676 = ((_e430.point.uv.x * _e673) - 0.5f);
@@ -723,65 +717,65 @@ fn function_() {
                 if (_e676 > -8388608f) {
                     let _e689 = f32(select(0i, select(select(i32(_e676), i32(-2147483648), (_e676 < bitcast<f32>(3472883712u))), 2147483647i, (_e676 > bitcast<f32>(1325400063u))), (_e676 == _e676)));
                     if (_e689 > _e676) {
-                        phi_968_ = 1f;
+                        phi_963_ = 1f;
                     } else {
-                        phi_968_ = 0f;
+                        phi_963_ = 0f;
                     }
-                    let _e692 = phi_968_;
+                    let _e692 = phi_963_;
                     if (_e676 < 8388608f) {
-                        phi_973_ = (_e689 - _e692);
-                        phi_974_ = false;
+                        phi_968_ = (_e689 - _e692);
+                        phi_969_ = false;
                     } else {
-                        phi_973_ = f32();
-                        phi_974_ = true;
+                        phi_968_ = f32();
+                        phi_969_ = true;
                     }
-                    let _e695 = phi_973_;
-                    let _e697 = phi_974_;
-                    phi_975_ = _e695;
-                    phi_976_ = _e697;
+                    let _e695 = phi_968_;
+                    let _e697 = phi_969_;
+                    phi_970_ = _e695;
+                    phi_971_ = _e697;
                 } else {
-                    phi_975_ = f32();
-                    phi_976_ = true;
+                    phi_970_ = f32();
+                    phi_971_ = true;
                 }
-                let _e699 = phi_975_;
-                let _e701 = phi_976_;
+                let _e699 = phi_970_;
+                let _e701 = phi_971_;
                 if _e701 {
-                    phi_980_ = _e676;
+                    phi_975_ = _e676;
                 } else {
-                    phi_980_ = _e699;
+                    phi_975_ = _e699;
                 }
-                let _e703 = phi_980_;
+                let _e703 = phi_975_;
                 if (_e677 > -8388608f) {
                     let _e715 = f32(select(0i, select(select(i32(_e677), i32(-2147483648), (_e677 < bitcast<f32>(3472883712u))), 2147483647i, (_e677 > bitcast<f32>(1325400063u))), (_e677 == _e677)));
                     if (_e715 > _e677) {
-                        phi_1000_ = 1f;
+                        phi_995_ = 1f;
                     } else {
-                        phi_1000_ = 0f;
+                        phi_995_ = 0f;
                     }
-                    let _e718 = phi_1000_;
+                    let _e718 = phi_995_;
                     if (_e677 < 8388608f) {
-                        phi_1005_ = (_e715 - _e718);
-                        phi_1006_ = false;
+                        phi_1000_ = (_e715 - _e718);
+                        phi_1001_ = false;
                     } else {
-                        phi_1005_ = f32();
-                        phi_1006_ = true;
+                        phi_1000_ = f32();
+                        phi_1001_ = true;
                     }
-                    let _e721 = phi_1005_;
-                    let _e723 = phi_1006_;
-                    phi_1007_ = _e721;
-                    phi_1008_ = _e723;
+                    let _e721 = phi_1000_;
+                    let _e723 = phi_1001_;
+                    phi_1002_ = _e721;
+                    phi_1003_ = _e723;
                 } else {
-                    phi_1007_ = f32();
-                    phi_1008_ = true;
+                    phi_1002_ = f32();
+                    phi_1003_ = true;
                 }
-                let _e725 = phi_1007_;
-                let _e727 = phi_1008_;
+                let _e725 = phi_1002_;
+                let _e727 = phi_1003_;
                 if _e727 {
-                    phi_1012_ = _e677;
+                    phi_1007_ = _e677;
                 } else {
-                    phi_1012_ = _e725;
+                    phi_1007_ = _e725;
                 }
-                let _e729 = phi_1012_;
+                let _e729 = phi_1007_;
                 let _e730 = (_e676 - _e703);
                 let _e731 = (_e677 - _e729);
                 let _e740 = select(0i, select(select(i32(_e703), i32(-2147483648), (_e703 < bitcast<f32>(3472883712u))), 2147483647i, (_e703 > bitcast<f32>(1325400063u))), (_e703 == _e703));
@@ -798,56 +792,56 @@ fn function_() {
                 let _e767 = ((_e764.level * _e762) * _e762);
                 let _e769 = (bitcast<i32>(_e762) - 1i);
                 if (_e740 > 0i) {
-                    phi_1061_ = _e740;
+                    phi_1056_ = _e740;
+                } else {
+                    phi_1056_ = 0i;
+                }
+                let _e772 = phi_1056_;
+                if (_e749 > 0i) {
+                    phi_1061_ = _e749;
                 } else {
                     phi_1061_ = 0i;
                 }
-                let _e772 = phi_1061_;
-                if (_e749 > 0i) {
-                    phi_1066_ = _e749;
-                } else {
-                    phi_1066_ = 0i;
-                }
-                let _e775 = phi_1066_;
+                let _e775 = phi_1061_;
                 if (_e772 < _e769) {
-                    phi_1071_ = _e772;
+                    phi_1066_ = _e772;
+                } else {
+                    phi_1066_ = _e769;
+                }
+                let _e778 = phi_1066_;
+                if (_e775 < _e769) {
+                    phi_1071_ = _e775;
                 } else {
                     phi_1071_ = _e769;
                 }
-                let _e778 = phi_1071_;
-                if (_e775 < _e769) {
-                    phi_1076_ = _e775;
-                } else {
-                    phi_1076_ = _e769;
-                }
-                let _e781 = phi_1076_;
+                let _e781 = phi_1071_;
                 let _e782 = bitcast<u32>(_e778);
                 let _e784 = (_e740 + 1i);
                 let _e785 = (_e749 + 1i);
                 if (_e784 > 0i) {
-                    phi_1085_ = _e784;
+                    phi_1080_ = _e784;
+                } else {
+                    phi_1080_ = 0i;
+                }
+                let _e788 = phi_1080_;
+                if (_e785 > 0i) {
+                    phi_1085_ = _e785;
                 } else {
                     phi_1085_ = 0i;
                 }
-                let _e788 = phi_1085_;
-                if (_e785 > 0i) {
-                    phi_1090_ = _e785;
-                } else {
-                    phi_1090_ = 0i;
-                }
-                let _e791 = phi_1090_;
+                let _e791 = phi_1085_;
                 if (_e788 < _e769) {
-                    phi_1095_ = _e788;
+                    phi_1090_ = _e788;
+                } else {
+                    phi_1090_ = _e769;
+                }
+                let _e794 = phi_1090_;
+                if (_e791 < _e769) {
+                    phi_1095_ = _e791;
                 } else {
                     phi_1095_ = _e769;
                 }
-                let _e794 = phi_1095_;
-                if (_e791 < _e769) {
-                    phi_1100_ = _e791;
-                } else {
-                    phi_1100_ = _e769;
-                }
-                let _e797 = phi_1100_;
+                let _e797 = phi_1095_;
                 let _e798 = bitcast<u32>(_e794);
                 let _e800 = (bitcast<u32>(_e781) * _e762);
                 let _e801 = (bitcast<u32>(_e797) * _e762);
@@ -878,75 +872,75 @@ fn function_() {
                 let _e871 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e813.x * _e752) + (_e825.x * _e754)) + (_e841.x * _e756)) + (_e857.x * _e757)), ((((_e813.y * _e752) + (_e825.y * _e754)) + (_e841.y * _e756)) + (_e857.y * _e757)), ((((_e813.z * _e752) + (_e825.z * _e754)) + (_e841.z * _e756)) + (_e857.z * _e757)), ((((_e813.w * _e752) + (_e825.w * _e754)) + (_e841.w * _e756)) + (_e857.w * _e757))), _e666);
                 let _e873 = p.member.epsilon;
                 if (_e871 <= _e873) {
-                    phi_1195_ = true;
+                    phi_1190_ = true;
                 } else {
-                    phi_1195_ = (_e871 >= (1f - _e873));
+                    phi_1190_ = (_e871 >= (1f - _e873));
                 }
-                let _e878 = phi_1195_;
+                let _e878 = phi_1190_;
                 if ((bitcast<u32>(_e871) & 2147483647u) > 2139095040u) {
-                    phi_1203_ = true;
+                    phi_1198_ = true;
                 } else {
-                    phi_1203_ = !(_e878);
+                    phi_1198_ = !(_e878);
                 }
-                let _e884 = phi_1203_;
+                let _e884 = phi_1198_;
                 if _e884 {
                     if (_e871 > 0f) {
                         if (_e871 < 1f) {
-                            phi_1215_ = false;
+                            phi_1210_ = false;
                         } else {
-                            phi_1215_ = true;
+                            phi_1210_ = true;
                         }
-                        let _e888 = phi_1215_;
-                        phi_1216_ = _e888;
+                        let _e888 = phi_1210_;
+                        phi_1211_ = _e888;
                     } else {
-                        phi_1216_ = true;
+                        phi_1211_ = true;
                     }
-                    let _e890 = phi_1216_;
+                    let _e890 = phi_1211_;
                     if _e890 {
-                        phi_1220_ = 0.5f;
+                        phi_1215_ = 0.5f;
                     } else {
-                        phi_1220_ = _e871;
+                        phi_1215_ = _e871;
                     }
-                    let _e892 = phi_1220_;
-                    phi_1228_ = evaluate_Verdict(_e892, true);
+                    let _e892 = phi_1215_;
+                    phi_1223_ = evaluate_Verdict(_e892, true);
                 } else {
                     if (_e871 > 0.5f) {
-                        phi_1226_ = 1f;
+                        phi_1221_ = 1f;
                     } else {
-                        phi_1226_ = 0f;
+                        phi_1221_ = 0f;
                     }
-                    let _e896 = phi_1226_;
-                    phi_1228_ = evaluate_Verdict(_e896, false);
+                    let _e896 = phi_1221_;
+                    phi_1223_ = evaluate_Verdict(_e896, false);
                 }
-                let _e899 = phi_1228_;
-                phi_1233_ = evaluate_Verdict(_e899.visibility, _e899.is_doubted);
+                let _e899 = phi_1223_;
+                phi_1228_ = evaluate_Verdict(_e899.visibility, _e899.is_doubted);
             } else {
-                phi_1233_ = evaluate_Verdict(0.5f, true);
+                phi_1228_ = evaluate_Verdict(0.5f, true);
             }
-            let _e905 = phi_1233_;
-            phi_1234_ = _e905;
+            let _e905 = phi_1228_;
+            phi_1229_ = _e905;
         }
-        let _e907 = phi_1234_;
+        let _e907 = phi_1229_;
         visibility.member[_e74.shift] = _e907.visibility;
-        phi_1238_ = _e907.is_doubted;
-        phi_1239_ = _e74.shift;
+        phi_1233_ = _e907.is_doubted;
+        phi_1234_ = _e74.shift;
     } else {
-        phi_1238_ = false;
-        phi_1239_ = 0u;
+        phi_1233_ = false;
+        phi_1234_ = 0u;
     }
-    let _e912 = phi_1238_;
-    let _e914 = phi_1239_;
+    let _e912 = phi_1233_;
+    let _e914 = phi_1234_;
     if (_e58 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
     if _e912 {
         let _e918 = atomicAdd((&shared_[0u]), 1u);
-        phi_1250_ = _e918;
+        phi_1245_ = _e918;
     } else {
-        phi_1250_ = 0u;
+        phi_1245_ = 0u;
     }
-    let _e920 = phi_1250_;
+    let _e920 = phi_1245_;
     workgroupBarrier();
     if (_e58 == 0u) {
         let _e924 = atomicLoad((&shared_[0u]));

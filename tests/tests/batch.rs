@@ -1,6 +1,6 @@
 //! Map evaluation in batches gives the verdicts of the shared function, on every built-in scene.
 
-use lt_math::{Evsm, Levels, Vsm};
+use lt_math::{Esm, Evsm, Levels, MsmHamburger, MsmHausdorff, Pcf, Sm, Vsm};
 use lt_render::cpu::{BatchTest, CpuBackend, SampleRows, evaluate_batch, evaluate_batch_levels};
 use lt_render::{Backend, PackedScene, PassKind, Sample};
 use lt_shaders::abi::ShadowParams;
@@ -16,16 +16,23 @@ fn batches_have_the_bits_of_the_shared_function_on_every_built_in_scene() {
         let scene = builtin(name);
         let session = cpu_session(&scene, 333, 217);
         let mut backend = CpuBackend::new(PackedScene::new(&scene).expect("packs"));
-        for id in ["vsm", "ltt-vsm:cascades=1", "evsm", "ltt-evsm:cascades=1"] {
-            let job = session.job(&id.parse().expect("id"));
+        for id in
+            ["vsm", "ltt-vsm", "evsm", "ltt-evsm", "ltt-esm", "ltt-msm", "ltt-msm-hausdorff", "sm", "pcf"]
+        {
+            let job = session.job(&format!("{id}:cascades=1").parse().expect("id"));
             backend.begin(&job).expect("begins");
             backend.pass(PassKind::DepthMap, &job).expect("draws");
             let (samples, p, depths) = (session.samples(), &job.shadow, backend.depth_map());
             let different = match id {
                 "vsm" => differences::<Vsm, false>(samples, p, depths),
-                "ltt-vsm:cascades=1" => differences::<Vsm, true>(samples, p, depths),
+                "ltt-vsm" => differences::<Vsm, true>(samples, p, depths),
                 "evsm" => differences::<Evsm, false>(samples, p, depths),
-                _ => differences::<Evsm, true>(samples, p, depths),
+                "ltt-evsm" => differences::<Evsm, true>(samples, p, depths),
+                "ltt-esm" => differences::<Esm, true>(samples, p, depths),
+                "ltt-msm" => differences::<MsmHamburger, true>(samples, p, depths),
+                "ltt-msm-hausdorff" => differences::<MsmHausdorff, true>(samples, p, depths),
+                "sm" => differences::<Sm, false>(samples, p, depths),
+                _ => differences::<Pcf, false>(samples, p, depths),
             };
             assert_eq!(different, 0, "{name} {id}");
         }

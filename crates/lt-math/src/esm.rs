@@ -29,7 +29,9 @@ impl Default for Esm {
 }
 
 impl Esm {
-    fn clamped_exponent(&self) -> f32 {
+    /// The exponent that is used.
+    #[inline]
+    pub fn clamped_exponent(&self) -> f32 {
         float::min(self.exponent, MAX_ESM_EXPONENT)
     }
 }

@@ -8,7 +8,7 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use lt_math::glam::UVec2;
-use lt_math::{Evsm, Levels, LightProjection, Vsm};
+use lt_math::{Esm, Evsm, Levels, LightProjection, MsmHamburger, Vsm};
 use lt_render::cpu::{BatchTest, CpuBackend, SampleRows, evaluate_batch, evaluate_batch_levels};
 use lt_render::{Backend, BackendKind, PackedScene, PassKind, Session, Setup};
 use lt_scene::Source;
@@ -26,17 +26,19 @@ fn main() {
     let samples = in_tiles(session.samples());
     let mut backend = CpuBackend::new(PackedScene::new(&scene).expect("packs"));
     println!("technique           pixels   facing |  batch ns/px  (facing)  shared ns/px  (facing) | ratio");
-    for id in ["vsm", "ltt-vsm:cascades=1", "evsm", "ltt-evsm:cascades=1", "ltt-evsm"] {
+    for id in ["vsm", "ltt-vsm:cascades=1", "evsm", "ltt-evsm:cascades=1", "ltt-evsm", "ltt-esm", "ltt-msm"] {
         let job = session.job(&id.parse().expect("id"));
         backend.begin(&job).expect("begins");
         backend.pass(PassKind::DepthMap, &job).expect("draws");
         let levels = job.searched_levels();
         let maps = Maps { p: &job.shadow, levels: levels.as_deref(), depths: backend.depth_map() };
-        match (id.contains("evsm"), id.starts_with("ltt-")) {
-            (false, false) => row::<Vsm, false>(id, &samples, maps),
-            (false, true) => row::<Vsm, true>(id, &samples, maps),
-            (true, false) => row::<Evsm, false>(id, &samples, maps),
-            (true, true) => row::<Evsm, true>(id, &samples, maps),
+        match id {
+            "vsm" => row::<Vsm, false>(id, &samples, maps),
+            "evsm" => row::<Evsm, false>(id, &samples, maps),
+            "ltt-esm" => row::<Esm, true>(id, &samples, maps),
+            "ltt-msm" => row::<MsmHamburger, true>(id, &samples, maps),
+            _ if id.contains("evsm") => row::<Evsm, true>(id, &samples, maps),
+            _ => row::<Vsm, true>(id, &samples, maps),
         }
     }
 }

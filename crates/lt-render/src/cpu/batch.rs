@@ -1,4 +1,4 @@
-//! Map evaluation in batches: VSM and EVSM from gathered depths, many pixels at a time, below the shared function.
+//! Map evaluation in batches: every test, many pixels at a time, below the shared function.
 //!
 //! [`lt_shaders::evaluate::evaluate`] answers one pixel; this file answers the same for 64 at once, in stages that each
 //! run over arrays: settle and project, footprint, gather, bound. Stages are plain loops without branches over numbers,
@@ -7,18 +7,23 @@
 //! the shared function. Tests hold that on every built-in scene.
 //!
 //! An exponential costs as much as the rest of a pixel, and most pixels can do without. [`Evsm`] asks [`Shortcut`]
-//! first, which knows three kinds of footprint whose answer is certain.
+//! first, which knows three kinds of footprint whose answer is certain. Moment bounds, comparisons and percentages are the shared tests'
+//! own, pixel by pixel, where stages have not answered before.
 
-use lt_math::{Evsm, LightProjection, Vsm, chebyshev, float};
+use lt_math::glam::Vec4;
+use lt_math::{
+    Esm, Evsm, LightProjection, MsmHamburger, MsmHausdorff, Pcf, ShadowTest, Sm, Vsm, chebyshev, float,
+    six_atoms,
+};
 use lt_shaders::abi::ShadowParams;
 use lt_shaders::evaluate::{TestFromParams, Verdict, doubt};
 
-use super::footprints::{Footprints, Maps};
+use super::footprints::{Footprints, Maps, Texels};
 use super::samples::{BLOCKED, Lanes, MAPPED, OUTSIDE, SampleRows};
 use super::shortcut::Shortcut;
 use super::tiles::PIECE;
 
-/// Estimate and doubt of many pixels from a map of plain depths, by a test that has a batch form.
+/// Estimate and doubt of many pixels from a map of plain depths.
 ///
 /// `depths` are `p.map_size`² in rows; `visibility` and `is_doubted` have 64 places for each piece of `rows`. Gives the bits of
 /// [`evaluate`](lt_shaders::evaluate::evaluate) for each sample, in any order of samples; samples in tile order find their texels in the cache.
@@ -32,7 +37,7 @@ pub fn evaluate_batch<T: BatchTest, const LTT: bool>(
     visibility: &mut [f32],
     is_doubted: &mut [bool],
 ) {
-    evaluate_on::<T, LTT>(rows, p, Maps::one(p, depths), visibility, is_doubted);
+    evaluate_on::<T, LTT>(rows, p, Maps::one(p, Texels::Depths(depths)), visibility, is_doubted);
 }
 
 /// [`evaluate_batch`] from the levels of a directional light, finest first, with the bits of
@@ -50,7 +55,13 @@ pub fn evaluate_batch_levels<T: BatchTest, const LTT: bool>(
     visibility: &mut [f32],
     is_doubted: &mut [bool],
 ) {
-    evaluate_on::<T, LTT>(rows, p, Maps::levels(p, projections, depths), visibility, is_doubted);
+    evaluate_on::<T, LTT>(
+        rows,
+        p,
+        Maps::levels(p, projections, Texels::Depths(depths)),
+        visibility,
+        is_doubted,
+    );
 }
 
 /// [`evaluate_batch`] on any maps.
@@ -62,7 +73,7 @@ pub(super) fn evaluate_on<T: BatchTest, const LTT: bool>(
     is_doubted: &mut [bool],
 ) {
     let expected = (p.map_size as usize).pow(2) * maps.projections.len();
-    assert!(maps.depths.len() == expected, "{} depths, {expected} expected", maps.depths.len());
+    assert!(maps.texels.len() == expected, "{} texels, {expected} expected", maps.texels.len());
     let len = rows.len() * PIECE;
     assert!(visibility.len() == len && is_doubted.len() == len, "unequal lengths");
     #[cfg(target_arch = "x86_64")]
@@ -130,12 +141,19 @@ fn evaluate_all<T: BatchTest, const LTT: bool>(
     for ((rows, visibility), is_doubted) in rows.iter().zip(visibility).zip(is_doubted) {
         footprints.find(rows, p, maps);
         // Whole batches of sky, or of what faces away, need no map.
-        let answers = if footprints.is_any_open {
-            footprints.gather(maps.depths);
-            test.visibility_of_footprints::<LTT>(&footprints, p.epsilon)
-        } else {
-            [0.0; PIECE]
-        };
+        let mut answers = [0.0; PIECE];
+        if footprints.is_any_open {
+            if T::PLANE_BIAS_TEXELS > 0.0 {
+                footprints.bias_receivers(T::PLANE_BIAS_TEXELS, rows, p, maps);
+            }
+            answers = match maps.texels {
+                Texels::Depths(depths) => {
+                    footprints.gather(depths, T::FROM_RECEIVERS);
+                    test.visibility_of_footprints::<LTT>(&footprints, p.epsilon)
+                }
+                Texels::Vectors(vectors) => footprints.filtered(&test, vectors),
+            };
+        }
         let states = &footprints.states;
         for i in 0..PIECE {
             let v = answers[i];
@@ -154,12 +172,15 @@ fn evaluate_all<T: BatchTest, const LTT: bool>(
 
 /// A test that answers batches.
 pub trait BatchTest: TestFromParams {
+    /// Whether footprints hold depths minus the receivers', not depths.
+    const FROM_RECEIVERS: bool;
     /// Visibilities with the bits of the test's own answer; with `LTT` it may also be 0 or 1 for an answer that is sure
     /// to lie on that side of doubt.
     fn visibility_of_footprints<const LTT: bool>(&self, footprints: &Footprints, epsilon: f32) -> Lanes;
 }
 
 impl BatchTest for Vsm {
+    const FROM_RECEIVERS: bool = true;
     #[inline(always)]
     fn visibility_of_footprints<const LTT: bool>(&self, footprints: &Footprints, _: f32) -> Lanes {
         let mut v = [0.0; PIECE];
@@ -172,6 +193,7 @@ impl BatchTest for Vsm {
 }
 
 impl BatchTest for Evsm {
+    const FROM_RECEIVERS: bool = true;
     #[inline(always)]
     fn visibility_of_footprints<const LTT: bool>(&self, footprints: &Footprints, epsilon: f32) -> Lanes {
         let shortcut = Shortcut::new(self, epsilon);
@@ -203,6 +225,77 @@ impl BatchTest for Evsm {
         }
         v
     }
+}
+
+impl BatchTest for Esm {
+    const FROM_RECEIVERS: bool = true;
+    #[inline(always)]
+    fn visibility_of_footprints<const LTT: bool>(&self, footprints: &Footprints, _: f32) -> Lanes {
+        let c = self.clamped_exponent();
+        let mut v = [0.0; PIECE];
+        for (i, v) in v.iter_mut().enumerate() {
+            let ratios = footprints.offsets(i).map(|x| float::exp_lane(c * x));
+            *v = float::saturate(dot(ratios, footprints.weights(i)));
+        }
+        v
+    }
+}
+
+impl BatchTest for MsmHamburger {
+    const FROM_RECEIVERS: bool = false;
+    #[inline(always)]
+    fn visibility_of_footprints<const LTT: bool>(&self, footprints: &Footprints, _: f32) -> Lanes {
+        moment_bounds(self, footprints)
+    }
+}
+
+impl BatchTest for MsmHausdorff {
+    const FROM_RECEIVERS: bool = false;
+    #[inline(always)]
+    fn visibility_of_footprints<const LTT: bool>(&self, footprints: &Footprints, _: f32) -> Lanes {
+        moment_bounds(self, footprints)
+    }
+}
+
+impl BatchTest for Sm {
+    const FROM_RECEIVERS: bool = false;
+    #[inline(always)]
+    fn visibility_of_footprints<const LTT: bool>(&self, footprints: &Footprints, _: f32) -> Lanes {
+        one_by_one(self, footprints, |i| footprints.states[i] == MAPPED)
+    }
+}
+
+impl BatchTest for Pcf {
+    const FROM_RECEIVERS: bool = false;
+    #[inline(always)]
+    fn visibility_of_footprints<const LTT: bool>(&self, footprints: &Footprints, _: f32) -> Lanes {
+        one_by_one(self, footprints, |i| footprints.states[i] == MAPPED)
+    }
+}
+
+/// Bounds by four moments: 1 where no depth is in front of the receiver.
+#[inline(always)]
+fn moment_bounds(test: &impl ShadowTest, footprints: &Footprints) -> Lanes {
+    let mut is_open = [false; PIECE];
+    for (i, is_open) in is_open.iter_mut().enumerate() {
+        let receiver = footprints.receivers[i] - six_atoms::RECEIVER_ROUNDING;
+        let x = footprints.offsets(i).map(|depth| depth - receiver);
+        let is_lit = (x[0] >= 0.0) & (x[1] >= 0.0) & (x[2] >= 0.0) & (x[3] >= 0.0);
+        let is_number = !float::is_nan(dot(x, footprints.weights(i)));
+        *is_open = !(is_lit & is_number) & (footprints.states[i] == MAPPED);
+    }
+    one_by_one(test, footprints, |i| is_open[i])
+}
+
+/// The shared test's answers for the pixels that are asked about, and 1 for others.
+#[inline(always)]
+fn one_by_one(test: &impl ShadowTest, footprints: &Footprints, is_asked: impl Fn(usize) -> bool) -> Lanes {
+    let mut v = [1.0; PIECE];
+    for i in (0..PIECE).filter(|&i| is_asked(i)) {
+        let (depths, weights) = (Vec4::from(footprints.offsets(i)), Vec4::from(footprints.weights(i)));
+        v[i] = test.visibility_of_gather(depths, weights, footprints.receivers[i]);
+    }
+    v
 }
 
 /// With so many of a batch's pixels open it takes longer to pick them than to compute them all.
@@ -255,6 +348,12 @@ fn bounds(test: &Evsm, offsets: &[Lanes; 4], weights: &[Lanes; 4], count: usize)
     v
 }
 
+/// [`float::dot4`].
+#[inline(always)]
+fn dot(a: [f32; 4], w: [f32; 4]) -> f32 {
+    a[0] * w[0] + a[1] * w[1] + a[2] * w[2] + a[3] * w[3]
+}
+
 /// Mean and variance of four numbers, in the order of operations of [`chebyshev::from_offsets`].
 struct Spread {
     mean: f32,
@@ -264,10 +363,9 @@ struct Spread {
 impl Spread {
     #[inline(always)]
     fn of(x: [f32; 4], w: [f32; 4]) -> Self {
-        let dot = |a: [f32; 4]| a[0] * w[0] + a[1] * w[1] + a[2] * w[2] + a[3] * w[3];
-        let mean = dot(x);
+        let mean = dot(x, w);
         let centred = x.map(|x| x - mean);
-        Self { mean, variance: dot(centred.map(|c| c * c)) }
+        Self { mean, variance: dot(centred.map(|c| c * c), w) }
     }
 
     #[inline(always)]
@@ -282,7 +380,7 @@ mod tests {
     use lt_math::glam::{UVec2, Vec3, Vec4};
     use lt_math::{Levels, LightFrame, LightProjection, level_margin_uv};
     use lt_shaders::abi::{LightParams, Sample};
-    use lt_shaders::evaluate::{GatheredDepths, evaluate, evaluate_levels};
+    use lt_shaders::evaluate::{FilteredVectors, GatheredDepths, evaluate, evaluate_levels};
 
     /// Samples all over a map and around it, of every state, with numbers that are none among them; and a map of layers,
     /// slopes, and depths that are out of range or NaN.
@@ -337,11 +435,16 @@ mod tests {
         p: &ShadowParams,
         maps: Maps<'_>,
     ) -> Vec<(f32, bool)> {
-        let map = GatheredDepths { depths: maps.depths };
         let levels = Levels { projections: maps.projections, count: maps.projections.len() as u32 };
-        let verdict = |sample| match maps.margin_uv {
-            None => evaluate::<T, _, LTT>(sample, p, map),
-            Some(_) => evaluate_levels::<T, _, _, LTT>(sample, p, map, levels),
+        let verdict = |sample| match (maps.texels, maps.margin_uv) {
+            (Texels::Depths(depths), None) => evaluate::<T, _, LTT>(sample, p, GatheredDepths { depths }),
+            (Texels::Depths(depths), Some(_)) => {
+                evaluate_levels::<T, _, _, LTT>(sample, p, GatheredDepths { depths }, levels)
+            }
+            (Texels::Vectors(vectors), None) => evaluate::<T, _, LTT>(sample, p, FilteredVectors { vectors }),
+            (Texels::Vectors(vectors), Some(_)) => {
+                evaluate_levels::<T, _, _, LTT>(sample, p, FilteredVectors { vectors }, levels)
+            }
         };
         samples.iter().map(verdict).map(|verdict| (verdict.visibility, verdict.is_doubted)).collect()
     }
@@ -352,11 +455,8 @@ mod tests {
         for count in [0, 1, PIECE - 1, PIECE, PIECE + 1, 40 * PIECE + 5] {
             let (samples, mut p, depths) = hard_case(count);
             p.test = params;
-            check_maps::<T, LTT>(
-                &samples,
-                &p,
-                Maps { projections: &[p.projection], depths: &depths, margin_uv: None },
-            );
+            let one = [p.projection];
+            check_maps::<T, LTT>(&samples, &p, (&one, &depths), None);
             // Levels of other sizes and places, their maps shifted against each other.
             let frame = LightFrame::from_direction(Vec3::new(0.3, -1.0, 0.2));
             let of = |half: f32, at: f32| {
@@ -365,7 +465,7 @@ mod tests {
             let projections = [of(0.3, 0.1), of(0.5, -0.2), of(1.0, 0.0)];
             let all: Vec<f32> = (0..3 * depths.len()).map(|i| depths[(i + i / 37) % depths.len()]).collect();
             let margin_uv = Some(level_margin_uv(p.map_size));
-            check_maps::<T, LTT>(&samples, &p, Maps { projections: &projections, depths: &all, margin_uv });
+            check_maps::<T, LTT>(&samples, &p, (&projections, &all), margin_uv);
             // A spot light among the samples, with its own map and two faces of a cube.
             let (eye, cone) = (Vec3::new(0.1, 0.9, -0.2), std::f32::consts::FRAC_PI_4);
             p.light = LightParams {
@@ -377,11 +477,25 @@ mod tests {
             };
             let of = |frame| LightProjection::bordered(eye, &frame, cone, (2, p.map_size), 0.0, 3.0);
             let projections = [of(frame), of(LightFrame::of_cube_face(3)), of(LightFrame::of_cube_face(0))];
-            check_maps::<T, LTT>(&samples, &p, Maps { projections: &projections, depths: &all, margin_uv });
+            check_maps::<T, LTT>(&samples, &p, (&projections, &all), margin_uv);
         }
     }
 
-    fn check_maps<T: BatchTest, const LTT: bool>(samples: &[Sample], p: &ShadowParams, maps: Maps<'_>) {
+    /// By depths, and by vectors of them.
+    fn check_maps<T: BatchTest, const LTT: bool>(
+        samples: &[Sample],
+        p: &ShadowParams,
+        (projections, depths): (&[LightProjection], &[f32]),
+        margin_uv: Option<f32>,
+    ) {
+        let test = T::from_params(p.test);
+        let vectors: Vec<Vec4> = depths.iter().map(|&depth| test.depth_vector(depth)).collect();
+        for texels in [Texels::Vectors(&vectors), Texels::Depths(depths)] {
+            check_texels::<T, LTT>(samples, p, Maps { projections, texels, margin_uv });
+        }
+    }
+
+    fn check_texels<T: BatchTest, const LTT: bool>(samples: &[Sample], p: &ShadowParams, maps: Maps<'_>) {
         let count = samples.len();
         let expected = shared::<T, LTT>(samples, p, maps);
         let mut levels: Vec<Level<'_>> =
@@ -407,10 +521,10 @@ mod tests {
                 );
             }
         }
-        if LTT && count > 1000 {
+        if LTT && count > 1000 && matches!(maps.texels, Texels::Depths(_)) {
             let tally = |f: &dyn Fn(&(f32, bool)) -> bool| expected.iter().filter(|v| f(v)).count();
-            assert!(tally(&|v| v.1) > 50 && tally(&|v| !v.1 && v.0 == 1.0) > 50, "all kinds occur");
-            assert!(tally(&|v| !v.1 && v.0 == 0.0) > 50, "all kinds occur");
+            let kinds = [tally(&|v| v.1), tally(&|v| !v.1 && v.0 == 1.0), tally(&|v| !v.1 && v.0 == 0.0)];
+            assert!(kinds.iter().all(|&count| count > 30), "all kinds occur: {kinds:?}");
         }
     }
 
@@ -420,6 +534,35 @@ mod tests {
             check::<Vsm, false>(Vec4::splat(min_variance));
             check::<Vsm, true>(Vec4::splat(min_variance));
         }
+    }
+
+    #[test]
+    fn esm_batches_have_the_bits_of_the_shared_function() {
+        for exponent in [80.0, 1e9, 60.0] {
+            check::<Esm, true>(Vec4::splat(exponent));
+        }
+        for exponent in [80.0, 0.0, -3.0, f32::NAN] {
+            check::<Esm, false>(Vec4::splat(exponent));
+        }
+    }
+
+    #[test]
+    fn moment_batches_have_the_bits_of_the_shared_function() {
+        for bias in [6e-5, 0.0, 1e-2] {
+            check::<MsmHamburger, false>(Vec4::splat(bias));
+            check::<MsmHamburger, true>(Vec4::splat(bias));
+            check::<MsmHausdorff, false>(Vec4::splat(bias));
+            check::<MsmHausdorff, true>(Vec4::splat(bias));
+        }
+    }
+
+    #[test]
+    fn comparing_batches_have_the_bits_of_the_shared_function() {
+        for bias in [0.0, 1e-4, f32::NAN] {
+            check::<Sm, false>(Vec4::splat(bias));
+            check::<Pcf, false>(Vec4::splat(bias));
+        }
+        check::<Pcf, true>(Vec4::splat(1e-4));
     }
 
     #[test]

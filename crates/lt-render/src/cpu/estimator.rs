@@ -1,18 +1,12 @@
-//! The estimate of a technique, chosen once a frame: by test, by source of depths, by levels, in batches where there is such a form.
+//! The estimate of a technique, chosen once a frame: by test, by what the maps hold, by levels.
 
 use lt_math::glam::Vec4;
-use lt_math::{
-    Esm, Evsm, LevelSource, Levels, LightProjection, MsmHamburger, MsmHausdorff, OneLevel, Pcf, Sm, Vsm,
-};
+use lt_math::{Esm, Evsm, LightProjection, MsmHamburger, MsmHausdorff, Pcf, Sm, Vsm};
 use lt_shaders::abi::ShadowParams;
-use lt_shaders::evaluate::{
-    FilteredVectors, GatheredDepths, MapSource as MapView, TestFromParams, evaluate_levels,
-};
 
 use super::batch::{BatchTest, evaluate_on};
-use super::footprints::Maps;
+use super::footprints::{Maps, Texels};
 use super::samples::SampleRows;
-use super::tiles::PIECE;
 use crate::{MapSource, MapTest};
 
 /// Estimate and doubt of a block's samples.
@@ -34,74 +28,35 @@ impl<'a> LightMaps<'a> {
     /// The estimate by a test, with doubts or without.
     pub fn estimator(self, test: MapTest, source: MapSource, has_doubts: bool) -> Estimator<'a> {
         match test {
-            MapTest::Vsm if source == MapSource::Gather => self.batched::<Vsm>(has_doubts),
-            MapTest::Evsm if source == MapSource::Gather => self.batched::<Evsm>(has_doubts),
-            MapTest::Sm => self.any_source::<Sm>(source, has_doubts),
-            MapTest::Pcf => self.any_source::<Pcf>(source, has_doubts),
-            MapTest::Vsm => self.any_source::<Vsm>(source, has_doubts),
-            MapTest::Esm => self.any_source::<Esm>(source, has_doubts),
-            MapTest::Evsm => self.any_source::<Evsm>(source, has_doubts),
-            MapTest::Msm => self.any_source::<MsmHamburger>(source, has_doubts),
-            MapTest::MsmHausdorff => self.any_source::<MsmHausdorff>(source, has_doubts),
+            MapTest::Sm => self.from::<Sm>(source, has_doubts),
+            MapTest::Pcf => self.from::<Pcf>(source, has_doubts),
+            MapTest::Vsm => self.from::<Vsm>(source, has_doubts),
+            MapTest::Esm => self.from::<Esm>(source, has_doubts),
+            MapTest::Evsm => self.from::<Evsm>(source, has_doubts),
+            MapTest::Msm => self.from::<MsmHamburger>(source, has_doubts),
+            MapTest::MsmHausdorff => self.from::<MsmHausdorff>(source, has_doubts),
         }
     }
 
-    fn batched<T: BatchTest>(self, has_doubts: bool) -> Estimator<'a> {
+    fn from<T: BatchTest>(self, source: MapSource, has_doubts: bool) -> Estimator<'a> {
         match has_doubts {
-            false => self.batched_as::<T, false>(),
-            true => self.batched_as::<T, true>(),
+            false => self.batched::<T, false>(source),
+            true => self.batched::<T, true>(source),
         }
     }
 
-    fn batched_as<T: BatchTest, const LTT: bool>(self) -> Estimator<'a> {
-        let LightMaps { p, depths, .. } = self;
+    fn batched<T: BatchTest, const LTT: bool>(self, source: MapSource) -> Estimator<'a> {
+        let p = self.p;
+        let texels = match source {
+            MapSource::Gather => Texels::Depths(self.depths),
+            MapSource::Prefiltered => Texels::Vectors(self.vectors),
+        };
         let maps = match self.levels {
-            None => Maps::one(p, depths),
-            Some(projections) => Maps::levels(p, projections, depths),
+            None => Maps::one(p, texels),
+            Some(projections) => Maps::levels(p, projections, texels),
         };
         Box::new(move |rows, visibility, is_doubted| {
             evaluate_on::<T, LTT>(rows, p, maps, visibility, is_doubted);
-        })
-    }
-
-    fn any_source<T: TestFromParams>(self, source: MapSource, has_doubts: bool) -> Estimator<'a> {
-        match source {
-            MapSource::Gather => self.any_levels::<T, _>(GatheredDepths { depths: self.depths }, has_doubts),
-            MapSource::Prefiltered => {
-                self.any_levels::<T, _>(FilteredVectors { vectors: self.vectors }, has_doubts)
-            }
-        }
-    }
-
-    fn any_levels<T: TestFromParams, M: MapView + Sync + 'a>(
-        self,
-        map: M,
-        has_doubts: bool,
-    ) -> Estimator<'a> {
-        let one = OneLevel { projection: self.p.projection };
-        let levels =
-            |projections: &'a [LightProjection]| Levels { projections, count: projections.len() as u32 };
-        match (self.levels, has_doubts) {
-            (None, false) => self.one_by_one::<T, M, _, false>(map, one),
-            (None, true) => self.one_by_one::<T, M, _, true>(map, one),
-            (Some(all), false) => self.one_by_one::<T, M, _, false>(map, levels(all)),
-            (Some(all), true) => self.one_by_one::<T, M, _, true>(map, levels(all)),
-        }
-    }
-
-    fn one_by_one<T, M, L, const LTT: bool>(self, map: M, levels: L) -> Estimator<'a>
-    where
-        T: TestFromParams,
-        M: MapView + Sync + 'a,
-        L: LevelSource + Sync + 'a,
-    {
-        Box::new(move |rows, visibility, is_doubted| {
-            let samples = rows.iter().flat_map(|rows| (0..PIECE).map(|i| rows.sample(i)));
-            for ((sample, visibility), is_doubted) in samples.zip(visibility).zip(is_doubted) {
-                let verdict = evaluate_levels::<T, M, L, LTT>(&sample, self.p, map, levels);
-                *visibility = verdict.visibility;
-                *is_doubted = verdict.is_doubted;
-            }
         })
     }
 }

@@ -2,9 +2,10 @@
 //!
 //! The stages are those of [`super::batch`], which has the story.
 
-use lt_math::glam::Vec4;
-use lt_math::{LightProjection, float, level_margin_uv};
+use lt_math::glam::{Vec2, Vec3, Vec4};
+use lt_math::{LightPoint, LightProjection, ShadowTest, blend, float, level_margin_uv};
 use lt_shaders::abi::ShadowParams;
+use lt_shaders::evaluate::{plane_slope, plane_slope_at};
 
 use super::samples::{BLOCKED, Lanes, MAPPED, OUTSIDE, SampleRows};
 use super::tiles::PIECE;
@@ -13,21 +14,37 @@ use super::tiles::PIECE;
 #[derive(Clone, Copy)]
 pub(super) struct Maps<'a> {
     pub projections: &'a [LightProjection],
-    /// Map after map.
-    pub depths: &'a [f32],
+    pub texels: Texels<'a>,
     /// How far from its edge a level answers; `None` for one map, all of which answers.
     pub margin_uv: Option<f32>,
 }
 
+/// What maps hold, row by row and map after map.
+#[derive(Clone, Copy)]
+pub(super) enum Texels<'a> {
+    Depths(&'a [f32]),
+    /// Filtered beforehand.
+    Vectors(&'a [Vec4]),
+}
+
+impl Texels<'_> {
+    pub(super) fn len(&self) -> usize {
+        match self {
+            Texels::Depths(all) => all.len(),
+            Texels::Vectors(all) => all.len(),
+        }
+    }
+}
+
 impl<'a> Maps<'a> {
     /// The one map of a light.
-    pub(super) fn one(p: &'a ShadowParams, depths: &'a [f32]) -> Self {
-        Maps { projections: std::slice::from_ref(&p.projection), depths, margin_uv: None }
+    pub(super) fn one(p: &'a ShadowParams, texels: Texels<'a>) -> Self {
+        Maps { projections: std::slice::from_ref(&p.projection), texels, margin_uv: None }
     }
 
     /// Its levels, finest first.
-    pub(super) fn levels(p: &ShadowParams, projections: &'a [LightProjection], depths: &'a [f32]) -> Self {
-        Maps { projections, depths, margin_uv: Some(level_margin_uv(p.map_size)) }
+    pub(super) fn levels(p: &ShadowParams, projections: &'a [LightProjection], texels: Texels<'a>) -> Self {
+        Maps { projections, texels, margin_uv: Some(level_margin_uv(p.map_size)) }
     }
 }
 
@@ -39,11 +56,13 @@ pub struct Footprints {
     pub(super) is_any_open: bool,
     u: Lanes,
     v: Lanes,
-    receivers: Lanes,
+    pub(super) receivers: Lanes,
+    /// Numbers of the first texels of the levels.
+    first_texels: [u32; PIECE],
     pub(super) weights: [Lanes; 4],
     /// Numbers of the four texels.
     texels: [[u32; PIECE]; 4],
-    /// Their depths minus the receiver's, each limited to \[0, 1\] before.
+    /// Their depths, limited to \[0, 1\], minus the receiver's if the test asks for that.
     pub(super) offsets: [Lanes; 4],
 }
 
@@ -55,6 +74,7 @@ impl Footprints {
             u: [0.0; PIECE],
             v: [0.0; PIECE],
             receivers: [0.0; PIECE],
+            first_texels: [0; PIECE],
             weights: [[0.0; PIECE]; 4],
             texels: [[0; PIECE]; 4],
             offsets: [[0.0; PIECE]; 4],
@@ -70,28 +90,14 @@ impl Footprints {
             return;
         }
         (self.u, self.v, self.receivers) = ([0.0; PIECE], [0.0; PIECE], [0.0; PIECE]);
-        let mut first_texels = [0; PIECE];
+        self.first_texels = [0; PIECE];
         let mut is_sought = self.states.map(|state| u32::from(state == MAPPED));
         for (level, projection) in maps.projections.iter().enumerate() {
             let first_texel = level as u32 * p.map_size * p.map_size;
             if projection.row_w == Vec4::W {
-                self.try_level::<true>(
-                    rows,
-                    projection,
-                    maps.margin_uv,
-                    first_texel,
-                    &mut first_texels,
-                    &mut is_sought,
-                );
+                self.try_level::<true>(rows, projection, maps.margin_uv, first_texel, &mut is_sought);
             } else {
-                self.try_level::<false>(
-                    rows,
-                    projection,
-                    maps.margin_uv,
-                    first_texel,
-                    &mut first_texels,
-                    &mut is_sought,
-                );
+                self.try_level::<false>(rows, projection, maps.margin_uv, first_texel, &mut is_sought);
             }
             if is_sought.iter().fold(0, |any, &sought| any | sought) == 0 {
                 break;
@@ -100,7 +106,7 @@ impl Footprints {
         for (state, sought) in self.states.iter_mut().zip(&is_sought) {
             *state = if *sought != 0 { OUTSIDE } else { *state };
         }
-        self.find_texels(p.map_size, &first_texels);
+        self.find_texels(p.map_size);
     }
 
     /// Moves pixels that are still sought, and that a level holds, onto it. A directional light's last row is (0, 0, 0, 1), which divides
@@ -112,7 +118,6 @@ impl Footprints {
         projection: &LightProjection,
         margin_uv: Option<f32>,
         first_texel: u32,
-        first_texels: &mut [u32; PIECE],
         is_sought: &mut [u32; PIECE],
     ) {
         let [x, y, z] = &rows.position;
@@ -132,16 +137,16 @@ impl Footprints {
             self.u[i] = if is_inside { at_u } else { self.u[i] };
             self.v[i] = if is_inside { at_v } else { self.v[i] };
             self.receivers[i] = if is_inside { depth } else { self.receivers[i] };
-            first_texels[i] = if is_inside { first_texel } else { first_texels[i] };
+            self.first_texels[i] = if is_inside { first_texel } else { self.first_texels[i] };
             is_sought[i] = if is_inside { 0 } else { is_sought[i] };
         }
     }
 
     /// The four texels around each place, and their weights.
     #[inline(always)]
-    fn find_texels(&mut self, map_size: u32, first_texels: &[u32; PIECE]) {
+    fn find_texels(&mut self, map_size: u32) {
         let (size, last) = (map_size as f32, map_size as i32 - 1);
-        for (i, first_texel) in first_texels.iter().enumerate() {
+        for (i, first_texel) in self.first_texels.iter().enumerate() {
             let (x, y) = (self.u[i] * size - 0.5, self.v[i] * size - 0.5);
             let (x0, y0) = (float::floor_lane(x), float::floor_lane(y));
             let (fx, fy) = (x - x0, y - y0);
@@ -161,8 +166,34 @@ impl Footprints {
         }
     }
 
+    /// Moves receivers to the light by how far their own planes fall off over some texels ([`TestFromParams::PLANE_BIAS_TEXELS`]).
+    ///
+    /// [`TestFromParams::PLANE_BIAS_TEXELS`]: lt_shaders::evaluate::TestFromParams::PLANE_BIAS_TEXELS
+    pub(super) fn bias_receivers(
+        &mut self,
+        texels: f32,
+        rows: &SampleRows,
+        p: &ShadowParams,
+        maps: Maps<'_>,
+    ) {
+        for i in (0..PIECE).filter(|&i| self.states[i] == MAPPED) {
+            let level = self.first_texels[i] / (p.map_size * p.map_size);
+            let (projection, sample) = (&maps.projections[level as usize], rows.sample(i));
+            let is_straight = maps.margin_uv.is_none() || projection.row_w.truncate() == Vec3::ZERO;
+            let slope = if is_straight {
+                plane_slope(projection, sample.normal, p.map_size)
+            } else {
+                let uv = Vec2::new(self.u[i], self.v[i]);
+                let point = LightPoint { uv, depth: self.receivers[i], is_inside: true };
+                plane_slope_at(projection, &sample, &point, p.map_size)
+            };
+            self.receivers[i] -= texels * slope;
+        }
+    }
+
+    /// Fetches depths, and takes the receivers' from them if asked to.
     #[inline(always)]
-    pub(super) fn gather(&mut self, depths: &[f32]) {
+    pub(super) fn gather(&mut self, depths: &[f32], from_receivers: bool) {
         for i in 0..PIECE {
             for (offsets, texels) in self.offsets.iter_mut().zip(&self.texels) {
                 offsets[i] = depths[texels[i] as usize];
@@ -170,9 +201,20 @@ impl Footprints {
         }
         for row in &mut self.offsets {
             for (offset, receiver) in row.iter_mut().zip(&self.receivers) {
-                *offset = float::saturate(*offset) - receiver;
+                let depth = float::saturate(*offset);
+                *offset = if from_receivers { depth - receiver } else { depth };
             }
         }
+    }
+
+    /// The blended vectors' answers for pixels that are for the map to say, 0 for others.
+    pub(super) fn filtered(&self, test: &impl ShadowTest, vectors: &[Vec4]) -> Lanes {
+        let mut v = [0.0; PIECE];
+        for i in (0..PIECE).filter(|&i| self.states[i] == MAPPED) {
+            let [a, b, c, d] = self.texels.each_ref().map(|texels| vectors[texels[i] as usize]);
+            v[i] = test.visibility(blend(a, b, c, d, self.weights(i).into()), self.receivers[i]);
+        }
+        v
     }
 
     #[inline(always)]

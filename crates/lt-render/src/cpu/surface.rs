@@ -181,7 +181,7 @@ mod tests {
             for columns in (0..=length).flat_map(|low| (low..=length).map(move |high| low..high)) {
                 let (mut all, mut some) = (before.clone(), before.clone());
                 plane.draw(&mut all, columns.clone(), 2.5);
-                let is_covered = |x: f32| (x as usize) % 3 != 0;
+                let is_covered = |x: f32| !(x as usize).is_multiple_of(3);
                 plane.draw_where(&mut some, columns.clone(), 2.5, |first, which| {
                     (0..32)
                         .filter(|i| which >> i & 1 == 1 && is_covered(first + *i as f32))

@@ -429,7 +429,7 @@ mod tests {
         for wrap in [Material::REPEAT, Material::MIRROR, Material::CLAMP] {
             for nearest in [0, Material::NEAREST] {
                 let material = Material {
-                    base_color: lt_math::glam::Vec4::ONE,
+                    base_color: Vec4::ONE,
                     cutoff: 0.5,
                     alpha_size: 4 | 4 << 16,
                     flags: Material::CASTS
