@@ -103,7 +103,7 @@ pub use offset::{ORIGIN_ULPS, offset_origin};
 pub use probe::{Counts, NoProbe, Probe};
 pub use ray::{COORDINATE_LIMIT, FAR, Hit, NONE, Ray};
 #[cfg(feature = "build")]
-pub use simd::{Grouping, Simd, memory};
+pub use simd::{Grouping, RayOrder, Simd, memory};
 pub use single::RayTest;
 pub use slab::{LEAST_COMPONENT, TRIANGLE_MARGIN, reciprocal};
 #[cfg(feature = "build")]

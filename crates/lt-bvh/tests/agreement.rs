@@ -3,8 +3,8 @@
 mod support;
 
 use lt_bvh::{
-    AnyHit, BuildQuality, Bvh, Grouping, Hit, InstancedBvh, NONE, Opaque, Placement, Ray, Scalar, Simd,
-    SimdLevel, Triangle, closest_hit,
+    AnyHit, BuildQuality, Bvh, Grouping, Hit, InstancedBvh, NONE, Opaque, Placement, Ray, RayOrder, Scalar,
+    Simd, SimdLevel, Triangle, closest_hit,
 };
 use lt_math::glam::{Affine3A, DVec3, Quat, Vec3};
 use support::{Leaf, Mesh, Rng, city, closest, foliage, leaf_texels, occluded, soup, sun_rays};
@@ -63,6 +63,9 @@ fn assert_agreement<'a, A: AnyHit>(
         for grouping in Grouping::ALL {
             let simd = simd_at(level).with_grouping(grouping);
             assert!(occluded(&simd, rays, any_hit) == blocked, "{what} occluded, {grouping:?}");
+            let mut scattered = vec![false; rays.len()];
+            simd.occluded_scattered(rays, any_hit, &mut scattered, &mut RayOrder::default());
+            assert!(scattered == blocked, "{what} scattered, {grouping:?}");
         }
     }
     blocked.iter().filter(|b| **b).count()

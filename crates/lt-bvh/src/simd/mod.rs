@@ -2,6 +2,7 @@
 
 mod layout;
 pub mod memory;
+mod order;
 mod packet;
 mod packet_walk;
 mod prepared;
@@ -15,6 +16,8 @@ use crate::build::{Bvh, InstancedBvh, instance_bounds};
 use crate::lanes::{Chosen, NodeLanes, SimdLevel, Work};
 use crate::ray::{Hit, Ray};
 use crate::tracer::Tracer;
+pub use order::RayOrder;
+use order::{Arrange, MOST};
 use std::vec::Vec;
 use traverse::{Instanced, Scratch};
 pub(crate) use tree::{MOST_TRIANGLES, Part, SimdTree};
@@ -181,6 +184,29 @@ impl<A: AnyHit> Work for Closest<'_, Instanced<'_>, A> {
 }
 
 impl Simd<'_> {
+    /// [`Tracer::occluded_batch`] of rays that come from here and there, such as those that a shadow map left open: where they are many and
+    /// parallel, they are brought into `order` first.
+    pub fn occluded_scattered<A: AnyHit>(
+        &self,
+        rays: &[Ray],
+        any_hit: A,
+        out: &mut [bool],
+        order: &mut RayOrder,
+    ) {
+        for (rays, out) in rays.chunks(MOST).zip(out.chunks_mut(MOST)) {
+            let len = rays.len().min(out.len());
+            let (rays, out) = (&rays[..len], &mut out[..len]);
+            if self.grouping == Grouping::Single || !order::serves(rays) {
+                self.occluded_batch(rays, any_hit, out);
+                continue;
+            }
+            self.chosen.run(Arrange { order, rays });
+            let (sorted, is_blocked) = order.batch(len);
+            self.occluded_batch(sorted, any_hit, is_blocked);
+            order.deliver(out);
+        }
+    }
+
     fn view(&self) -> View<'_> {
         match &self.scene {
             Scene::World(part) => View::World(*part),

@@ -1,22 +1,36 @@
 //! Our own ways.
 
+use std::cell::RefCell;
 use std::ops::Range;
 
-use lt_bvh::{AnyHit, Bvh, Counts, Grouping, Ray, Simd, Tracer, occluded_probed};
+use lt_bvh::{AnyHit, Bvh, Counts, Grouping, Ray, RayOrder, Simd, Tracer, occluded_probed};
 
 use super::Outcome;
 use super::measure::{Family, Way};
+use super::report::List;
 
 /// Every how many-th ray the shared kernel answers too, for counts and as a check.
 const PROBED: usize = 16;
 
 /// Our columns. The first, "ours", is what users get; one named "ours, single" would be set against Embree's single
-/// rays, which are set against the first as long as there is none.
-pub fn ways<'a, A: AnyHit + Sync + 'a>(bvh: &'a Bvh, rays: &'a [Ray], any_hit: A) -> Vec<Box<dyn Way + 'a>> {
+/// rays, which are set against the first as long as there is none. Residual rays are said to be scattered.
+pub fn ways<'a, A: AnyHit + Sync + 'a>(
+    bvh: &'a Bvh,
+    rays: &'a [Ray],
+    any_hit: A,
+    list: List,
+) -> Vec<Box<dyn Way + 'a>> {
+    let is_scattered = list == List::Residual;
     let tracers =
         [("ours", Simd::new(bvh)), ("ours, single", Simd::new(bvh).with_grouping(Grouping::Single))];
-    let way = |(name, simd)| -> Box<dyn Way + 'a> { Box::new(Ours { name, simd, rays, any_hit }) };
+    let way =
+        |(name, simd)| -> Box<dyn Way + 'a> { Box::new(Ours { name, simd, rays, any_hit, is_scattered }) };
     tracers.into_iter().map(way).collect()
+}
+
+thread_local! {
+    /// What a renderer's threads keep from frame to frame.
+    static ORDER: RefCell<RayOrder> = RefCell::default();
 }
 
 struct Ours<'a, A> {
@@ -24,6 +38,7 @@ struct Ours<'a, A> {
     simd: Simd<'a>,
     rays: &'a [Ray],
     any_hit: A,
+    is_scattered: bool,
 }
 
 impl<A: AnyHit + Sync> Way for Ours<'_, A> {
@@ -36,7 +51,12 @@ impl<A: AnyHit + Sync> Way for Ours<'_, A> {
     }
 
     fn trace(&self, range: Range<usize>, out: &mut [bool]) {
-        self.simd.occluded_batch(&self.rays[range], self.any_hit, out);
+        match self.is_scattered {
+            true => ORDER.with_borrow_mut(|order| {
+                self.simd.occluded_scattered(&self.rays[range], self.any_hit, out, order);
+            }),
+            false => self.simd.occluded_batch(&self.rays[range], self.any_hit, out),
+        }
     }
 }
 

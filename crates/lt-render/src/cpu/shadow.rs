@@ -6,7 +6,7 @@
 
 use std::time::Instant;
 
-use lt_bvh::{AnyHit, Opaque, Ray, Simd, Tracer};
+use lt_bvh::{AnyHit, Opaque, Ray, RayOrder, Simd, Tracer};
 use lt_irregular::{Casters, LightBvh, Scratch, Workspace};
 use lt_math::glam::Vec3;
 use lt_shaders::abi::{LightParams, Material};
@@ -254,7 +254,7 @@ impl Passes<'_> {
             seconds.iter_mut().zip(block).for_each(|(sum, s)| *sum += s);
         }
         let start = Instant::now();
-        if rays.resolve(&self.resolver, any_hit, group.visibility) {
+        if rays.resolve(&self.resolver, !self.traces_all, any_hit, group.visibility) {
             let blocks = group.visibility.chunks(BLOCK).zip(group.memories);
             blocks.for_each(|(visibility, memory)| {
                 if let Some(memory) = memory {
@@ -331,6 +331,7 @@ struct Rays {
     pixels: Vec<usize>,
     rays: Vec<Ray>,
     is_blocked: Vec<bool>,
+    order: RayOrder,
     /// For a tree in light space.
     origins: Vec<Vec3>,
     scratch: Scratch,
@@ -348,11 +349,20 @@ impl Rays {
     }
 
     /// Answers them, unless that is for later; whether it did.
-    fn resolve<A: AnyHit>(&mut self, resolver: &Resolver<'_>, any_hit: A, visibility: &mut [f32]) -> bool {
+    fn resolve<A: AnyHit>(
+        &mut self,
+        resolver: &Resolver<'_>,
+        is_scattered: bool,
+        any_hit: A,
+        visibility: &mut [f32],
+    ) -> bool {
         self.is_blocked.clear();
         self.is_blocked.resize(self.rays.len(), false);
         match resolver {
             Resolver::Later => return false,
+            Resolver::Rays(tracer) if is_scattered => {
+                tracer.occluded_scattered(&self.rays, any_hit, &mut self.is_blocked, &mut self.order);
+            }
             Resolver::Rays(tracer) => tracer.occluded_batch(&self.rays, any_hit, &mut self.is_blocked),
             Resolver::Tree { tree, casters } => {
                 self.origins.clear();
