@@ -34,6 +34,7 @@ impl Prepared {
 }
 
 /// Corners snapped and in order; `None` if they cover no texel.
+#[inline(always)]
 pub fn placed(at: [Vec2; 3], size: usize) -> Option<[[i32; 2]; 3]> {
     let mut snapped = at.map(|c| [snap(c.x), snap(c.y)]);
     let area = edge(snapped[0], snapped[1], snapped[2]);
@@ -51,23 +52,27 @@ pub fn placed(at: [Vec2; 3], size: usize) -> Option<[[i32; 2]; 3]> {
 }
 
 /// A coordinate in texels as a whole number of subtexels, ties to even.
+#[inline(always)]
 fn snap(x: f32) -> i32 {
     let scaled = x.clamp(-GUARD_TEXELS, GUARD_TEXELS) * SUBTEXEL;
     ((f64::from(scaled) + ROUNDER) - ROUNDER) as i32
 }
 
 /// Twice the signed area of a triangle of snapped points.
+#[inline(always)]
 fn edge(a: [i32; 2], b: [i32; 2], c: [i32; 2]) -> i64 {
     let [a, b, c] = [a, b, c].map(|p| p.map(i64::from));
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
 /// First and one past the last texel row whose centres the triangle may cover.
+#[inline(always)]
 pub fn rows_of(t: &Prepared, size: usize) -> (usize, usize) {
     span(t.snapped.map(|c| c[1]), size)
 }
 
 /// First and one past the last texel whose centre lies between the least and the greatest of three snapped numbers.
+#[inline(always)]
 pub fn span(at: [i32; 3], size: usize) -> (usize, usize) {
     let (low, high) = (at[0].min(at[1]).min(at[2]), at[0].max(at[1]).max(at[2]));
     // A centre lies at 256·i + 128.

@@ -2,7 +2,7 @@
 //! texel centres), the map cut into bands that threads own, holes cut by the alpha test.
 
 use lt_bvh::Triangle;
-use lt_bvh::lanes::Chosen;
+use lt_bvh::lanes::{Chosen, NodeLanes, Work};
 use lt_math::glam::{Vec2, Vec3, Vec4, Vec4Swizzles};
 use lt_shaders::abi::{DepthParams, Material};
 use lt_shaders::depth::{corner, map_position, placed_corner};
@@ -98,12 +98,22 @@ struct Piece {
     rows: Range<usize>,
 }
 
-impl Piece {
-    fn of(scene: &PackedScene, p: &DepthParams, draw: &DrawRange) -> Self {
+/// Prepares a draw's triangles.
+struct Prepare<'a> {
+    scene: &'a PackedScene,
+    p: &'a DepthParams,
+    draw: &'a DrawRange,
+}
+
+impl Work for Prepare<'_> {
+    type Output = Piece;
+    #[inline(always)]
+    fn run<L: NodeLanes>(self, _: L) -> Piece {
+        let Self { scene, p, draw } = self;
         let size = p.map_size as usize;
         let range = draw.first_triangle..draw.first_triangle + draw.triangles;
         let mut piece =
-            Self { triangles: Vec::new(), bands: vec![Vec::new(); size.div_ceil(BAND)], rows: 0..0 };
+            Piece { triangles: Vec::new(), bands: vec![Vec::new(); size.div_ceil(BAND)], rows: 0..0 };
         for i in range {
             for t in prepare(scene, p, draw, i, &scene.triangles()[i as usize]) {
                 let (low, high) = rows_of(&t, size);
@@ -121,7 +131,8 @@ impl Piece {
 fn draw_batch(scene: &PackedScene, p: &DepthParams, draws: &[DrawRange], map: &mut [f32]) -> Range<usize> {
     let size = p.map_size as usize;
     // One by one: on two threads rayon's own shares are quarters, and a thread that is done waits for the other's last.
-    let pieces: Vec<Piece> = draws.par_iter().with_max_len(1).map(|draw| Piece::of(scene, p, draw)).collect();
+    let pieces: Vec<Piece> =
+        draws.par_iter().with_max_len(1).map(|draw| Chosen::best().run(Prepare { scene, p, draw })).collect();
     let coverage = draws.iter().any(|d| d.has_holes).then(|| scene.coverage(Material::CASTS));
     map.par_chunks_mut(BAND * size).with_max_len(1).enumerate().for_each(|(band, rows)| {
         let members = pieces.iter().flat_map(|p| p.bands[band].iter().map(|&i| &p.triangles[i as usize]));
@@ -155,6 +166,7 @@ fn nearest_first(members: Vec<&Prepared>) -> Vec<&Prepared> {
     sorted
 }
 
+#[inline(always)]
 fn prepare(scene: &PackedScene, p: &DepthParams, draw: &DrawRange, index: u32, t: &Triangle) -> Parts {
     let world = |i: u32| match scene.instances() {
         [] => corner(t, i),
@@ -166,6 +178,13 @@ fn prepare(scene: &PackedScene, p: &DepthParams, draw: &DrawRange, index: u32, t
     }
     let has_holes = draw.has_holes && !t.is_opaque();
     let is_perspective = p.near > 0.0;
+    // Most triangles lie beside a fine level; those before the eye are left to the cut.
+    let size = p.map_size as f32;
+    let is_beside =
+        |of: fn(&Vec4) -> f32| corners.iter().all(|c| of(c) < 0.0) || corners.iter().all(|c| of(c) > size);
+    if !is_perspective && (is_beside(|c| c.x) || is_beside(|c| c.y)) {
+        return Parts::None;
+    }
     let part = |at: [Vec2; 3]| {
         let snapped = placed(at, p.map_size as usize)?;
         Some(Prepared { corners, snapped, triangle: index, has_holes, is_perspective })
