@@ -16,7 +16,7 @@
 //! feature `build` adds construction with obvhs (`Bvh`, `InstancedBvh`) and, behind the `Tracer` seam, SIMD
 //! traversals ([`lanes`]) on trees of their own: single rays, whose tests propose triangles that the kernel's own test accepts or
 //! rejects, and packets of 64 (`Grouping`), which repeat the kernel's arithmetic with rays side by side and become
-//! streams where they fall apart.
+//! streams where they fall apart. Rays that the caller calls scattered (`Simd::occluded_scattered`) are put in order before.
 //!
 //! # Conventions
 //!
