@@ -1,4 +1,4 @@
-//! Filling triangles: which texel centres of a band of rows each covers, and what it leaves there. Compiled once per set of instructions.
+//! Triangles drawn into a band of a map's rows, by the texel centres that they cover; compiled once per set of instructions.
 
 use lt_bvh::lanes::{NodeLanes, Work};
 use lt_math::glam::{Vec2, Vec4};
@@ -86,7 +86,6 @@ pub fn span(at: [i32; 3], size: usize) -> (usize, usize) {
 const ROWS: usize = 8;
 
 /// Columns of neighbouring rows: the first and one past the last, whole numbers.
-#[derive(Clone, Copy)]
 struct Columns {
     low: [f64; ROWS],
     high: [f64; ROWS],
@@ -149,17 +148,17 @@ pub struct Band<'a> {
     /// The alpha test, where a caster has holes.
     pub coverage: Option<MappedCoverage<'a>>,
     pub first_row: usize,
-    /// Texels to a side of the map.
+    /// Texels to a side of the map, a multiple of [`LANES`](super::surface::LANES).
     pub size: usize,
     pub rows: &'a mut [f32],
-    pub triangles: Vec<&'a Prepared>,
+    pub triangles: &'a [&'a Prepared],
 }
 
 impl Work for Band<'_> {
     type Output = ();
     #[inline(always)]
     fn run<L: NodeLanes>(mut self, _: L) {
-        for t in std::mem::take(&mut self.triangles) {
+        for t in self.triangles {
             match t.is_perspective {
                 false => self.fill(t, &DepthPlane::through(&t.corners.map(|c| c.truncate()))),
                 true => self.fill(t, &Perspective(&t.corners)),

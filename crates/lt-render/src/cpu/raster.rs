@@ -23,6 +23,7 @@ const PREPARE: u32 = 1 << 12;
 const CLEAR: usize = 1 << 16;
 /// Layers of depth that triangles with holes are sorted into.
 const LAYERS: usize = 1024;
+
 /// Empties a map: 1 everywhere.
 pub fn clear(map: &mut [f32]) {
     map.par_chunks_mut(CLEAR).for_each(|part| part.fill(1.0));
@@ -142,7 +143,7 @@ fn draw_batch(scene: &PackedScene, p: &DepthParams, draws: &[DrawRange], map: &m
         if coverage.is_some() {
             triangles = nearest_first(triangles);
         }
-        Chosen::best().run(Band { coverage, first_row: band * BAND, size, rows, triangles });
+        Chosen::best().run(Band { coverage, first_row: band * BAND, size, rows, triangles: &triangles });
     });
     pieces.into_iter().map(|p| p.rows).fold(0..0, joined)
 }

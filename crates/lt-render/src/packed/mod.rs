@@ -3,6 +3,7 @@
 //! Meshes placed once are baked into one world-space tree. Meshes placed several times keep a tree of their own under
 //! a TLAS, unless the scene is small enough that copies cost less than a second level of traversal.
 
+mod coverage;
 mod meshes;
 mod moving;
 mod opacity;
@@ -20,7 +21,8 @@ use lt_shaders::surface::Coverage;
 use crate::RenderError;
 use textures::PackedMaterials;
 
-pub use opacity::{MappedCoverage, OpacityMaps};
+pub use coverage::MappedCoverage;
+pub use opacity::OpacityMaps;
 pub use upkeep::Upkeep;
 
 /// Scenes up to this many triangles (copies counted) are baked whole: below it the memory that a TLAS saves is

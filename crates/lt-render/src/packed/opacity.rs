@@ -11,11 +11,10 @@
 
 use std::collections::HashMap;
 
-use lt_bvh::{AnyHit, Triangle};
-use lt_math::glam::{UVec2, Vec2, Vec3, Vec4};
+use lt_bvh::Triangle;
+use lt_math::glam::{UVec2, Vec2};
 use lt_shaders::abi::{Material, Vertex};
-use lt_shaders::depth::weights_at;
-use lt_shaders::surface::{Coverage, blocks, corners_of};
+use lt_shaders::surface::corners_of;
 use lt_shaders::texture::unorm_byte;
 use rayon::prelude::*;
 
@@ -144,7 +143,7 @@ impl OpacityMaps {
 
     /// The map of a triangle, if it has one.
     #[inline]
-    fn of(&self, triangle: u32) -> Option<OpacityMap<'_>> {
+    pub(super) fn of(&self, triangle: u32) -> Option<OpacityMap<'_>> {
         let place = self.places[triangle as usize];
         (place != NOWHERE).then(|| OpacityMap {
             log: place & ((1 << SIDE_BITS) - 1),
@@ -155,7 +154,7 @@ impl OpacityMaps {
 
 /// What the alpha test says of the cells of one triangle.
 #[derive(Clone, Copy)]
-struct OpacityMap<'a> {
+pub(super) struct OpacityMap<'a> {
     /// log₂ of the cells to a side.
     log: u32,
     /// Its words, and others' after them.
@@ -165,7 +164,7 @@ struct OpacityMap<'a> {
 impl OpacityMap<'_> {
     /// The cell that holds a hit at barycentric `u` and `v` in the triangle.
     #[inline(always)]
-    fn cell(&self, u: f32, v: f32) -> u32 {
+    pub(super) fn cell(&self, u: f32, v: f32) -> u32 {
         let side = 1u32 << self.log;
         let at = |weight: f32| ((weight * side as f32) as u32).min(side - 1);
         at(v) << self.log | at(u)
@@ -173,7 +172,7 @@ impl OpacityMap<'_> {
 
     /// Whether hits in a cell cover, where the map knows it.
     #[inline(always)]
-    fn verdict(&self, cell: u32) -> Option<bool> {
+    pub(super) fn verdict(&self, cell: u32) -> Option<bool> {
         let word = self.words[(cell / PER_WORD) as usize];
         match word >> (cell % PER_WORD * 2) & 3 {
             OPAQUE => Some(true),
@@ -316,82 +315,12 @@ fn wrapped(texel: i64, size: u32, wrap: u32) -> u32 {
     within as u32
 }
 
-/// The alpha test of the CPU's rays: [`Coverage`], asked where the maps do not know.
-#[derive(Clone, Copy)]
-pub struct MappedCoverage<'a> {
-    pub(super) coverage: Coverage<'a>,
-    pub(super) maps: &'a OpacityMaps,
-}
-
-impl<'a> MappedCoverage<'a> {
-    /// Of one triangle.
-    #[inline]
-    pub fn of(&self, triangle: u32) -> TriangleCoverage<'a> {
-        let corners = corners_of(&self.coverage.triangles[triangle as usize], self.coverage.vertices);
-        TriangleCoverage {
-            map: self.maps.of(triangle),
-            material: &self.coverage.materials[corners[0].material as usize],
-            corners,
-            alpha_texels: self.coverage.alpha_texels,
-        }
-    }
-}
-
-impl AnyHit for MappedCoverage<'_> {
-    #[inline]
-    fn accepts(&self, triangle: u32, u: f32, v: f32) -> bool {
-        match self.maps.verdict(triangle, u, v) {
-            Some(covers) => covers,
-            None => self.coverage.accepts(triangle, u, v),
-        }
-    }
-}
-
-/// Where one triangle blocks light ([`lt_shaders::surface::blocks`]).
-#[derive(Clone, Copy)]
-pub struct TriangleCoverage<'a> {
-    map: Option<OpacityMap<'a>>,
-    corners: [Vertex; 3],
-    material: &'a Material,
-    alpha_texels: &'a [u32],
-}
-
-impl TriangleCoverage<'_> {
-    /// Bits of `which` at whose points the triangle, seen on a map, blocks light: `first` is the centre of the texel of bit 0, bit i that of the one
-    /// i to the right. `on_map`: the corners in homogeneous texels.
-    #[inline(always)]
-    pub fn blocked(&self, on_map: &[Vec4; 3], first: Vec2, which: u32) -> u32 {
-        bits(which).fold(0, |all, i| {
-            let weights = weights_at(Vec2::new(first.x + i as f32, first.y), on_map);
-            // The map knows points of the triangle only; coverage is that of snapped corners, and may reach beyond.
-            let is_within = weights.cmpge(Vec3::ZERO).all();
-            let known = match &self.map {
-                Some(map) if is_within => map.verdict(map.cell(weights.y, weights.z)),
-                _ => None,
-            };
-            all | u32::from(known.unwrap_or_else(|| self.blocks(weights))) << i
-        })
-    }
-
-    /// What the texture says.
-    fn blocks(&self, weights: Vec3) -> bool {
-        blocks(self.material, &self.corners, weights, self.alpha_texels)
-    }
-}
-
-/// Numbers of the bits that are set, least first.
-#[inline(always)]
-fn bits(mut set: u32) -> impl Iterator<Item = u32> {
-    std::iter::from_fn(move || {
-        let next = (set != 0).then(|| set.trailing_zeros())?;
-        set &= set - 1;
-        Some(next)
-    })
-}
-
 #[cfg(test)]
 mod tests {
+    use lt_bvh::AnyHit;
+    use lt_math::glam::Vec4;
     use lt_scene::Source;
+    use lt_shaders::surface::Coverage;
 
     use super::*;
     use crate::PackedScene;
@@ -478,39 +407,6 @@ mod tests {
             }
         }
         assert!(mixed > 0);
-    }
-
-    #[test]
-    fn texels_are_blocked_where_the_texture_blocks_them() {
-        for name in ["fence", "square:4"] {
-            let packed = PackedScene::new(&Source::open(name, 1).unwrap().pose(0.0).unwrap()).unwrap();
-            let covers = packed.coverage(Material::CASTS);
-            let asking = packed.triangles().iter().enumerate().filter(|(_, t)| !t.is_opaque());
-            let (mut state, mut blocked, mut beside) = (1u32, 0, 0);
-            let mut number = |range: f32| {
-                state = state.wrapping_mul(1664525).wrapping_add(1013904223);
-                (state >> 8) as f32 / 16777216.0 * range
-            };
-            for (triangle, _) in asking.step_by(7) {
-                let of = covers.of(triangle as u32);
-                for _ in 0..40 {
-                    // One in four is seen in perspective.
-                    let w = if number(4.0) < 1.0 { 0.5 } else { 1.0 };
-                    let corners = [1.0, w, 1.0].map(|w| Vec4::new(number(40.0), number(40.0), 0.5, w));
-                    let (first, which) =
-                        (Vec2::new(0.5 + number(30.0).floor(), 0.5 + number(40.0).floor()), 0xbeef);
-                    let got = of.blocked(&corners, first, which);
-                    for i in 0..16u32 {
-                        let weights = weights_at(Vec2::new(first.x + i as f32, first.y), &corners);
-                        let truth = which >> i & 1 == 1 && of.blocks(weights);
-                        assert_eq!(got >> i & 1 == 1, truth, "{name} {triangle}: {corners:?} {first} {i}");
-                        blocked += u32::from(truth);
-                        beside += u32::from(weights.min_element() < 0.0 && truth);
-                    }
-                }
-            }
-            assert!(blocked > 1000 && beside > 100, "{name}: {blocked}, {beside}");
-        }
     }
 
     #[test]
