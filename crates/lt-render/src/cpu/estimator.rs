@@ -4,7 +4,8 @@ use lt_math::glam::Vec4;
 use lt_math::{Esm, Evsm, LightProjection, MsmHamburger, MsmHausdorff, Pcf, Sm, Vsm};
 use lt_shaders::abi::ShadowParams;
 
-use super::batch::{BatchTest, evaluate_on};
+use super::answers::BatchTest;
+use super::batch::evaluate_on;
 use super::footprints::{Maps, Texels};
 use super::samples::SampleRows;
 use crate::{MapSource, MapTest};

@@ -1,8 +1,9 @@
 //! The mask pass in batches: 64 pixels at a time, in stages over arrays, with the bits of [`lt_shaders::mask::mask`].
 //!
 //! What the shared function reads neighbour by neighbour is one bit of [`Asks`] here. The stages are plain loops without
-//! branches, compiled for several instruction sets as in [`super::batch`]: place in the last frame, ask, decide.
+//! branches, compiled for several instruction sets as [`super::batch`]'s are: place in the last frame, ask, decide.
 
+use lt_bvh::lanes::{Chosen, NodeLanes, Work};
 use lt_math::glam::UVec2;
 use lt_shaders::abi::MaskParams;
 use lt_shaders::evaluate::Verdict;
@@ -50,41 +51,28 @@ pub struct BlockPixels<'a> {
 /// Runs the mask over block `block`, by the best instructions that the processor has. Returns a bit for each piece in which any
 /// pixel needs a ray.
 pub fn mask_block(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) -> u16 {
-    #[cfg(target_arch = "x86_64")]
-    if super::batch::x86::has_avx512() {
-        // SAFETY: the processor has what the function was compiled for.
-        return unsafe { x86::mask_avx512(frames, block, pixels) };
-    } else if super::batch::x86::has_avx2() {
-        // SAFETY: as above.
-        return unsafe { x86::mask_avx2(frames, block, pixels) };
-    }
-    mask_any(frames, block, pixels)
+    Chosen::best().run(Mask { frames, block, pixels })
 }
 
-#[cfg(target_arch = "x86_64")]
-mod x86 {
-    //! The same loops for x86-64 extensions.
-    use super::{BlockPixels, Frames, mask_any};
-
-    #[target_feature(enable = "avx2")]
-    pub fn mask_avx2(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) -> u16 {
-        mask_any(frames, block, pixels)
-    }
-
-    #[target_feature(enable = "avx2,avx512f,avx512vl,avx512dq")]
-    pub fn mask_avx512(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) -> u16 {
-        mask_any(frames, block, pixels)
-    }
+/// The work of [`mask_block`].
+struct Mask<'a> {
+    frames: Frames<'a>,
+    block: usize,
+    pixels: BlockPixels<'a>,
 }
 
-#[inline(always)]
-fn mask_any(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) -> u16 {
-    let effects = frames.effects;
-    match (effects.motion, effects.depth_test) {
-        (false, false) => mask_all::<false, false>(frames, block, pixels),
-        (false, true) => mask_all::<false, true>(frames, block, pixels),
-        (true, false) => mask_all::<true, false>(frames, block, pixels),
-        (true, true) => mask_all::<true, true>(frames, block, pixels),
+impl Work for Mask<'_> {
+    type Output = u16;
+    #[inline(always)]
+    fn run<L: NodeLanes>(self, _: L) -> u16 {
+        let Mask { frames, block, pixels } = self;
+        let effects = frames.effects;
+        match (effects.motion, effects.depth_test) {
+            (false, false) => mask_all::<false, false>(frames, block, pixels),
+            (false, true) => mask_all::<false, true>(frames, block, pixels),
+            (true, false) => mask_all::<true, false>(frames, block, pixels),
+            (true, true) => mask_all::<true, true>(frames, block, pixels),
+        }
     }
 }
 
@@ -226,6 +214,7 @@ mod tests {
     use super::super::samples::points;
     use super::super::tiles::{BLOCK, PIECES};
     use super::*;
+    use lt_bvh::SimdLevel;
     use lt_mask::{Expansion, MaskBits, Pattern};
     use lt_math::glam::Vec3;
     use lt_shaders::abi::{CameraParams, LightParams, Sample};
@@ -474,12 +463,11 @@ mod tests {
             }
             all
         };
-        let portable = by(&|block, pixels| mask_any(frames, block, pixels));
+        let portable = by(&|block, pixels| Chosen::Portable.run(Mask { frames, block, pixels }));
         assert!(by(&|block, pixels| mask_block(frames, block, pixels)) == portable);
-        #[cfg(target_arch = "x86_64")]
-        if super::super::batch::x86::has_avx2() {
-            // SAFETY: the processor has AVX2, as was asked.
-            assert!(by(&|block, pixels| unsafe { x86::mask_avx2(frames, block, pixels) }) == portable);
+        for level in SimdLevel::available() {
+            let chosen = Chosen::new(level).expect("an available level");
+            assert!(by(&|block, pixels| chosen.run(Mask { frames, block, pixels })) == portable, "{level:?}");
         }
     }
 }

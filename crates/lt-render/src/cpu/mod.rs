@@ -3,6 +3,7 @@
 //! The same input gives the same bits for any number of threads: every pixel is computed alone, and the only order
 //! that matters (the depth test's) is a minimum.
 
+mod answers;
 mod asks;
 mod batch;
 mod estimator;
@@ -52,7 +53,8 @@ use crate::{
     Upkeep,
 };
 
-pub use batch::{BatchTest, evaluate_batch, evaluate_batch_levels};
+pub use answers::BatchTest;
+pub use batch::{evaluate_batch, evaluate_batch_levels};
 pub use samples::SampleRows;
 
 /// See the [module](self).
