@@ -29,8 +29,9 @@ pub(super) fn serves(rays: &[Ray]) -> bool {
         && rays[0].direction == rays[len - 1].direction
 }
 
-/// Rays in an order of their own, and where they came from: work memory for [`Simd::occluded_scattered`](super::Simd::occluded_scattered), some 200 KB, best
-/// kept from call to call.
+/// Rays in an order of their own, and where they came from: work memory for [`Simd::occluded_scattered`](super::Simd::occluded_scattered), some 200 KB
+/// once rays were put in order, best kept from call to call.
+#[derive(Default)]
 pub struct RayOrder {
     rays: Vec<Ray>,
     from: Vec<u16>,
@@ -41,20 +42,21 @@ pub struct RayOrder {
     counts: Vec<u16>,
 }
 
-impl Default for RayOrder {
-    fn default() -> Self {
-        RayOrder {
-            rays: vec![Ray::default(); MOST],
-            from: vec![0; MOST],
-            is_blocked: vec![false; MOST],
-            places: [vec![0.0; MOST], vec![0.0; MOST]],
-            cells: vec![0; MOST],
-            counts: vec![0; CELLS],
+impl RayOrder {
+    /// Allocates on first use: many callers never have rays enough.
+    fn make_room(&mut self) {
+        if self.rays.is_empty() {
+            *self = RayOrder {
+                rays: vec![Ray::default(); MOST],
+                from: vec![0; MOST],
+                is_blocked: vec![false; MOST],
+                places: [vec![0.0; MOST], vec![0.0; MOST]],
+                cells: vec![0; MOST],
+                counts: vec![0; CELLS],
+            };
         }
     }
-}
 
-impl RayOrder {
     /// The rays in order, and room for their answers.
     pub(super) fn batch(&mut self, len: usize) -> (&[Ray], &mut [bool]) {
         (&self.rays[..len], &mut self.is_blocked[..len])
@@ -182,6 +184,7 @@ impl Work for Arrange<'_> {
     #[inline(always)]
     fn run<L: NodeLanes>(self, _: L) {
         let Arrange { order, rays } = self;
+        order.make_room();
         let limits = order.find_places(rays);
         order.find_cells(rays.len(), limits);
         order.sort(rays);
