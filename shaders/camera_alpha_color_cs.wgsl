@@ -11,6 +11,15 @@ struct abi_CameraParams {
     grid: vec2<u32>,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -20,17 +29,8 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_20 {
     member: array<abi_Sample>,
-}
-
-struct type_13 {
-    member: array<u32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct texture_TextureView {
@@ -55,7 +55,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_29 {
+struct type_31 {
     member: array<lt_bvh_Node>,
 }
 
@@ -68,7 +68,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_33 {
+struct type_35 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -80,7 +80,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_37 {
+struct type_39 {
     member: array<abi_Vertex>,
 }
 
@@ -96,13 +96,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_41 {
+struct type_43 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -144,35 +144,35 @@ struct lt_bvh_Hit {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_37;
+var<storage> vertices: type_39;
 @group(0) @binding(4) 
-var<storage> materials: type_41;
+var<storage> materials: type_43;
 @group(0) @binding(0) 
 var<uniform> p: type_51;
 @group(0) @binding(1) 
-var<storage> nodes: type_29;
+var<storage> nodes: type_31;
 @group(0) @binding(2) 
-var<storage> triangles: type_33;
+var<storage> triangles: type_35;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_9;
+var<storage, read_write> samples: type_20;
 @group(0) @binding(6) 
-var<storage> alpha_texels: type_13;
+var<storage> alpha_texels: type_9;
 @group(0) @binding(7) 
-var<storage> color_texels: type_13;
+var<storage> color_texels: type_9;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_216_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_216_: lt_bvh_traverse_Tree;
     var phi_217_: bool;
-    var phi_218_: lt_mask_LightPlace;
+    var phi_218_: lt_bvh_traverse_Tree;
     var phi_219_: bool;
-    var phi_224_: lt_mask_LightPlace;
+    var phi_224_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_216_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_216_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_217_ = false;
         } else {
-            phi_216_ = lt_mask_LightPlace();
+            phi_216_ = lt_bvh_traverse_Tree();
             phi_217_ = true;
         }
         let _e84 = phi_216_;
@@ -180,18 +180,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_218_ = _e84;
         phi_219_ = _e86;
     } else {
-        phi_218_ = lt_mask_LightPlace();
+        phi_218_ = lt_bvh_traverse_Tree();
         phi_219_ = true;
     }
     let _e88 = phi_218_;
     let _e90 = phi_219_;
     if _e90 {
-        phi_224_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_224_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_224_ = _e88;
     }
     let _e95 = phi_224_;
-    return lt_mask_LightPlace(_e95.word, _e95.shift);
+    return lt_bvh_traverse_Tree(_e95.root, _e95.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -828,7 +828,7 @@ fn function_() {
     let _e99 = p.member.size[0u];
     let _e101 = p.member.size[1u];
     let _e102 = lt_shaders_entry_pixel_index(_e74, _e99, _e101);
-    if (bitcast<i32>(_e102.word) != 0i) {
+    if (bitcast<i32>(_e102.root) != 0i) {
         let _e110 = p.member.eye;
         let _e113 = p.member.grid[0u];
         let _e115 = p.member.grid[1u];
@@ -1165,41 +1165,41 @@ fn function_() {
                         let _e638 = ((bitcast<f32>(_e628) - _e174.origin.z) * _e342);
                         let _e646 = nodes.member[(0u + _e581)].x;
                         if (_e320 < 0f) {
-                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e646.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e657.unnamed.word, _e646.w), _e657.unnamed_1);
-                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e663.unnamed, lt_mask_LightPlace(_e646.x, _e663.unnamed_1.shift));
-                            phi_1316_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_mask_LightPlace(_e669.unnamed_1.word, _e646.y));
+                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e646.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e657.unnamed.root, _e646.w), _e657.unnamed_1);
+                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e663.unnamed, lt_bvh_traverse_Tree(_e646.x, _e663.unnamed_1.first_primitive));
+                            phi_1316_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_bvh_traverse_Tree(_e669.unnamed_1.root, _e646.y));
                         } else {
-                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e646.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e685.unnamed.word, _e646.y), _e685.unnamed_1);
-                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_mask_LightPlace(_e646.z, _e691.unnamed_1.shift));
-                            phi_1316_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_mask_LightPlace(_e697.unnamed_1.word, _e646.w));
+                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e646.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e685.unnamed.root, _e646.y), _e685.unnamed_1);
+                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_bvh_traverse_Tree(_e646.z, _e691.unnamed_1.first_primitive));
+                            phi_1316_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_bvh_traverse_Tree(_e697.unnamed_1.root, _e646.w));
                         }
                         let _e705 = phi_1316_;
                         let _e715 = nodes.member[(0u + _e581)].y;
                         if (_e331 < 0f) {
-                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e715.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e726.unnamed.word, _e715.w), _e726.unnamed_1);
-                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_mask_LightPlace(_e715.x, _e732.unnamed_1.shift));
-                            phi_1343_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_mask_LightPlace(_e738.unnamed_1.word, _e715.y));
+                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e715.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e726.unnamed.root, _e715.w), _e726.unnamed_1);
+                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_bvh_traverse_Tree(_e715.x, _e732.unnamed_1.first_primitive));
+                            phi_1343_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_bvh_traverse_Tree(_e738.unnamed_1.root, _e715.y));
                         } else {
-                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e715.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e754.unnamed.word, _e715.y), _e754.unnamed_1);
-                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_mask_LightPlace(_e715.z, _e760.unnamed_1.shift));
-                            phi_1343_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_mask_LightPlace(_e766.unnamed_1.word, _e715.w));
+                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e715.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e754.unnamed.root, _e715.y), _e754.unnamed_1);
+                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_bvh_traverse_Tree(_e715.z, _e760.unnamed_1.first_primitive));
+                            phi_1343_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_bvh_traverse_Tree(_e766.unnamed_1.root, _e715.w));
                         }
                         let _e774 = phi_1343_;
                         let _e784 = nodes.member[(0u + _e581)].z;
                         if (_e342 < 0f) {
-                            let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e784.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e795.unnamed.word, _e784.w), _e795.unnamed_1);
-                            let _e807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_mask_LightPlace(_e784.x, _e801.unnamed_1.shift));
-                            phi_1370_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e807.unnamed, lt_mask_LightPlace(_e807.unnamed_1.word, _e784.y));
+                            let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e784.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e795.unnamed.root, _e784.w), _e795.unnamed_1);
+                            let _e807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_bvh_traverse_Tree(_e784.x, _e801.unnamed_1.first_primitive));
+                            phi_1370_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e807.unnamed, lt_bvh_traverse_Tree(_e807.unnamed_1.root, _e784.y));
                         } else {
-                            let _e823 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e784.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e829 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e823.unnamed.word, _e784.y), _e823.unnamed_1);
-                            let _e835 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e829.unnamed, lt_mask_LightPlace(_e784.z, _e829.unnamed_1.shift));
-                            phi_1370_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e835.unnamed, lt_mask_LightPlace(_e835.unnamed_1.word, _e784.w));
+                            let _e823 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e784.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e829 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e823.unnamed.root, _e784.y), _e823.unnamed_1);
+                            let _e835 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e829.unnamed, lt_bvh_traverse_Tree(_e784.z, _e829.unnamed_1.first_primitive));
+                            phi_1370_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e835.unnamed, lt_bvh_traverse_Tree(_e835.unnamed_1.root, _e784.w));
                         }
                         let _e843 = phi_1370_;
                         phi_1376_ = 0u;
@@ -1215,41 +1215,41 @@ fn function_() {
                                 let _e858 = (_e853 >> bitcast<u32>(2i));
                                 let _e859 = (_e853 & 3u);
                                 if (_e858 == 0u) {
-                                    phi_1393_ = _e705.unnamed.word;
+                                    phi_1393_ = _e705.unnamed.root;
                                 } else {
-                                    phi_1393_ = _e705.unnamed.shift;
+                                    phi_1393_ = _e705.unnamed.first_primitive;
                                 }
                                 let _e862 = phi_1393_;
                                 if (_e858 == 0u) {
-                                    phi_1403_ = _e774.unnamed.word;
+                                    phi_1403_ = _e774.unnamed.root;
                                 } else {
-                                    phi_1403_ = _e774.unnamed.shift;
+                                    phi_1403_ = _e774.unnamed.first_primitive;
                                 }
                                 let _e871 = phi_1403_;
                                 if (_e858 == 0u) {
-                                    phi_1413_ = _e843.unnamed.word;
+                                    phi_1413_ = _e843.unnamed.root;
                                 } else {
-                                    phi_1413_ = _e843.unnamed.shift;
+                                    phi_1413_ = _e843.unnamed.first_primitive;
                                 }
                                 let _e880 = phi_1413_;
                                 let _e893 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e862 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e615) + (_e636 - _e380)), ((f32(((_e871 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e616) + (_e637 - _e381)));
                                 let _e894 = core_intrinsics_maximum_number_nsz_f32_(_e893, ((f32(((_e880 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e617) + (_e638 - _e382)));
                                 if (_e858 == 0u) {
-                                    phi_1431_ = _e705.unnamed_1.word;
+                                    phi_1431_ = _e705.unnamed_1.root;
                                 } else {
-                                    phi_1431_ = _e705.unnamed_1.shift;
+                                    phi_1431_ = _e705.unnamed_1.first_primitive;
                                 }
                                 let _e897 = phi_1431_;
                                 if (_e858 == 0u) {
-                                    phi_1441_ = _e774.unnamed_1.word;
+                                    phi_1441_ = _e774.unnamed_1.root;
                                 } else {
-                                    phi_1441_ = _e774.unnamed_1.shift;
+                                    phi_1441_ = _e774.unnamed_1.first_primitive;
                                 }
                                 let _e906 = phi_1441_;
                                 if (_e858 == 0u) {
-                                    phi_1451_ = _e843.unnamed_1.word;
+                                    phi_1451_ = _e843.unnamed_1.root;
                                 } else {
-                                    phi_1451_ = _e843.unnamed_1.shift;
+                                    phi_1451_ = _e843.unnamed_1.first_primitive;
                                 }
                                 let _e915 = phi_1451_;
                                 let _e928 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e897 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e615) + (_e636 + _e380)), ((f32(((_e906 >> bitcast<u32>(((_e859 * 8u) & 31u))) & 255u)) * _e616) + (_e637 + _e381)));
@@ -2372,11 +2372,11 @@ fn function_() {
             phi_3201_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2473 = phi_3201_;
-        if (_e102.shift < arrayLength((&samples.member))) {
+        if (_e102.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e102.shift)] = _e2473;
+        samples.member[(0u + _e102.first_primitive)] = _e2473;
     }
     return;
 }

@@ -11,6 +11,15 @@ struct abi_CameraParams {
     grid: vec2<u32>,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -20,20 +29,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
-    member: array<u32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
-}
-
-struct type_26 {
+struct type_28 {
     member: array<vec4<f32>>,
 }
 
@@ -59,7 +59,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_34 {
+struct type_36 {
     member: array<lt_bvh_Node>,
 }
 
@@ -72,7 +72,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_38 {
+struct type_40 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -84,7 +84,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_42 {
+struct type_44 {
     member: array<abi_Vertex>,
 }
 
@@ -100,13 +100,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_46 {
+struct type_48 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -148,39 +148,39 @@ struct lt_bvh_Hit {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_42;
+var<storage> vertices: type_44;
 @group(0) @binding(4) 
-var<storage> materials: type_46;
+var<storage> materials: type_48;
 @group(0) @binding(0) 
 var<uniform> p: type_56;
 @group(0) @binding(1) 
-var<storage> nodes: type_34;
+var<storage> nodes: type_36;
 @group(0) @binding(2) 
-var<storage> triangles: type_38;
+var<storage> triangles: type_40;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_9;
+var<storage, read_write> samples: type_20;
 @group(0) @binding(6) 
-var<storage> alpha_texels: type_13;
+var<storage> alpha_texels: type_9;
 @group(0) @binding(7) 
-var<storage> color_texels: type_13;
+var<storage> color_texels: type_9;
 @group(0) @binding(8) 
-var<storage> before: type_26;
+var<storage> before: type_28;
 @group(0) @binding(9) 
-var<storage, read_write> past: type_26;
+var<storage, read_write> past: type_28;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_224_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_224_: lt_bvh_traverse_Tree;
     var phi_225_: bool;
-    var phi_226_: lt_mask_LightPlace;
+    var phi_226_: lt_bvh_traverse_Tree;
     var phi_227_: bool;
-    var phi_232_: lt_mask_LightPlace;
+    var phi_232_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_224_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_224_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_225_ = false;
         } else {
-            phi_224_ = lt_mask_LightPlace();
+            phi_224_ = lt_bvh_traverse_Tree();
             phi_225_ = true;
         }
         let _e86 = phi_224_;
@@ -188,18 +188,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_226_ = _e86;
         phi_227_ = _e88;
     } else {
-        phi_226_ = lt_mask_LightPlace();
+        phi_226_ = lt_bvh_traverse_Tree();
         phi_227_ = true;
     }
     let _e90 = phi_226_;
     let _e92 = phi_227_;
     if _e92 {
-        phi_232_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_232_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_232_ = _e90;
     }
     let _e97 = phi_232_;
-    return lt_mask_LightPlace(_e97.word, _e97.shift);
+    return lt_bvh_traverse_Tree(_e97.root, _e97.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -842,7 +842,7 @@ fn function_() {
     let _e107 = p.member.size[0u];
     let _e109 = p.member.size[1u];
     let _e110 = lt_shaders_entry_pixel_index(_e76, _e107, _e109);
-    if (bitcast<i32>(_e110.word) != 0i) {
+    if (bitcast<i32>(_e110.root) != 0i) {
         let _e118 = p.member.eye;
         let _e121 = p.member.grid[0u];
         let _e123 = p.member.grid[1u];
@@ -1179,41 +1179,41 @@ fn function_() {
                         let _e646 = ((bitcast<f32>(_e636) - _e182.origin.z) * _e350);
                         let _e654 = nodes.member[(0u + _e589)].x;
                         if (_e328 < 0f) {
-                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e654.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e665.unnamed.word, _e654.w), _e665.unnamed_1);
-                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_mask_LightPlace(_e654.x, _e671.unnamed_1.shift));
-                            phi_1330_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e677.unnamed, lt_mask_LightPlace(_e677.unnamed_1.word, _e654.y));
+                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e654.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e665.unnamed.root, _e654.w), _e665.unnamed_1);
+                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_bvh_traverse_Tree(_e654.x, _e671.unnamed_1.first_primitive));
+                            phi_1330_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e677.unnamed, lt_bvh_traverse_Tree(_e677.unnamed_1.root, _e654.y));
                         } else {
-                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e654.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e693.unnamed.word, _e654.y), _e693.unnamed_1);
-                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_mask_LightPlace(_e654.z, _e699.unnamed_1.shift));
-                            phi_1330_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e705.unnamed, lt_mask_LightPlace(_e705.unnamed_1.word, _e654.w));
+                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e654.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e693.unnamed.root, _e654.y), _e693.unnamed_1);
+                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_bvh_traverse_Tree(_e654.z, _e699.unnamed_1.first_primitive));
+                            phi_1330_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e705.unnamed, lt_bvh_traverse_Tree(_e705.unnamed_1.root, _e654.w));
                         }
                         let _e713 = phi_1330_;
                         let _e723 = nodes.member[(0u + _e589)].y;
                         if (_e339 < 0f) {
-                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e723.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e734.unnamed.word, _e723.w), _e734.unnamed_1);
-                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_mask_LightPlace(_e723.x, _e740.unnamed_1.shift));
-                            phi_1357_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e746.unnamed, lt_mask_LightPlace(_e746.unnamed_1.word, _e723.y));
+                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e723.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e734.unnamed.root, _e723.w), _e734.unnamed_1);
+                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_bvh_traverse_Tree(_e723.x, _e740.unnamed_1.first_primitive));
+                            phi_1357_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e746.unnamed, lt_bvh_traverse_Tree(_e746.unnamed_1.root, _e723.y));
                         } else {
-                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e723.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e762.unnamed.word, _e723.y), _e762.unnamed_1);
-                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e768.unnamed, lt_mask_LightPlace(_e723.z, _e768.unnamed_1.shift));
-                            phi_1357_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e774.unnamed, lt_mask_LightPlace(_e774.unnamed_1.word, _e723.w));
+                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e723.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e762.unnamed.root, _e723.y), _e762.unnamed_1);
+                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e768.unnamed, lt_bvh_traverse_Tree(_e723.z, _e768.unnamed_1.first_primitive));
+                            phi_1357_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e774.unnamed, lt_bvh_traverse_Tree(_e774.unnamed_1.root, _e723.w));
                         }
                         let _e782 = phi_1357_;
                         let _e792 = nodes.member[(0u + _e589)].z;
                         if (_e350 < 0f) {
-                            let _e803 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e792.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e803.unnamed.word, _e792.w), _e803.unnamed_1);
-                            let _e815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e809.unnamed, lt_mask_LightPlace(_e792.x, _e809.unnamed_1.shift));
-                            phi_1384_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e815.unnamed, lt_mask_LightPlace(_e815.unnamed_1.word, _e792.y));
+                            let _e803 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e792.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e803.unnamed.root, _e792.w), _e803.unnamed_1);
+                            let _e815 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e809.unnamed, lt_bvh_traverse_Tree(_e792.x, _e809.unnamed_1.first_primitive));
+                            phi_1384_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e815.unnamed, lt_bvh_traverse_Tree(_e815.unnamed_1.root, _e792.y));
                         } else {
-                            let _e831 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e792.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e837 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e831.unnamed.word, _e792.y), _e831.unnamed_1);
-                            let _e843 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e837.unnamed, lt_mask_LightPlace(_e792.z, _e837.unnamed_1.shift));
-                            phi_1384_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e843.unnamed, lt_mask_LightPlace(_e843.unnamed_1.word, _e792.w));
+                            let _e831 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e792.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e837 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e831.unnamed.root, _e792.y), _e831.unnamed_1);
+                            let _e843 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e837.unnamed, lt_bvh_traverse_Tree(_e792.z, _e837.unnamed_1.first_primitive));
+                            phi_1384_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e843.unnamed, lt_bvh_traverse_Tree(_e843.unnamed_1.root, _e792.w));
                         }
                         let _e851 = phi_1384_;
                         phi_1390_ = 0u;
@@ -1229,41 +1229,41 @@ fn function_() {
                                 let _e866 = (_e861 >> bitcast<u32>(2i));
                                 let _e867 = (_e861 & 3u);
                                 if (_e866 == 0u) {
-                                    phi_1407_ = _e713.unnamed.word;
+                                    phi_1407_ = _e713.unnamed.root;
                                 } else {
-                                    phi_1407_ = _e713.unnamed.shift;
+                                    phi_1407_ = _e713.unnamed.first_primitive;
                                 }
                                 let _e870 = phi_1407_;
                                 if (_e866 == 0u) {
-                                    phi_1417_ = _e782.unnamed.word;
+                                    phi_1417_ = _e782.unnamed.root;
                                 } else {
-                                    phi_1417_ = _e782.unnamed.shift;
+                                    phi_1417_ = _e782.unnamed.first_primitive;
                                 }
                                 let _e879 = phi_1417_;
                                 if (_e866 == 0u) {
-                                    phi_1427_ = _e851.unnamed.word;
+                                    phi_1427_ = _e851.unnamed.root;
                                 } else {
-                                    phi_1427_ = _e851.unnamed.shift;
+                                    phi_1427_ = _e851.unnamed.first_primitive;
                                 }
                                 let _e888 = phi_1427_;
                                 let _e901 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e870 >> bitcast<u32>(((_e867 * 8u) & 31u))) & 255u)) * _e623) + (_e644 - _e388)), ((f32(((_e879 >> bitcast<u32>(((_e867 * 8u) & 31u))) & 255u)) * _e624) + (_e645 - _e389)));
                                 let _e902 = core_intrinsics_maximum_number_nsz_f32_(_e901, ((f32(((_e888 >> bitcast<u32>(((_e867 * 8u) & 31u))) & 255u)) * _e625) + (_e646 - _e390)));
                                 if (_e866 == 0u) {
-                                    phi_1445_ = _e713.unnamed_1.word;
+                                    phi_1445_ = _e713.unnamed_1.root;
                                 } else {
-                                    phi_1445_ = _e713.unnamed_1.shift;
+                                    phi_1445_ = _e713.unnamed_1.first_primitive;
                                 }
                                 let _e905 = phi_1445_;
                                 if (_e866 == 0u) {
-                                    phi_1455_ = _e782.unnamed_1.word;
+                                    phi_1455_ = _e782.unnamed_1.root;
                                 } else {
-                                    phi_1455_ = _e782.unnamed_1.shift;
+                                    phi_1455_ = _e782.unnamed_1.first_primitive;
                                 }
                                 let _e914 = phi_1455_;
                                 if (_e866 == 0u) {
-                                    phi_1465_ = _e851.unnamed_1.word;
+                                    phi_1465_ = _e851.unnamed_1.root;
                                 } else {
-                                    phi_1465_ = _e851.unnamed_1.shift;
+                                    phi_1465_ = _e851.unnamed_1.first_primitive;
                                 }
                                 let _e923 = phi_1465_;
                                 let _e936 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e905 >> bitcast<u32>(((_e867 * 8u) & 31u))) & 255u)) * _e623) + (_e644 + _e388)), ((f32(((_e914 >> bitcast<u32>(((_e867 * 8u) & 31u))) & 255u)) * _e624) + (_e645 + _e389)));
@@ -2386,11 +2386,11 @@ fn function_() {
             phi_3215_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2481 = phi_3215_;
-        if (_e110.shift < arrayLength((&samples.member))) {
+        if (_e110.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e110.shift)] = _e2481;
+        samples.member[(0u + _e110.first_primitive)] = _e2481;
         if (_e1825.triangle != 4294967295u) {
             let _e2490 = ((1f - _e1825.u) - _e1825.v);
             if (_e1825.triangle < _e83) {
@@ -2422,11 +2422,11 @@ fn function_() {
             phi_3306_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e2553 = phi_3306_;
-        if (_e110.shift < arrayLength((&past.member))) {
+        if (_e110.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e110.shift)] = vec4<f32>(_e2553.x, _e2553.y, _e2553.z, 1f);
+        past.member[(0u + _e110.first_primitive)] = vec4<f32>(_e2553.x, _e2553.y, _e2553.z, 1f);
     }
     return;
 }

@@ -11,6 +11,15 @@ struct abi_CameraParams {
     grid: vec2<u32>,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -20,17 +29,8 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_20 {
     member: array<abi_Sample>,
-}
-
-struct type_13 {
-    member: array<u32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct texture_TextureView {
@@ -55,7 +55,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_29 {
+struct type_31 {
     member: array<lt_bvh_Node>,
 }
 
@@ -68,7 +68,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_33 {
+struct type_35 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -80,7 +80,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_37 {
+struct type_39 {
     member: array<abi_Vertex>,
 }
 
@@ -96,13 +96,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_41 {
+struct type_43 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -144,33 +144,33 @@ struct lt_bvh_Hit {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_37;
+var<storage> vertices: type_39;
 @group(0) @binding(4) 
-var<storage> materials: type_41;
+var<storage> materials: type_43;
 @group(0) @binding(0) 
 var<uniform> p: type_51;
 @group(0) @binding(1) 
-var<storage> nodes: type_29;
+var<storage> nodes: type_31;
 @group(0) @binding(2) 
-var<storage> triangles: type_33;
+var<storage> triangles: type_35;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_9;
+var<storage, read_write> samples: type_20;
 @group(0) @binding(6) 
-var<storage> alpha_texels: type_13;
+var<storage> alpha_texels: type_9;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_216_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_216_: lt_bvh_traverse_Tree;
     var phi_217_: bool;
-    var phi_218_: lt_mask_LightPlace;
+    var phi_218_: lt_bvh_traverse_Tree;
     var phi_219_: bool;
-    var phi_224_: lt_mask_LightPlace;
+    var phi_224_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_216_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_216_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_217_ = false;
         } else {
-            phi_216_ = lt_mask_LightPlace();
+            phi_216_ = lt_bvh_traverse_Tree();
             phi_217_ = true;
         }
         let _e83 = phi_216_;
@@ -178,18 +178,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_218_ = _e83;
         phi_219_ = _e85;
     } else {
-        phi_218_ = lt_mask_LightPlace();
+        phi_218_ = lt_bvh_traverse_Tree();
         phi_219_ = true;
     }
     let _e87 = phi_218_;
     let _e89 = phi_219_;
     if _e89 {
-        phi_224_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_224_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_224_ = _e87;
     }
     let _e94 = phi_224_;
-    return lt_mask_LightPlace(_e94.word, _e94.shift);
+    return lt_bvh_traverse_Tree(_e94.root, _e94.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -827,7 +827,7 @@ fn function_() {
     let _e94 = p.member.size[0u];
     let _e96 = p.member.size[1u];
     let _e97 = lt_shaders_entry_pixel_index(_e72, _e94, _e96);
-    if (bitcast<i32>(_e97.word) != 0i) {
+    if (bitcast<i32>(_e97.root) != 0i) {
         let _e105 = p.member.eye;
         let _e108 = p.member.grid[0u];
         let _e110 = p.member.grid[1u];
@@ -1164,41 +1164,41 @@ fn function_() {
                         let _e633 = ((bitcast<f32>(_e623) - _e169.origin.z) * _e337);
                         let _e641 = nodes.member[(0u + _e576)].x;
                         if (_e315 < 0f) {
-                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e641.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e652.unnamed.word, _e641.w), _e652.unnamed_1);
-                            let _e664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e658.unnamed, lt_mask_LightPlace(_e641.x, _e658.unnamed_1.shift));
-                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e664.unnamed, lt_mask_LightPlace(_e664.unnamed_1.word, _e641.y));
+                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e641.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e652.unnamed.root, _e641.w), _e652.unnamed_1);
+                            let _e664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e658.unnamed, lt_bvh_traverse_Tree(_e641.x, _e658.unnamed_1.first_primitive));
+                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e664.unnamed, lt_bvh_traverse_Tree(_e664.unnamed_1.root, _e641.y));
                         } else {
-                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e641.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e680.unnamed.word, _e641.y), _e680.unnamed_1);
-                            let _e692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_mask_LightPlace(_e641.z, _e686.unnamed_1.shift));
-                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e692.unnamed, lt_mask_LightPlace(_e692.unnamed_1.word, _e641.w));
+                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e641.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e680.unnamed.root, _e641.y), _e680.unnamed_1);
+                            let _e692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_bvh_traverse_Tree(_e641.z, _e686.unnamed_1.first_primitive));
+                            phi_1299_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e692.unnamed, lt_bvh_traverse_Tree(_e692.unnamed_1.root, _e641.w));
                         }
                         let _e700 = phi_1299_;
                         let _e710 = nodes.member[(0u + _e576)].y;
                         if (_e326 < 0f) {
-                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e710.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e721.unnamed.word, _e710.w), _e721.unnamed_1);
-                            let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e727.unnamed, lt_mask_LightPlace(_e710.x, _e727.unnamed_1.shift));
-                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e733.unnamed, lt_mask_LightPlace(_e733.unnamed_1.word, _e710.y));
+                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e710.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e721.unnamed.root, _e710.w), _e721.unnamed_1);
+                            let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e727.unnamed, lt_bvh_traverse_Tree(_e710.x, _e727.unnamed_1.first_primitive));
+                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e733.unnamed, lt_bvh_traverse_Tree(_e733.unnamed_1.root, _e710.y));
                         } else {
-                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e710.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e749.unnamed.word, _e710.y), _e749.unnamed_1);
-                            let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_mask_LightPlace(_e710.z, _e755.unnamed_1.shift));
-                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e761.unnamed, lt_mask_LightPlace(_e761.unnamed_1.word, _e710.w));
+                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e710.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e749.unnamed.root, _e710.y), _e749.unnamed_1);
+                            let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_bvh_traverse_Tree(_e710.z, _e755.unnamed_1.first_primitive));
+                            phi_1326_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e761.unnamed, lt_bvh_traverse_Tree(_e761.unnamed_1.root, _e710.w));
                         }
                         let _e769 = phi_1326_;
                         let _e779 = nodes.member[(0u + _e576)].z;
                         if (_e337 < 0f) {
-                            let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e779.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e790.unnamed.word, _e779.w), _e790.unnamed_1);
-                            let _e802 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e796.unnamed, lt_mask_LightPlace(_e779.x, _e796.unnamed_1.shift));
-                            phi_1353_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e802.unnamed, lt_mask_LightPlace(_e802.unnamed_1.word, _e779.y));
+                            let _e790 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e779.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e790.unnamed.root, _e779.w), _e790.unnamed_1);
+                            let _e802 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e796.unnamed, lt_bvh_traverse_Tree(_e779.x, _e796.unnamed_1.first_primitive));
+                            phi_1353_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e802.unnamed, lt_bvh_traverse_Tree(_e802.unnamed_1.root, _e779.y));
                         } else {
-                            let _e818 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e779.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e824 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e818.unnamed.word, _e779.y), _e818.unnamed_1);
-                            let _e830 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e824.unnamed, lt_mask_LightPlace(_e779.z, _e824.unnamed_1.shift));
-                            phi_1353_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e830.unnamed, lt_mask_LightPlace(_e830.unnamed_1.word, _e779.w));
+                            let _e818 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e779.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e824 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e818.unnamed.root, _e779.y), _e818.unnamed_1);
+                            let _e830 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e824.unnamed, lt_bvh_traverse_Tree(_e779.z, _e824.unnamed_1.first_primitive));
+                            phi_1353_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e830.unnamed, lt_bvh_traverse_Tree(_e830.unnamed_1.root, _e779.w));
                         }
                         let _e838 = phi_1353_;
                         phi_1359_ = 0u;
@@ -1214,41 +1214,41 @@ fn function_() {
                                 let _e853 = (_e848 >> bitcast<u32>(2i));
                                 let _e854 = (_e848 & 3u);
                                 if (_e853 == 0u) {
-                                    phi_1376_ = _e700.unnamed.word;
+                                    phi_1376_ = _e700.unnamed.root;
                                 } else {
-                                    phi_1376_ = _e700.unnamed.shift;
+                                    phi_1376_ = _e700.unnamed.first_primitive;
                                 }
                                 let _e857 = phi_1376_;
                                 if (_e853 == 0u) {
-                                    phi_1386_ = _e769.unnamed.word;
+                                    phi_1386_ = _e769.unnamed.root;
                                 } else {
-                                    phi_1386_ = _e769.unnamed.shift;
+                                    phi_1386_ = _e769.unnamed.first_primitive;
                                 }
                                 let _e866 = phi_1386_;
                                 if (_e853 == 0u) {
-                                    phi_1396_ = _e838.unnamed.word;
+                                    phi_1396_ = _e838.unnamed.root;
                                 } else {
-                                    phi_1396_ = _e838.unnamed.shift;
+                                    phi_1396_ = _e838.unnamed.first_primitive;
                                 }
                                 let _e875 = phi_1396_;
                                 let _e888 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e857 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e610) + (_e631 - _e375)), ((f32(((_e866 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e611) + (_e632 - _e376)));
                                 let _e889 = core_intrinsics_maximum_number_nsz_f32_(_e888, ((f32(((_e875 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e612) + (_e633 - _e377)));
                                 if (_e853 == 0u) {
-                                    phi_1414_ = _e700.unnamed_1.word;
+                                    phi_1414_ = _e700.unnamed_1.root;
                                 } else {
-                                    phi_1414_ = _e700.unnamed_1.shift;
+                                    phi_1414_ = _e700.unnamed_1.first_primitive;
                                 }
                                 let _e892 = phi_1414_;
                                 if (_e853 == 0u) {
-                                    phi_1424_ = _e769.unnamed_1.word;
+                                    phi_1424_ = _e769.unnamed_1.root;
                                 } else {
-                                    phi_1424_ = _e769.unnamed_1.shift;
+                                    phi_1424_ = _e769.unnamed_1.first_primitive;
                                 }
                                 let _e901 = phi_1424_;
                                 if (_e853 == 0u) {
-                                    phi_1434_ = _e838.unnamed_1.word;
+                                    phi_1434_ = _e838.unnamed_1.root;
                                 } else {
-                                    phi_1434_ = _e838.unnamed_1.shift;
+                                    phi_1434_ = _e838.unnamed_1.first_primitive;
                                 }
                                 let _e910 = phi_1434_;
                                 let _e923 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e892 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e610) + (_e631 + _e375)), ((f32(((_e901 >> bitcast<u32>(((_e854 * 8u) & 31u))) & 255u)) * _e611) + (_e632 + _e376)));
@@ -2335,11 +2335,11 @@ fn function_() {
             phi_3048_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2324 = phi_3048_;
-        if (_e97.shift < arrayLength((&samples.member))) {
+        if (_e97.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e97.shift)] = _e2324;
+        samples.member[(0u + _e97.first_primitive)] = _e2324;
     }
     return;
 }

@@ -11,6 +11,15 @@ struct abi_CameraParams {
     grid: vec2<u32>,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -20,20 +29,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
-    member: array<u32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
-}
-
-struct type_26 {
+struct type_28 {
     member: array<vec4<f32>>,
 }
 
@@ -59,7 +59,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_34 {
+struct type_36 {
     member: array<lt_bvh_Node>,
 }
 
@@ -72,7 +72,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_38 {
+struct type_40 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -84,7 +84,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_42 {
+struct type_44 {
     member: array<abi_Vertex>,
 }
 
@@ -100,13 +100,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_46 {
+struct type_48 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -148,37 +148,37 @@ struct lt_bvh_Hit {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_42;
+var<storage> vertices: type_44;
 @group(0) @binding(4) 
-var<storage> materials: type_46;
+var<storage> materials: type_48;
 @group(0) @binding(0) 
 var<uniform> p: type_56;
 @group(0) @binding(1) 
-var<storage> nodes: type_34;
+var<storage> nodes: type_36;
 @group(0) @binding(2) 
-var<storage> triangles: type_38;
+var<storage> triangles: type_40;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_9;
+var<storage, read_write> samples: type_20;
 @group(0) @binding(6) 
-var<storage> alpha_texels: type_13;
+var<storage> alpha_texels: type_9;
 @group(0) @binding(7) 
-var<storage> before: type_26;
+var<storage> before: type_28;
 @group(0) @binding(8) 
-var<storage, read_write> past: type_26;
+var<storage, read_write> past: type_28;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_224_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_224_: lt_bvh_traverse_Tree;
     var phi_225_: bool;
-    var phi_226_: lt_mask_LightPlace;
+    var phi_226_: lt_bvh_traverse_Tree;
     var phi_227_: bool;
-    var phi_232_: lt_mask_LightPlace;
+    var phi_232_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_224_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_224_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_225_ = false;
         } else {
-            phi_224_ = lt_mask_LightPlace();
+            phi_224_ = lt_bvh_traverse_Tree();
             phi_225_ = true;
         }
         let _e85 = phi_224_;
@@ -186,18 +186,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_226_ = _e85;
         phi_227_ = _e87;
     } else {
-        phi_226_ = lt_mask_LightPlace();
+        phi_226_ = lt_bvh_traverse_Tree();
         phi_227_ = true;
     }
     let _e89 = phi_226_;
     let _e91 = phi_227_;
     if _e91 {
-        phi_232_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_232_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_232_ = _e89;
     }
     let _e96 = phi_232_;
-    return lt_mask_LightPlace(_e96.word, _e96.shift);
+    return lt_bvh_traverse_Tree(_e96.root, _e96.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -841,7 +841,7 @@ fn function_() {
     let _e102 = p.member.size[0u];
     let _e104 = p.member.size[1u];
     let _e105 = lt_shaders_entry_pixel_index(_e74, _e102, _e104);
-    if (bitcast<i32>(_e105.word) != 0i) {
+    if (bitcast<i32>(_e105.root) != 0i) {
         let _e113 = p.member.eye;
         let _e116 = p.member.grid[0u];
         let _e118 = p.member.grid[1u];
@@ -1178,41 +1178,41 @@ fn function_() {
                         let _e641 = ((bitcast<f32>(_e631) - _e177.origin.z) * _e345);
                         let _e649 = nodes.member[(0u + _e584)].x;
                         if (_e323 < 0f) {
-                            let _e660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e649.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e660.unnamed.word, _e649.w), _e660.unnamed_1);
-                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e666.unnamed, lt_mask_LightPlace(_e649.x, _e666.unnamed_1.shift));
-                            phi_1329_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e672.unnamed, lt_mask_LightPlace(_e672.unnamed_1.word, _e649.y));
+                            let _e660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e649.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e660.unnamed.root, _e649.w), _e660.unnamed_1);
+                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e666.unnamed, lt_bvh_traverse_Tree(_e649.x, _e666.unnamed_1.first_primitive));
+                            phi_1329_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e672.unnamed, lt_bvh_traverse_Tree(_e672.unnamed_1.root, _e649.y));
                         } else {
-                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e649.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e688.unnamed.word, _e649.y), _e688.unnamed_1);
-                            let _e700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_mask_LightPlace(_e649.z, _e694.unnamed_1.shift));
-                            phi_1329_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e700.unnamed, lt_mask_LightPlace(_e700.unnamed_1.word, _e649.w));
+                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e649.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e688.unnamed.root, _e649.y), _e688.unnamed_1);
+                            let _e700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_bvh_traverse_Tree(_e649.z, _e694.unnamed_1.first_primitive));
+                            phi_1329_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e700.unnamed, lt_bvh_traverse_Tree(_e700.unnamed_1.root, _e649.w));
                         }
                         let _e708 = phi_1329_;
                         let _e718 = nodes.member[(0u + _e584)].y;
                         if (_e334 < 0f) {
-                            let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e718.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e729.unnamed.word, _e718.w), _e729.unnamed_1);
-                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_mask_LightPlace(_e718.x, _e735.unnamed_1.shift));
-                            phi_1356_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_mask_LightPlace(_e741.unnamed_1.word, _e718.y));
+                            let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e718.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e729.unnamed.root, _e718.w), _e729.unnamed_1);
+                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_bvh_traverse_Tree(_e718.x, _e735.unnamed_1.first_primitive));
+                            phi_1356_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_bvh_traverse_Tree(_e741.unnamed_1.root, _e718.y));
                         } else {
-                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e718.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e757.unnamed.word, _e718.y), _e757.unnamed_1);
-                            let _e769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_mask_LightPlace(_e718.z, _e763.unnamed_1.shift));
-                            phi_1356_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e769.unnamed, lt_mask_LightPlace(_e769.unnamed_1.word, _e718.w));
+                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e718.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e757.unnamed.root, _e718.y), _e757.unnamed_1);
+                            let _e769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_bvh_traverse_Tree(_e718.z, _e763.unnamed_1.first_primitive));
+                            phi_1356_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e769.unnamed, lt_bvh_traverse_Tree(_e769.unnamed_1.root, _e718.w));
                         }
                         let _e777 = phi_1356_;
                         let _e787 = nodes.member[(0u + _e584)].z;
                         if (_e345 < 0f) {
-                            let _e798 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e787.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e804 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e798.unnamed.word, _e787.w), _e798.unnamed_1);
-                            let _e810 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e804.unnamed, lt_mask_LightPlace(_e787.x, _e804.unnamed_1.shift));
-                            phi_1383_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e810.unnamed, lt_mask_LightPlace(_e810.unnamed_1.word, _e787.y));
+                            let _e798 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e787.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e804 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e798.unnamed.root, _e787.w), _e798.unnamed_1);
+                            let _e810 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e804.unnamed, lt_bvh_traverse_Tree(_e787.x, _e804.unnamed_1.first_primitive));
+                            phi_1383_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e810.unnamed, lt_bvh_traverse_Tree(_e810.unnamed_1.root, _e787.y));
                         } else {
-                            let _e826 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e787.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e832 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e826.unnamed.word, _e787.y), _e826.unnamed_1);
-                            let _e838 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e832.unnamed, lt_mask_LightPlace(_e787.z, _e832.unnamed_1.shift));
-                            phi_1383_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e838.unnamed, lt_mask_LightPlace(_e838.unnamed_1.word, _e787.w));
+                            let _e826 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e787.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e832 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e826.unnamed.root, _e787.y), _e826.unnamed_1);
+                            let _e838 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e832.unnamed, lt_bvh_traverse_Tree(_e787.z, _e832.unnamed_1.first_primitive));
+                            phi_1383_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e838.unnamed, lt_bvh_traverse_Tree(_e838.unnamed_1.root, _e787.w));
                         }
                         let _e846 = phi_1383_;
                         phi_1389_ = 0u;
@@ -1228,41 +1228,41 @@ fn function_() {
                                 let _e861 = (_e856 >> bitcast<u32>(2i));
                                 let _e862 = (_e856 & 3u);
                                 if (_e861 == 0u) {
-                                    phi_1406_ = _e708.unnamed.word;
+                                    phi_1406_ = _e708.unnamed.root;
                                 } else {
-                                    phi_1406_ = _e708.unnamed.shift;
+                                    phi_1406_ = _e708.unnamed.first_primitive;
                                 }
                                 let _e865 = phi_1406_;
                                 if (_e861 == 0u) {
-                                    phi_1416_ = _e777.unnamed.word;
+                                    phi_1416_ = _e777.unnamed.root;
                                 } else {
-                                    phi_1416_ = _e777.unnamed.shift;
+                                    phi_1416_ = _e777.unnamed.first_primitive;
                                 }
                                 let _e874 = phi_1416_;
                                 if (_e861 == 0u) {
-                                    phi_1426_ = _e846.unnamed.word;
+                                    phi_1426_ = _e846.unnamed.root;
                                 } else {
-                                    phi_1426_ = _e846.unnamed.shift;
+                                    phi_1426_ = _e846.unnamed.first_primitive;
                                 }
                                 let _e883 = phi_1426_;
                                 let _e896 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e865 >> bitcast<u32>(((_e862 * 8u) & 31u))) & 255u)) * _e618) + (_e639 - _e383)), ((f32(((_e874 >> bitcast<u32>(((_e862 * 8u) & 31u))) & 255u)) * _e619) + (_e640 - _e384)));
                                 let _e897 = core_intrinsics_maximum_number_nsz_f32_(_e896, ((f32(((_e883 >> bitcast<u32>(((_e862 * 8u) & 31u))) & 255u)) * _e620) + (_e641 - _e385)));
                                 if (_e861 == 0u) {
-                                    phi_1444_ = _e708.unnamed_1.word;
+                                    phi_1444_ = _e708.unnamed_1.root;
                                 } else {
-                                    phi_1444_ = _e708.unnamed_1.shift;
+                                    phi_1444_ = _e708.unnamed_1.first_primitive;
                                 }
                                 let _e900 = phi_1444_;
                                 if (_e861 == 0u) {
-                                    phi_1454_ = _e777.unnamed_1.word;
+                                    phi_1454_ = _e777.unnamed_1.root;
                                 } else {
-                                    phi_1454_ = _e777.unnamed_1.shift;
+                                    phi_1454_ = _e777.unnamed_1.first_primitive;
                                 }
                                 let _e909 = phi_1454_;
                                 if (_e861 == 0u) {
-                                    phi_1464_ = _e846.unnamed_1.word;
+                                    phi_1464_ = _e846.unnamed_1.root;
                                 } else {
-                                    phi_1464_ = _e846.unnamed_1.shift;
+                                    phi_1464_ = _e846.unnamed_1.first_primitive;
                                 }
                                 let _e918 = phi_1464_;
                                 let _e931 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e900 >> bitcast<u32>(((_e862 * 8u) & 31u))) & 255u)) * _e618) + (_e639 + _e383)), ((f32(((_e909 >> bitcast<u32>(((_e862 * 8u) & 31u))) & 255u)) * _e619) + (_e640 + _e384)));
@@ -2349,11 +2349,11 @@ fn function_() {
             phi_3078_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2332 = phi_3078_;
-        if (_e105.shift < arrayLength((&samples.member))) {
+        if (_e105.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e105.shift)] = _e2332;
+        samples.member[(0u + _e105.first_primitive)] = _e2332;
         if (_e1820.triangle != 4294967295u) {
             let _e2341 = ((1f - _e1820.u) - _e1820.v);
             if (_e1820.triangle < _e81) {
@@ -2385,11 +2385,11 @@ fn function_() {
             phi_3169_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e2404 = phi_3169_;
-        if (_e105.shift < arrayLength((&past.member))) {
+        if (_e105.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e105.shift)] = vec4<f32>(_e2404.x, _e2404.y, _e2404.z, 1f);
+        past.member[(0u + _e105.first_primitive)] = vec4<f32>(_e2404.x, _e2404.y, _e2404.z, 1f);
     }
     return;
 }

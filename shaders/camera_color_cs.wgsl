@@ -11,6 +11,15 @@ struct abi_CameraParams {
     grid: vec2<u32>,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -20,17 +29,8 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_20 {
     member: array<abi_Sample>,
-}
-
-struct type_13 {
-    member: array<u32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct texture_TextureView {
@@ -55,7 +55,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_29 {
+struct type_31 {
     member: array<lt_bvh_Node>,
 }
 
@@ -68,7 +68,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_33 {
+struct type_35 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -80,7 +80,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_37 {
+struct type_39 {
     member: array<abi_Vertex>,
 }
 
@@ -96,13 +96,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_41 {
+struct type_43 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -144,33 +144,33 @@ struct lt_bvh_Hit {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_37;
+var<storage> vertices: type_39;
 @group(0) @binding(4) 
-var<storage> materials: type_41;
+var<storage> materials: type_43;
 @group(0) @binding(0) 
 var<uniform> p: type_51;
 @group(0) @binding(1) 
-var<storage> nodes: type_29;
+var<storage> nodes: type_31;
 @group(0) @binding(2) 
-var<storage> triangles: type_33;
+var<storage> triangles: type_35;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_9;
+var<storage, read_write> samples: type_20;
 @group(0) @binding(6) 
-var<storage> color_texels: type_13;
+var<storage> color_texels: type_9;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_209_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_209_: lt_bvh_traverse_Tree;
     var phi_210_: bool;
-    var phi_211_: lt_mask_LightPlace;
+    var phi_211_: lt_bvh_traverse_Tree;
     var phi_212_: bool;
-    var phi_217_: lt_mask_LightPlace;
+    var phi_217_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_209_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_209_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_210_ = false;
         } else {
-            phi_209_ = lt_mask_LightPlace();
+            phi_209_ = lt_bvh_traverse_Tree();
             phi_210_ = true;
         }
         let _e82 = phi_209_;
@@ -178,18 +178,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_211_ = _e82;
         phi_212_ = _e84;
     } else {
-        phi_211_ = lt_mask_LightPlace();
+        phi_211_ = lt_bvh_traverse_Tree();
         phi_212_ = true;
     }
     let _e86 = phi_211_;
     let _e88 = phi_212_;
     if _e88 {
-        phi_217_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_217_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_217_ = _e86;
     }
     let _e93 = phi_217_;
-    return lt_mask_LightPlace(_e93.word, _e93.shift);
+    return lt_bvh_traverse_Tree(_e93.root, _e93.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -820,7 +820,7 @@ fn function_() {
     let _e93 = p.member.size[0u];
     let _e95 = p.member.size[1u];
     let _e96 = lt_shaders_entry_pixel_index(_e71, _e93, _e95);
-    if (bitcast<i32>(_e96.word) != 0i) {
+    if (bitcast<i32>(_e96.root) != 0i) {
         let _e104 = p.member.eye;
         let _e107 = p.member.grid[0u];
         let _e109 = p.member.grid[1u];
@@ -1157,41 +1157,41 @@ fn function_() {
                         let _e632 = ((bitcast<f32>(_e622) - _e168.origin.z) * _e336);
                         let _e640 = nodes.member[(0u + _e575)].x;
                         if (_e314 < 0f) {
-                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e640.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e651.unnamed.word, _e640.w), _e651.unnamed_1);
-                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e657.unnamed, lt_mask_LightPlace(_e640.x, _e657.unnamed_1.shift));
-                            phi_1297_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e663.unnamed, lt_mask_LightPlace(_e663.unnamed_1.word, _e640.y));
+                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e640.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e651.unnamed.root, _e640.w), _e651.unnamed_1);
+                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e657.unnamed, lt_bvh_traverse_Tree(_e640.x, _e657.unnamed_1.first_primitive));
+                            phi_1297_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e663.unnamed, lt_bvh_traverse_Tree(_e663.unnamed_1.root, _e640.y));
                         } else {
-                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e640.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e679.unnamed.word, _e640.y), _e679.unnamed_1);
-                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e685.unnamed, lt_mask_LightPlace(_e640.z, _e685.unnamed_1.shift));
-                            phi_1297_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_mask_LightPlace(_e691.unnamed_1.word, _e640.w));
+                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e640.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e679.unnamed.root, _e640.y), _e679.unnamed_1);
+                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e685.unnamed, lt_bvh_traverse_Tree(_e640.z, _e685.unnamed_1.first_primitive));
+                            phi_1297_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e691.unnamed, lt_bvh_traverse_Tree(_e691.unnamed_1.root, _e640.w));
                         }
                         let _e699 = phi_1297_;
                         let _e709 = nodes.member[(0u + _e575)].y;
                         if (_e325 < 0f) {
-                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e709.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e720.unnamed.word, _e709.w), _e720.unnamed_1);
-                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e726.unnamed, lt_mask_LightPlace(_e709.x, _e726.unnamed_1.shift));
-                            phi_1324_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_mask_LightPlace(_e732.unnamed_1.word, _e709.y));
+                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e709.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e720.unnamed.root, _e709.w), _e720.unnamed_1);
+                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e726.unnamed, lt_bvh_traverse_Tree(_e709.x, _e726.unnamed_1.first_primitive));
+                            phi_1324_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_bvh_traverse_Tree(_e732.unnamed_1.root, _e709.y));
                         } else {
-                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e709.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e748.unnamed.word, _e709.y), _e748.unnamed_1);
-                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e754.unnamed, lt_mask_LightPlace(_e709.z, _e754.unnamed_1.shift));
-                            phi_1324_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_mask_LightPlace(_e760.unnamed_1.word, _e709.w));
+                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e709.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e748.unnamed.root, _e709.y), _e748.unnamed_1);
+                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e754.unnamed, lt_bvh_traverse_Tree(_e709.z, _e754.unnamed_1.first_primitive));
+                            phi_1324_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e760.unnamed, lt_bvh_traverse_Tree(_e760.unnamed_1.root, _e709.w));
                         }
                         let _e768 = phi_1324_;
                         let _e778 = nodes.member[(0u + _e575)].z;
                         if (_e336 < 0f) {
-                            let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e778.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e789.unnamed.word, _e778.w), _e789.unnamed_1);
-                            let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e795.unnamed, lt_mask_LightPlace(_e778.x, _e795.unnamed_1.shift));
-                            phi_1351_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_mask_LightPlace(_e801.unnamed_1.word, _e778.y));
+                            let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e778.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e789.unnamed.root, _e778.w), _e789.unnamed_1);
+                            let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e795.unnamed, lt_bvh_traverse_Tree(_e778.x, _e795.unnamed_1.first_primitive));
+                            phi_1351_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_bvh_traverse_Tree(_e801.unnamed_1.root, _e778.y));
                         } else {
-                            let _e817 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e778.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e823 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e817.unnamed.word, _e778.y), _e817.unnamed_1);
-                            let _e829 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e823.unnamed, lt_mask_LightPlace(_e778.z, _e823.unnamed_1.shift));
-                            phi_1351_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e829.unnamed, lt_mask_LightPlace(_e829.unnamed_1.word, _e778.w));
+                            let _e817 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e778.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e823 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e817.unnamed.root, _e778.y), _e817.unnamed_1);
+                            let _e829 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e823.unnamed, lt_bvh_traverse_Tree(_e778.z, _e823.unnamed_1.first_primitive));
+                            phi_1351_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e829.unnamed, lt_bvh_traverse_Tree(_e829.unnamed_1.root, _e778.w));
                         }
                         let _e837 = phi_1351_;
                         phi_1357_ = 0u;
@@ -1207,41 +1207,41 @@ fn function_() {
                                 let _e852 = (_e847 >> bitcast<u32>(2i));
                                 let _e853 = (_e847 & 3u);
                                 if (_e852 == 0u) {
-                                    phi_1374_ = _e699.unnamed.word;
+                                    phi_1374_ = _e699.unnamed.root;
                                 } else {
-                                    phi_1374_ = _e699.unnamed.shift;
+                                    phi_1374_ = _e699.unnamed.first_primitive;
                                 }
                                 let _e856 = phi_1374_;
                                 if (_e852 == 0u) {
-                                    phi_1384_ = _e768.unnamed.word;
+                                    phi_1384_ = _e768.unnamed.root;
                                 } else {
-                                    phi_1384_ = _e768.unnamed.shift;
+                                    phi_1384_ = _e768.unnamed.first_primitive;
                                 }
                                 let _e865 = phi_1384_;
                                 if (_e852 == 0u) {
-                                    phi_1394_ = _e837.unnamed.word;
+                                    phi_1394_ = _e837.unnamed.root;
                                 } else {
-                                    phi_1394_ = _e837.unnamed.shift;
+                                    phi_1394_ = _e837.unnamed.first_primitive;
                                 }
                                 let _e874 = phi_1394_;
                                 let _e887 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e856 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e609) + (_e630 - _e374)), ((f32(((_e865 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e610) + (_e631 - _e375)));
                                 let _e888 = core_intrinsics_maximum_number_nsz_f32_(_e887, ((f32(((_e874 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e611) + (_e632 - _e376)));
                                 if (_e852 == 0u) {
-                                    phi_1412_ = _e699.unnamed_1.word;
+                                    phi_1412_ = _e699.unnamed_1.root;
                                 } else {
-                                    phi_1412_ = _e699.unnamed_1.shift;
+                                    phi_1412_ = _e699.unnamed_1.first_primitive;
                                 }
                                 let _e891 = phi_1412_;
                                 if (_e852 == 0u) {
-                                    phi_1422_ = _e768.unnamed_1.word;
+                                    phi_1422_ = _e768.unnamed_1.root;
                                 } else {
-                                    phi_1422_ = _e768.unnamed_1.shift;
+                                    phi_1422_ = _e768.unnamed_1.first_primitive;
                                 }
                                 let _e900 = phi_1422_;
                                 if (_e852 == 0u) {
-                                    phi_1432_ = _e837.unnamed_1.word;
+                                    phi_1432_ = _e837.unnamed_1.root;
                                 } else {
-                                    phi_1432_ = _e837.unnamed_1.shift;
+                                    phi_1432_ = _e837.unnamed_1.first_primitive;
                                 }
                                 let _e909 = phi_1432_;
                                 let _e922 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e891 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e609) + (_e630 + _e374)), ((f32(((_e900 >> bitcast<u32>(((_e853 * 8u) & 31u))) & 255u)) * _e610) + (_e631 + _e375)));
@@ -2287,11 +2287,11 @@ fn function_() {
             phi_2985_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2281 = phi_2985_;
-        if (_e96.shift < arrayLength((&samples.member))) {
+        if (_e96.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e96.shift)] = _e2281;
+        samples.member[(0u + _e96.first_primitive)] = _e2281;
     }
     return;
 }

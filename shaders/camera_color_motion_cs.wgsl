@@ -11,6 +11,15 @@ struct abi_CameraParams {
     grid: vec2<u32>,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -20,20 +29,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
-    member: array<u32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
-}
-
-struct type_26 {
+struct type_28 {
     member: array<vec4<f32>>,
 }
 
@@ -59,7 +59,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_34 {
+struct type_36 {
     member: array<lt_bvh_Node>,
 }
 
@@ -72,7 +72,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_38 {
+struct type_40 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -84,7 +84,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_42 {
+struct type_44 {
     member: array<abi_Vertex>,
 }
 
@@ -100,13 +100,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_46 {
+struct type_48 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -148,37 +148,37 @@ struct lt_bvh_Hit {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_42;
+var<storage> vertices: type_44;
 @group(0) @binding(4) 
-var<storage> materials: type_46;
+var<storage> materials: type_48;
 @group(0) @binding(0) 
 var<uniform> p: type_56;
 @group(0) @binding(1) 
-var<storage> nodes: type_34;
+var<storage> nodes: type_36;
 @group(0) @binding(2) 
-var<storage> triangles: type_38;
+var<storage> triangles: type_40;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_9;
+var<storage, read_write> samples: type_20;
 @group(0) @binding(6) 
-var<storage> color_texels: type_13;
+var<storage> color_texels: type_9;
 @group(0) @binding(7) 
-var<storage> before: type_26;
+var<storage> before: type_28;
 @group(0) @binding(8) 
-var<storage, read_write> past: type_26;
+var<storage, read_write> past: type_28;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_217_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_217_: lt_bvh_traverse_Tree;
     var phi_218_: bool;
-    var phi_219_: lt_mask_LightPlace;
+    var phi_219_: lt_bvh_traverse_Tree;
     var phi_220_: bool;
-    var phi_225_: lt_mask_LightPlace;
+    var phi_225_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_217_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_217_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_218_ = false;
         } else {
-            phi_217_ = lt_mask_LightPlace();
+            phi_217_ = lt_bvh_traverse_Tree();
             phi_218_ = true;
         }
         let _e84 = phi_217_;
@@ -186,18 +186,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_219_ = _e84;
         phi_220_ = _e86;
     } else {
-        phi_219_ = lt_mask_LightPlace();
+        phi_219_ = lt_bvh_traverse_Tree();
         phi_220_ = true;
     }
     let _e88 = phi_219_;
     let _e90 = phi_220_;
     if _e90 {
-        phi_225_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_225_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_225_ = _e88;
     }
     let _e95 = phi_225_;
-    return lt_mask_LightPlace(_e95.word, _e95.shift);
+    return lt_bvh_traverse_Tree(_e95.root, _e95.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -834,7 +834,7 @@ fn function_() {
     let _e101 = p.member.size[0u];
     let _e103 = p.member.size[1u];
     let _e104 = lt_shaders_entry_pixel_index(_e73, _e101, _e103);
-    if (bitcast<i32>(_e104.word) != 0i) {
+    if (bitcast<i32>(_e104.root) != 0i) {
         let _e112 = p.member.eye;
         let _e115 = p.member.grid[0u];
         let _e117 = p.member.grid[1u];
@@ -1171,41 +1171,41 @@ fn function_() {
                         let _e640 = ((bitcast<f32>(_e630) - _e176.origin.z) * _e344);
                         let _e648 = nodes.member[(0u + _e583)].x;
                         if (_e322 < 0f) {
-                            let _e659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e648.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e659.unnamed.word, _e648.w), _e659.unnamed_1);
-                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e665.unnamed, lt_mask_LightPlace(_e648.x, _e665.unnamed_1.shift));
-                            phi_1311_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_mask_LightPlace(_e671.unnamed_1.word, _e648.y));
+                            let _e659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e648.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e659.unnamed.root, _e648.w), _e659.unnamed_1);
+                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e665.unnamed, lt_bvh_traverse_Tree(_e648.x, _e665.unnamed_1.first_primitive));
+                            phi_1311_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_bvh_traverse_Tree(_e671.unnamed_1.root, _e648.y));
                         } else {
-                            let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e648.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e687.unnamed.word, _e648.y), _e687.unnamed_1);
-                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e693.unnamed, lt_mask_LightPlace(_e648.z, _e693.unnamed_1.shift));
-                            phi_1311_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_mask_LightPlace(_e699.unnamed_1.word, _e648.w));
+                            let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e648.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e687.unnamed.root, _e648.y), _e687.unnamed_1);
+                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e693.unnamed, lt_bvh_traverse_Tree(_e648.z, _e693.unnamed_1.first_primitive));
+                            phi_1311_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_bvh_traverse_Tree(_e699.unnamed_1.root, _e648.w));
                         }
                         let _e707 = phi_1311_;
                         let _e717 = nodes.member[(0u + _e583)].y;
                         if (_e333 < 0f) {
-                            let _e728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e717.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e728.unnamed.word, _e717.w), _e728.unnamed_1);
-                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e734.unnamed, lt_mask_LightPlace(_e717.x, _e734.unnamed_1.shift));
-                            phi_1338_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_mask_LightPlace(_e740.unnamed_1.word, _e717.y));
+                            let _e728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e717.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e728.unnamed.root, _e717.w), _e728.unnamed_1);
+                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e734.unnamed, lt_bvh_traverse_Tree(_e717.x, _e734.unnamed_1.first_primitive));
+                            phi_1338_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_bvh_traverse_Tree(_e740.unnamed_1.root, _e717.y));
                         } else {
-                            let _e756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e717.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e756.unnamed.word, _e717.y), _e756.unnamed_1);
-                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e762.unnamed, lt_mask_LightPlace(_e717.z, _e762.unnamed_1.shift));
-                            phi_1338_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e768.unnamed, lt_mask_LightPlace(_e768.unnamed_1.word, _e717.w));
+                            let _e756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e717.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e756.unnamed.root, _e717.y), _e756.unnamed_1);
+                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e762.unnamed, lt_bvh_traverse_Tree(_e717.z, _e762.unnamed_1.first_primitive));
+                            phi_1338_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e768.unnamed, lt_bvh_traverse_Tree(_e768.unnamed_1.root, _e717.w));
                         }
                         let _e776 = phi_1338_;
                         let _e786 = nodes.member[(0u + _e583)].z;
                         if (_e344 < 0f) {
-                            let _e797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e786.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e803 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e797.unnamed.word, _e786.w), _e797.unnamed_1);
-                            let _e809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e803.unnamed, lt_mask_LightPlace(_e786.x, _e803.unnamed_1.shift));
-                            phi_1365_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e809.unnamed, lt_mask_LightPlace(_e809.unnamed_1.word, _e786.y));
+                            let _e797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e786.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e803 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e797.unnamed.root, _e786.w), _e797.unnamed_1);
+                            let _e809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e803.unnamed, lt_bvh_traverse_Tree(_e786.x, _e803.unnamed_1.first_primitive));
+                            phi_1365_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e809.unnamed, lt_bvh_traverse_Tree(_e809.unnamed_1.root, _e786.y));
                         } else {
-                            let _e825 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e786.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e831 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e825.unnamed.word, _e786.y), _e825.unnamed_1);
-                            let _e837 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e831.unnamed, lt_mask_LightPlace(_e786.z, _e831.unnamed_1.shift));
-                            phi_1365_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e837.unnamed, lt_mask_LightPlace(_e837.unnamed_1.word, _e786.w));
+                            let _e825 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e786.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e831 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e825.unnamed.root, _e786.y), _e825.unnamed_1);
+                            let _e837 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e831.unnamed, lt_bvh_traverse_Tree(_e786.z, _e831.unnamed_1.first_primitive));
+                            phi_1365_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e837.unnamed, lt_bvh_traverse_Tree(_e837.unnamed_1.root, _e786.w));
                         }
                         let _e845 = phi_1365_;
                         phi_1371_ = 0u;
@@ -1221,41 +1221,41 @@ fn function_() {
                                 let _e860 = (_e855 >> bitcast<u32>(2i));
                                 let _e861 = (_e855 & 3u);
                                 if (_e860 == 0u) {
-                                    phi_1388_ = _e707.unnamed.word;
+                                    phi_1388_ = _e707.unnamed.root;
                                 } else {
-                                    phi_1388_ = _e707.unnamed.shift;
+                                    phi_1388_ = _e707.unnamed.first_primitive;
                                 }
                                 let _e864 = phi_1388_;
                                 if (_e860 == 0u) {
-                                    phi_1398_ = _e776.unnamed.word;
+                                    phi_1398_ = _e776.unnamed.root;
                                 } else {
-                                    phi_1398_ = _e776.unnamed.shift;
+                                    phi_1398_ = _e776.unnamed.first_primitive;
                                 }
                                 let _e873 = phi_1398_;
                                 if (_e860 == 0u) {
-                                    phi_1408_ = _e845.unnamed.word;
+                                    phi_1408_ = _e845.unnamed.root;
                                 } else {
-                                    phi_1408_ = _e845.unnamed.shift;
+                                    phi_1408_ = _e845.unnamed.first_primitive;
                                 }
                                 let _e882 = phi_1408_;
                                 let _e895 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e864 >> bitcast<u32>(((_e861 * 8u) & 31u))) & 255u)) * _e617) + (_e638 - _e382)), ((f32(((_e873 >> bitcast<u32>(((_e861 * 8u) & 31u))) & 255u)) * _e618) + (_e639 - _e383)));
                                 let _e896 = core_intrinsics_maximum_number_nsz_f32_(_e895, ((f32(((_e882 >> bitcast<u32>(((_e861 * 8u) & 31u))) & 255u)) * _e619) + (_e640 - _e384)));
                                 if (_e860 == 0u) {
-                                    phi_1426_ = _e707.unnamed_1.word;
+                                    phi_1426_ = _e707.unnamed_1.root;
                                 } else {
-                                    phi_1426_ = _e707.unnamed_1.shift;
+                                    phi_1426_ = _e707.unnamed_1.first_primitive;
                                 }
                                 let _e899 = phi_1426_;
                                 if (_e860 == 0u) {
-                                    phi_1436_ = _e776.unnamed_1.word;
+                                    phi_1436_ = _e776.unnamed_1.root;
                                 } else {
-                                    phi_1436_ = _e776.unnamed_1.shift;
+                                    phi_1436_ = _e776.unnamed_1.first_primitive;
                                 }
                                 let _e908 = phi_1436_;
                                 if (_e860 == 0u) {
-                                    phi_1446_ = _e845.unnamed_1.word;
+                                    phi_1446_ = _e845.unnamed_1.root;
                                 } else {
-                                    phi_1446_ = _e845.unnamed_1.shift;
+                                    phi_1446_ = _e845.unnamed_1.first_primitive;
                                 }
                                 let _e917 = phi_1446_;
                                 let _e930 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e899 >> bitcast<u32>(((_e861 * 8u) & 31u))) & 255u)) * _e617) + (_e638 + _e382)), ((f32(((_e908 >> bitcast<u32>(((_e861 * 8u) & 31u))) & 255u)) * _e618) + (_e639 + _e383)));
@@ -2301,11 +2301,11 @@ fn function_() {
             phi_2999_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2289 = phi_2999_;
-        if (_e104.shift < arrayLength((&samples.member))) {
+        if (_e104.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e104.shift)] = _e2289;
+        samples.member[(0u + _e104.first_primitive)] = _e2289;
         if (_e1633.triangle != 4294967295u) {
             let _e2298 = ((1f - _e1633.u) - _e1633.v);
             if (_e1633.triangle < _e80) {
@@ -2337,11 +2337,11 @@ fn function_() {
             phi_3090_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e2361 = phi_3090_;
-        if (_e104.shift < arrayLength((&past.member))) {
+        if (_e104.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e104.shift)] = vec4<f32>(_e2361.x, _e2361.y, _e2361.z, 1f);
+        past.member[(0u + _e104.first_primitive)] = vec4<f32>(_e2361.x, _e2361.y, _e2361.z, 1f);
     }
     return;
 }

@@ -11,6 +11,15 @@ struct abi_CameraParams {
     grid: vec2<u32>,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -20,17 +29,8 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_20 {
     member: array<abi_Sample>,
-}
-
-struct type_13 {
-    member: array<u32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct texture_TextureView {
@@ -55,7 +55,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_30 {
+struct type_32 {
     member: array<lt_bvh_Node>,
 }
 
@@ -68,7 +68,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_34 {
+struct type_36 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -80,7 +80,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_38 {
+struct type_40 {
     member: array<abi_Vertex>,
 }
 
@@ -96,13 +96,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_42 {
+struct type_44 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -159,37 +159,37 @@ struct lt_bvh_Hit {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_38;
+var<storage> vertices: type_40;
 @group(0) @binding(4) 
-var<storage> materials: type_42;
+var<storage> materials: type_44;
 @group(0) @binding(0) 
 var<uniform> p: type_59;
 @group(0) @binding(1) 
-var<storage> nodes: type_30;
+var<storage> nodes: type_32;
 @group(0) @binding(2) 
-var<storage> triangles: type_34;
+var<storage> triangles: type_36;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_9;
+var<storage, read_write> samples: type_20;
 @group(0) @binding(6) 
 var<storage> instances: type_55;
 @group(0) @binding(7) 
-var<storage> alpha_texels: type_13;
+var<storage> alpha_texels: type_9;
 @group(0) @binding(8) 
-var<storage> color_texels: type_13;
+var<storage> color_texels: type_9;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_226_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_226_: lt_bvh_traverse_Tree;
     var phi_227_: bool;
-    var phi_228_: lt_mask_LightPlace;
+    var phi_228_: lt_bvh_traverse_Tree;
     var phi_229_: bool;
-    var phi_234_: lt_mask_LightPlace;
+    var phi_234_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_226_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_226_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_227_ = false;
         } else {
-            phi_226_ = lt_mask_LightPlace();
+            phi_226_ = lt_bvh_traverse_Tree();
             phi_227_ = true;
         }
         let _e84 = phi_226_;
@@ -197,18 +197,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_228_ = _e84;
         phi_229_ = _e86;
     } else {
-        phi_228_ = lt_mask_LightPlace();
+        phi_228_ = lt_bvh_traverse_Tree();
         phi_229_ = true;
     }
     let _e88 = phi_228_;
     let _e90 = phi_229_;
     if _e90 {
-        phi_234_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_234_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_234_ = _e88;
     }
     let _e95 = phi_234_;
-    return lt_mask_LightPlace(_e95.word, _e95.shift);
+    return lt_bvh_traverse_Tree(_e95.root, _e95.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -927,7 +927,7 @@ fn function_() {
     let _e103 = p.member.size[0u];
     let _e105 = p.member.size[1u];
     let _e106 = lt_shaders_entry_pixel_index(_e75, _e103, _e105);
-    if (bitcast<i32>(_e106.word) != 0i) {
+    if (bitcast<i32>(_e106.root) != 0i) {
         let _e112 = p.member.root;
         let _e116 = p.member.eye;
         let _e119 = p.member.grid[0u];
@@ -1224,41 +1224,41 @@ fn function_() {
                         let _e603 = ((bitcast<f32>(_e593) - _e180.origin.z) * _e348);
                         let _e611 = nodes.member[(0u + _e544)].x;
                         if (_e326 < 0f) {
-                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e611.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e622.unnamed.word, _e611.w), _e622.unnamed_1);
-                            let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e628.unnamed, lt_mask_LightPlace(_e611.x, _e628.unnamed_1.shift));
-                            phi_1281_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e634.unnamed, lt_mask_LightPlace(_e634.unnamed_1.word, _e611.y));
+                            let _e622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e611.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e622.unnamed.root, _e611.w), _e622.unnamed_1);
+                            let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e628.unnamed, lt_bvh_traverse_Tree(_e611.x, _e628.unnamed_1.first_primitive));
+                            phi_1281_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e634.unnamed, lt_bvh_traverse_Tree(_e634.unnamed_1.root, _e611.y));
                         } else {
-                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e611.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e650.unnamed.word, _e611.y), _e650.unnamed_1);
-                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e656.unnamed, lt_mask_LightPlace(_e611.z, _e656.unnamed_1.shift));
-                            phi_1281_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e662.unnamed, lt_mask_LightPlace(_e662.unnamed_1.word, _e611.w));
+                            let _e650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e611.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e656 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e650.unnamed.root, _e611.y), _e650.unnamed_1);
+                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e656.unnamed, lt_bvh_traverse_Tree(_e611.z, _e656.unnamed_1.first_primitive));
+                            phi_1281_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e662.unnamed, lt_bvh_traverse_Tree(_e662.unnamed_1.root, _e611.w));
                         }
                         let _e670 = phi_1281_;
                         let _e680 = nodes.member[(0u + _e544)].y;
                         if (_e337 < 0f) {
-                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e680.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e691.unnamed.word, _e680.w), _e691.unnamed_1);
-                            let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_mask_LightPlace(_e680.x, _e697.unnamed_1.shift));
-                            phi_1308_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e703.unnamed, lt_mask_LightPlace(_e703.unnamed_1.word, _e680.y));
+                            let _e691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e680.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e691.unnamed.root, _e680.w), _e691.unnamed_1);
+                            let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e697.unnamed, lt_bvh_traverse_Tree(_e680.x, _e697.unnamed_1.first_primitive));
+                            phi_1308_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e703.unnamed, lt_bvh_traverse_Tree(_e703.unnamed_1.root, _e680.y));
                         } else {
-                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e680.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e719.unnamed.word, _e680.y), _e719.unnamed_1);
-                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e725.unnamed, lt_mask_LightPlace(_e680.z, _e725.unnamed_1.shift));
-                            phi_1308_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e731.unnamed, lt_mask_LightPlace(_e731.unnamed_1.word, _e680.w));
+                            let _e719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e680.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e719.unnamed.root, _e680.y), _e719.unnamed_1);
+                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e725.unnamed, lt_bvh_traverse_Tree(_e680.z, _e725.unnamed_1.first_primitive));
+                            phi_1308_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e731.unnamed, lt_bvh_traverse_Tree(_e731.unnamed_1.root, _e680.w));
                         }
                         let _e739 = phi_1308_;
                         let _e749 = nodes.member[(0u + _e544)].z;
                         if (_e348 < 0f) {
-                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e749.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e760.unnamed.word, _e749.w), _e760.unnamed_1);
-                            let _e772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_mask_LightPlace(_e749.x, _e766.unnamed_1.shift));
-                            phi_1335_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e772.unnamed, lt_mask_LightPlace(_e772.unnamed_1.word, _e749.y));
+                            let _e760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e749.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e760.unnamed.root, _e749.w), _e760.unnamed_1);
+                            let _e772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e766.unnamed, lt_bvh_traverse_Tree(_e749.x, _e766.unnamed_1.first_primitive));
+                            phi_1335_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e772.unnamed, lt_bvh_traverse_Tree(_e772.unnamed_1.root, _e749.y));
                         } else {
-                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e749.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e788.unnamed.word, _e749.y), _e788.unnamed_1);
-                            let _e800 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e794.unnamed, lt_mask_LightPlace(_e749.z, _e794.unnamed_1.shift));
-                            phi_1335_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e800.unnamed, lt_mask_LightPlace(_e800.unnamed_1.word, _e749.w));
+                            let _e788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e749.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e788.unnamed.root, _e749.y), _e788.unnamed_1);
+                            let _e800 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e794.unnamed, lt_bvh_traverse_Tree(_e749.z, _e794.unnamed_1.first_primitive));
+                            phi_1335_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e800.unnamed, lt_bvh_traverse_Tree(_e800.unnamed_1.root, _e749.w));
                         }
                         let _e808 = phi_1335_;
                         phi_1341_ = 0u;
@@ -1274,41 +1274,41 @@ fn function_() {
                                 let _e823 = (_e818 >> bitcast<u32>(2i));
                                 let _e824 = (_e818 & 3u);
                                 if (_e823 == 0u) {
-                                    phi_1358_ = _e670.unnamed.word;
+                                    phi_1358_ = _e670.unnamed.root;
                                 } else {
-                                    phi_1358_ = _e670.unnamed.shift;
+                                    phi_1358_ = _e670.unnamed.first_primitive;
                                 }
                                 let _e827 = phi_1358_;
                                 if (_e823 == 0u) {
-                                    phi_1368_ = _e739.unnamed.word;
+                                    phi_1368_ = _e739.unnamed.root;
                                 } else {
-                                    phi_1368_ = _e739.unnamed.shift;
+                                    phi_1368_ = _e739.unnamed.first_primitive;
                                 }
                                 let _e836 = phi_1368_;
                                 if (_e823 == 0u) {
-                                    phi_1378_ = _e808.unnamed.word;
+                                    phi_1378_ = _e808.unnamed.root;
                                 } else {
-                                    phi_1378_ = _e808.unnamed.shift;
+                                    phi_1378_ = _e808.unnamed.first_primitive;
                                 }
                                 let _e845 = phi_1378_;
                                 let _e858 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e827 >> bitcast<u32>(((_e824 * 8u) & 31u))) & 255u)) * _e580) + (_e601 - _e386)), ((f32(((_e836 >> bitcast<u32>(((_e824 * 8u) & 31u))) & 255u)) * _e581) + (_e602 - _e387)));
                                 let _e859 = core_intrinsics_maximum_number_nsz_f32_(_e858, ((f32(((_e845 >> bitcast<u32>(((_e824 * 8u) & 31u))) & 255u)) * _e582) + (_e603 - _e388)));
                                 if (_e823 == 0u) {
-                                    phi_1396_ = _e670.unnamed_1.word;
+                                    phi_1396_ = _e670.unnamed_1.root;
                                 } else {
-                                    phi_1396_ = _e670.unnamed_1.shift;
+                                    phi_1396_ = _e670.unnamed_1.first_primitive;
                                 }
                                 let _e862 = phi_1396_;
                                 if (_e823 == 0u) {
-                                    phi_1406_ = _e739.unnamed_1.word;
+                                    phi_1406_ = _e739.unnamed_1.root;
                                 } else {
-                                    phi_1406_ = _e739.unnamed_1.shift;
+                                    phi_1406_ = _e739.unnamed_1.first_primitive;
                                 }
                                 let _e871 = phi_1406_;
                                 if (_e823 == 0u) {
-                                    phi_1416_ = _e808.unnamed_1.word;
+                                    phi_1416_ = _e808.unnamed_1.root;
                                 } else {
-                                    phi_1416_ = _e808.unnamed_1.shift;
+                                    phi_1416_ = _e808.unnamed_1.first_primitive;
                                 }
                                 let _e880 = phi_1416_;
                                 let _e893 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e862 >> bitcast<u32>(((_e824 * 8u) & 31u))) & 255u)) * _e580) + (_e601 + _e386)), ((f32(((_e871 >> bitcast<u32>(((_e824 * 8u) & 31u))) & 255u)) * _e581) + (_e602 + _e387)));
@@ -1801,41 +1801,41 @@ fn function_() {
                                                             let _e1583 = ((bitcast<f32>(_e1576) - _e1107) * _e1308);
                                                             let _e1591 = nodes.member[(0u + _e1530)].x;
                                                             if (_e1288 < 0f) {
-                                                                let _e1602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1591.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1602.unnamed.word, _e1591.w), _e1602.unnamed_1);
-                                                                let _e1614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1608.unnamed, lt_mask_LightPlace(_e1591.x, _e1608.unnamed_1.shift));
-                                                                phi_2247_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1614.unnamed, lt_mask_LightPlace(_e1614.unnamed_1.word, _e1591.y));
+                                                                let _e1602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1591.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1602.unnamed.root, _e1591.w), _e1602.unnamed_1);
+                                                                let _e1614 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1608.unnamed, lt_bvh_traverse_Tree(_e1591.x, _e1608.unnamed_1.first_primitive));
+                                                                phi_2247_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1614.unnamed, lt_bvh_traverse_Tree(_e1614.unnamed_1.root, _e1591.y));
                                                             } else {
-                                                                let _e1630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1591.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1630.unnamed.word, _e1591.y), _e1630.unnamed_1);
-                                                                let _e1642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1636.unnamed, lt_mask_LightPlace(_e1591.z, _e1636.unnamed_1.shift));
-                                                                phi_2247_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1642.unnamed, lt_mask_LightPlace(_e1642.unnamed_1.word, _e1591.w));
+                                                                let _e1630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1591.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1630.unnamed.root, _e1591.y), _e1630.unnamed_1);
+                                                                let _e1642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1636.unnamed, lt_bvh_traverse_Tree(_e1591.z, _e1636.unnamed_1.first_primitive));
+                                                                phi_2247_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1642.unnamed, lt_bvh_traverse_Tree(_e1642.unnamed_1.root, _e1591.w));
                                                             }
                                                             let _e1650 = phi_2247_;
                                                             let _e1660 = nodes.member[(0u + _e1530)].y;
                                                             if (_e1298 < 0f) {
-                                                                let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1660.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1671.unnamed.word, _e1660.w), _e1671.unnamed_1);
-                                                                let _e1683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1677.unnamed, lt_mask_LightPlace(_e1660.x, _e1677.unnamed_1.shift));
-                                                                phi_2274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1683.unnamed, lt_mask_LightPlace(_e1683.unnamed_1.word, _e1660.y));
+                                                                let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1660.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1671.unnamed.root, _e1660.w), _e1671.unnamed_1);
+                                                                let _e1683 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1677.unnamed, lt_bvh_traverse_Tree(_e1660.x, _e1677.unnamed_1.first_primitive));
+                                                                phi_2274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1683.unnamed, lt_bvh_traverse_Tree(_e1683.unnamed_1.root, _e1660.y));
                                                             } else {
-                                                                let _e1699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1660.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1699.unnamed.word, _e1660.y), _e1699.unnamed_1);
-                                                                let _e1711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1705.unnamed, lt_mask_LightPlace(_e1660.z, _e1705.unnamed_1.shift));
-                                                                phi_2274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1711.unnamed, lt_mask_LightPlace(_e1711.unnamed_1.word, _e1660.w));
+                                                                let _e1699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1660.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1699.unnamed.root, _e1660.y), _e1699.unnamed_1);
+                                                                let _e1711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1705.unnamed, lt_bvh_traverse_Tree(_e1660.z, _e1705.unnamed_1.first_primitive));
+                                                                phi_2274_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1711.unnamed, lt_bvh_traverse_Tree(_e1711.unnamed_1.root, _e1660.w));
                                                             }
                                                             let _e1719 = phi_2274_;
                                                             let _e1729 = nodes.member[(0u + _e1530)].z;
                                                             if (_e1308 < 0f) {
-                                                                let _e1740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1729.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1740.unnamed.word, _e1729.w), _e1740.unnamed_1);
-                                                                let _e1752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1746.unnamed, lt_mask_LightPlace(_e1729.x, _e1746.unnamed_1.shift));
-                                                                phi_2301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1752.unnamed, lt_mask_LightPlace(_e1752.unnamed_1.word, _e1729.y));
+                                                                let _e1740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1729.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1740.unnamed.root, _e1729.w), _e1740.unnamed_1);
+                                                                let _e1752 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1746.unnamed, lt_bvh_traverse_Tree(_e1729.x, _e1746.unnamed_1.first_primitive));
+                                                                phi_2301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1752.unnamed, lt_bvh_traverse_Tree(_e1752.unnamed_1.root, _e1729.y));
                                                             } else {
-                                                                let _e1768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1729.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1768.unnamed.word, _e1729.y), _e1768.unnamed_1);
-                                                                let _e1780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1774.unnamed, lt_mask_LightPlace(_e1729.z, _e1774.unnamed_1.shift));
-                                                                phi_2301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1780.unnamed, lt_mask_LightPlace(_e1780.unnamed_1.word, _e1729.w));
+                                                                let _e1768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1729.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1768.unnamed.root, _e1729.y), _e1768.unnamed_1);
+                                                                let _e1780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1774.unnamed, lt_bvh_traverse_Tree(_e1729.z, _e1774.unnamed_1.first_primitive));
+                                                                phi_2301_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1780.unnamed, lt_bvh_traverse_Tree(_e1780.unnamed_1.root, _e1729.w));
                                                             }
                                                             let _e1788 = phi_2301_;
                                                             phi_2307_ = 0u;
@@ -1851,41 +1851,41 @@ fn function_() {
                                                                     let _e1803 = (_e1798 >> bitcast<u32>(2i));
                                                                     let _e1804 = (_e1798 & 3u);
                                                                     if (_e1803 == 0u) {
-                                                                        phi_2324_ = _e1650.unnamed.word;
+                                                                        phi_2324_ = _e1650.unnamed.root;
                                                                     } else {
-                                                                        phi_2324_ = _e1650.unnamed.shift;
+                                                                        phi_2324_ = _e1650.unnamed.first_primitive;
                                                                     }
                                                                     let _e1807 = phi_2324_;
                                                                     if (_e1803 == 0u) {
-                                                                        phi_2334_ = _e1719.unnamed.word;
+                                                                        phi_2334_ = _e1719.unnamed.root;
                                                                     } else {
-                                                                        phi_2334_ = _e1719.unnamed.shift;
+                                                                        phi_2334_ = _e1719.unnamed.first_primitive;
                                                                     }
                                                                     let _e1816 = phi_2334_;
                                                                     if (_e1803 == 0u) {
-                                                                        phi_2344_ = _e1788.unnamed.word;
+                                                                        phi_2344_ = _e1788.unnamed.root;
                                                                     } else {
-                                                                        phi_2344_ = _e1788.unnamed.shift;
+                                                                        phi_2344_ = _e1788.unnamed.first_primitive;
                                                                     }
                                                                     let _e1825 = phi_2344_;
                                                                     let _e1838 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1807 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 - _e1340)), ((f32(((_e1816 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1564) + (_e1582 - _e1341)));
                                                                     let _e1839 = core_intrinsics_maximum_number_nsz_f32_(_e1838, ((f32(((_e1825 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1565) + (_e1583 - _e1342)));
                                                                     if (_e1803 == 0u) {
-                                                                        phi_2362_ = _e1650.unnamed_1.word;
+                                                                        phi_2362_ = _e1650.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2362_ = _e1650.unnamed_1.shift;
+                                                                        phi_2362_ = _e1650.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1842 = phi_2362_;
                                                                     if (_e1803 == 0u) {
-                                                                        phi_2372_ = _e1719.unnamed_1.word;
+                                                                        phi_2372_ = _e1719.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2372_ = _e1719.unnamed_1.shift;
+                                                                        phi_2372_ = _e1719.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1851 = phi_2372_;
                                                                     if (_e1803 == 0u) {
-                                                                        phi_2382_ = _e1788.unnamed_1.word;
+                                                                        phi_2382_ = _e1788.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2382_ = _e1788.unnamed_1.shift;
+                                                                        phi_2382_ = _e1788.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1860 = phi_2382_;
                                                                     let _e1873 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1842 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1563) + (_e1581 + _e1340)), ((f32(((_e1851 >> bitcast<u32>(((_e1804 * 8u) & 31u))) & 255u)) * _e1564) + (_e1582 + _e1341)));
@@ -3147,11 +3147,11 @@ fn function_() {
             phi_4332_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e3618 = phi_4332_;
-        if (_e106.shift < arrayLength((&samples.member))) {
+        if (_e106.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e106.shift)] = _e3618;
+        samples.member[(0u + _e106.first_primitive)] = _e3618;
     }
     return;
 }

@@ -11,6 +11,15 @@ struct abi_CameraParams {
     grid: vec2<u32>,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -20,20 +29,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
-    member: array<u32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
-}
-
-struct type_26 {
+struct type_28 {
     member: array<vec4<f32>>,
 }
 
@@ -59,7 +59,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_34 {
+struct type_36 {
     member: array<lt_bvh_Node>,
 }
 
@@ -72,7 +72,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_38 {
+struct type_40 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -84,7 +84,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_42 {
+struct type_44 {
     member: array<abi_Vertex>,
 }
 
@@ -100,13 +100,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_46 {
+struct type_48 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -163,41 +163,41 @@ struct lt_bvh_Hit {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_42;
+var<storage> vertices: type_44;
 @group(0) @binding(4) 
-var<storage> materials: type_46;
+var<storage> materials: type_48;
 @group(0) @binding(0) 
 var<uniform> p: type_63;
 @group(0) @binding(1) 
-var<storage> nodes: type_34;
+var<storage> nodes: type_36;
 @group(0) @binding(2) 
-var<storage> triangles: type_38;
+var<storage> triangles: type_40;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_9;
+var<storage, read_write> samples: type_20;
 @group(0) @binding(6) 
 var<storage> instances: type_59;
 @group(0) @binding(7) 
-var<storage> alpha_texels: type_13;
+var<storage> alpha_texels: type_9;
 @group(0) @binding(8) 
-var<storage> color_texels: type_13;
+var<storage> color_texels: type_9;
 @group(0) @binding(9) 
-var<storage> before: type_26;
+var<storage> before: type_28;
 @group(0) @binding(10) 
-var<storage, read_write> past: type_26;
+var<storage, read_write> past: type_28;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_232_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_232_: lt_bvh_traverse_Tree;
     var phi_233_: bool;
-    var phi_234_: lt_mask_LightPlace;
+    var phi_234_: lt_bvh_traverse_Tree;
     var phi_235_: bool;
-    var phi_240_: lt_mask_LightPlace;
+    var phi_240_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_232_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_232_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_233_ = false;
         } else {
-            phi_232_ = lt_mask_LightPlace();
+            phi_232_ = lt_bvh_traverse_Tree();
             phi_233_ = true;
         }
         let _e86 = phi_232_;
@@ -205,18 +205,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_234_ = _e86;
         phi_235_ = _e88;
     } else {
-        phi_234_ = lt_mask_LightPlace();
+        phi_234_ = lt_bvh_traverse_Tree();
         phi_235_ = true;
     }
     let _e90 = phi_234_;
     let _e92 = phi_235_;
     if _e92 {
-        phi_240_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_240_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_240_ = _e90;
     }
     let _e97 = phi_240_;
-    return lt_mask_LightPlace(_e97.word, _e97.shift);
+    return lt_bvh_traverse_Tree(_e97.root, _e97.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -937,7 +937,7 @@ fn function_() {
     let _e111 = p.member.size[0u];
     let _e113 = p.member.size[1u];
     let _e114 = lt_shaders_entry_pixel_index(_e77, _e111, _e113);
-    if (bitcast<i32>(_e114.word) != 0i) {
+    if (bitcast<i32>(_e114.root) != 0i) {
         let _e120 = p.member.root;
         let _e124 = p.member.eye;
         let _e127 = p.member.grid[0u];
@@ -1234,41 +1234,41 @@ fn function_() {
                         let _e611 = ((bitcast<f32>(_e601) - _e188.origin.z) * _e356);
                         let _e619 = nodes.member[(0u + _e552)].x;
                         if (_e334 < 0f) {
-                            let _e630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e619.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e630.unnamed.word, _e619.w), _e630.unnamed_1);
-                            let _e642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e636.unnamed, lt_mask_LightPlace(_e619.x, _e636.unnamed_1.shift));
-                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e642.unnamed, lt_mask_LightPlace(_e642.unnamed_1.word, _e619.y));
+                            let _e630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e619.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e630.unnamed.root, _e619.w), _e630.unnamed_1);
+                            let _e642 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e636.unnamed, lt_bvh_traverse_Tree(_e619.x, _e636.unnamed_1.first_primitive));
+                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e642.unnamed, lt_bvh_traverse_Tree(_e642.unnamed_1.root, _e619.y));
                         } else {
-                            let _e658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e619.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e658.unnamed.word, _e619.y), _e658.unnamed_1);
-                            let _e670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e664.unnamed, lt_mask_LightPlace(_e619.z, _e664.unnamed_1.shift));
-                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e670.unnamed, lt_mask_LightPlace(_e670.unnamed_1.word, _e619.w));
+                            let _e658 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e619.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e658.unnamed.root, _e619.y), _e658.unnamed_1);
+                            let _e670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e664.unnamed, lt_bvh_traverse_Tree(_e619.z, _e664.unnamed_1.first_primitive));
+                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e670.unnamed, lt_bvh_traverse_Tree(_e670.unnamed_1.root, _e619.w));
                         }
                         let _e678 = phi_1291_;
                         let _e688 = nodes.member[(0u + _e552)].y;
                         if (_e345 < 0f) {
-                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e688.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e699.unnamed.word, _e688.w), _e699.unnamed_1);
-                            let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e705.unnamed, lt_mask_LightPlace(_e688.x, _e705.unnamed_1.shift));
-                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e711.unnamed, lt_mask_LightPlace(_e711.unnamed_1.word, _e688.y));
+                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e688.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e699.unnamed.root, _e688.w), _e699.unnamed_1);
+                            let _e711 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e705.unnamed, lt_bvh_traverse_Tree(_e688.x, _e705.unnamed_1.first_primitive));
+                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e711.unnamed, lt_bvh_traverse_Tree(_e711.unnamed_1.root, _e688.y));
                         } else {
-                            let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e688.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e727.unnamed.word, _e688.y), _e727.unnamed_1);
-                            let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e733.unnamed, lt_mask_LightPlace(_e688.z, _e733.unnamed_1.shift));
-                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e739.unnamed, lt_mask_LightPlace(_e739.unnamed_1.word, _e688.w));
+                            let _e727 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e688.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e727.unnamed.root, _e688.y), _e727.unnamed_1);
+                            let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e733.unnamed, lt_bvh_traverse_Tree(_e688.z, _e733.unnamed_1.first_primitive));
+                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e739.unnamed, lt_bvh_traverse_Tree(_e739.unnamed_1.root, _e688.w));
                         }
                         let _e747 = phi_1318_;
                         let _e757 = nodes.member[(0u + _e552)].z;
                         if (_e356 < 0f) {
-                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e757.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e768.unnamed.word, _e757.w), _e768.unnamed_1);
-                            let _e780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e774.unnamed, lt_mask_LightPlace(_e757.x, _e774.unnamed_1.shift));
-                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e780.unnamed, lt_mask_LightPlace(_e780.unnamed_1.word, _e757.y));
+                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e757.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e768.unnamed.root, _e757.w), _e768.unnamed_1);
+                            let _e780 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e774.unnamed, lt_bvh_traverse_Tree(_e757.x, _e774.unnamed_1.first_primitive));
+                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e780.unnamed, lt_bvh_traverse_Tree(_e780.unnamed_1.root, _e757.y));
                         } else {
-                            let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e757.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e802 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e796.unnamed.word, _e757.y), _e796.unnamed_1);
-                            let _e808 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e802.unnamed, lt_mask_LightPlace(_e757.z, _e802.unnamed_1.shift));
-                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e808.unnamed, lt_mask_LightPlace(_e808.unnamed_1.word, _e757.w));
+                            let _e796 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e757.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e802 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e796.unnamed.root, _e757.y), _e796.unnamed_1);
+                            let _e808 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e802.unnamed, lt_bvh_traverse_Tree(_e757.z, _e802.unnamed_1.first_primitive));
+                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e808.unnamed, lt_bvh_traverse_Tree(_e808.unnamed_1.root, _e757.w));
                         }
                         let _e816 = phi_1345_;
                         phi_1351_ = 0u;
@@ -1284,41 +1284,41 @@ fn function_() {
                                 let _e831 = (_e826 >> bitcast<u32>(2i));
                                 let _e832 = (_e826 & 3u);
                                 if (_e831 == 0u) {
-                                    phi_1368_ = _e678.unnamed.word;
+                                    phi_1368_ = _e678.unnamed.root;
                                 } else {
-                                    phi_1368_ = _e678.unnamed.shift;
+                                    phi_1368_ = _e678.unnamed.first_primitive;
                                 }
                                 let _e835 = phi_1368_;
                                 if (_e831 == 0u) {
-                                    phi_1378_ = _e747.unnamed.word;
+                                    phi_1378_ = _e747.unnamed.root;
                                 } else {
-                                    phi_1378_ = _e747.unnamed.shift;
+                                    phi_1378_ = _e747.unnamed.first_primitive;
                                 }
                                 let _e844 = phi_1378_;
                                 if (_e831 == 0u) {
-                                    phi_1388_ = _e816.unnamed.word;
+                                    phi_1388_ = _e816.unnamed.root;
                                 } else {
-                                    phi_1388_ = _e816.unnamed.shift;
+                                    phi_1388_ = _e816.unnamed.first_primitive;
                                 }
                                 let _e853 = phi_1388_;
                                 let _e866 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e835 >> bitcast<u32>(((_e832 * 8u) & 31u))) & 255u)) * _e588) + (_e609 - _e394)), ((f32(((_e844 >> bitcast<u32>(((_e832 * 8u) & 31u))) & 255u)) * _e589) + (_e610 - _e395)));
                                 let _e867 = core_intrinsics_maximum_number_nsz_f32_(_e866, ((f32(((_e853 >> bitcast<u32>(((_e832 * 8u) & 31u))) & 255u)) * _e590) + (_e611 - _e396)));
                                 if (_e831 == 0u) {
-                                    phi_1406_ = _e678.unnamed_1.word;
+                                    phi_1406_ = _e678.unnamed_1.root;
                                 } else {
-                                    phi_1406_ = _e678.unnamed_1.shift;
+                                    phi_1406_ = _e678.unnamed_1.first_primitive;
                                 }
                                 let _e870 = phi_1406_;
                                 if (_e831 == 0u) {
-                                    phi_1416_ = _e747.unnamed_1.word;
+                                    phi_1416_ = _e747.unnamed_1.root;
                                 } else {
-                                    phi_1416_ = _e747.unnamed_1.shift;
+                                    phi_1416_ = _e747.unnamed_1.first_primitive;
                                 }
                                 let _e879 = phi_1416_;
                                 if (_e831 == 0u) {
-                                    phi_1426_ = _e816.unnamed_1.word;
+                                    phi_1426_ = _e816.unnamed_1.root;
                                 } else {
-                                    phi_1426_ = _e816.unnamed_1.shift;
+                                    phi_1426_ = _e816.unnamed_1.first_primitive;
                                 }
                                 let _e888 = phi_1426_;
                                 let _e901 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e870 >> bitcast<u32>(((_e832 * 8u) & 31u))) & 255u)) * _e588) + (_e609 + _e394)), ((f32(((_e879 >> bitcast<u32>(((_e832 * 8u) & 31u))) & 255u)) * _e589) + (_e610 + _e395)));
@@ -1811,41 +1811,41 @@ fn function_() {
                                                             let _e1591 = ((bitcast<f32>(_e1584) - _e1115) * _e1316);
                                                             let _e1599 = nodes.member[(0u + _e1538)].x;
                                                             if (_e1296 < 0f) {
-                                                                let _e1610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1599.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1610.unnamed.word, _e1599.w), _e1610.unnamed_1);
-                                                                let _e1622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1616.unnamed, lt_mask_LightPlace(_e1599.x, _e1616.unnamed_1.shift));
-                                                                phi_2257_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1622.unnamed, lt_mask_LightPlace(_e1622.unnamed_1.word, _e1599.y));
+                                                                let _e1610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1599.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1610.unnamed.root, _e1599.w), _e1610.unnamed_1);
+                                                                let _e1622 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1616.unnamed, lt_bvh_traverse_Tree(_e1599.x, _e1616.unnamed_1.first_primitive));
+                                                                phi_2257_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1622.unnamed, lt_bvh_traverse_Tree(_e1622.unnamed_1.root, _e1599.y));
                                                             } else {
-                                                                let _e1638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1599.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1638.unnamed.word, _e1599.y), _e1638.unnamed_1);
-                                                                let _e1650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1644.unnamed, lt_mask_LightPlace(_e1599.z, _e1644.unnamed_1.shift));
-                                                                phi_2257_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1650.unnamed, lt_mask_LightPlace(_e1650.unnamed_1.word, _e1599.w));
+                                                                let _e1638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1599.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1638.unnamed.root, _e1599.y), _e1638.unnamed_1);
+                                                                let _e1650 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1644.unnamed, lt_bvh_traverse_Tree(_e1599.z, _e1644.unnamed_1.first_primitive));
+                                                                phi_2257_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1650.unnamed, lt_bvh_traverse_Tree(_e1650.unnamed_1.root, _e1599.w));
                                                             }
                                                             let _e1658 = phi_2257_;
                                                             let _e1668 = nodes.member[(0u + _e1538)].y;
                                                             if (_e1306 < 0f) {
-                                                                let _e1679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1668.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1679.unnamed.word, _e1668.w), _e1679.unnamed_1);
-                                                                let _e1691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1685.unnamed, lt_mask_LightPlace(_e1668.x, _e1685.unnamed_1.shift));
-                                                                phi_2284_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1691.unnamed, lt_mask_LightPlace(_e1691.unnamed_1.word, _e1668.y));
+                                                                let _e1679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1668.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1679.unnamed.root, _e1668.w), _e1679.unnamed_1);
+                                                                let _e1691 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1685.unnamed, lt_bvh_traverse_Tree(_e1668.x, _e1685.unnamed_1.first_primitive));
+                                                                phi_2284_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1691.unnamed, lt_bvh_traverse_Tree(_e1691.unnamed_1.root, _e1668.y));
                                                             } else {
-                                                                let _e1707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1668.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1707.unnamed.word, _e1668.y), _e1707.unnamed_1);
-                                                                let _e1719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1713.unnamed, lt_mask_LightPlace(_e1668.z, _e1713.unnamed_1.shift));
-                                                                phi_2284_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1719.unnamed, lt_mask_LightPlace(_e1719.unnamed_1.word, _e1668.w));
+                                                                let _e1707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1668.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1707.unnamed.root, _e1668.y), _e1707.unnamed_1);
+                                                                let _e1719 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1713.unnamed, lt_bvh_traverse_Tree(_e1668.z, _e1713.unnamed_1.first_primitive));
+                                                                phi_2284_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1719.unnamed, lt_bvh_traverse_Tree(_e1719.unnamed_1.root, _e1668.w));
                                                             }
                                                             let _e1727 = phi_2284_;
                                                             let _e1737 = nodes.member[(0u + _e1538)].z;
                                                             if (_e1316 < 0f) {
-                                                                let _e1748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1737.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1748.unnamed.word, _e1737.w), _e1748.unnamed_1);
-                                                                let _e1760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1754.unnamed, lt_mask_LightPlace(_e1737.x, _e1754.unnamed_1.shift));
-                                                                phi_2311_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1760.unnamed, lt_mask_LightPlace(_e1760.unnamed_1.word, _e1737.y));
+                                                                let _e1748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1737.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1754 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1748.unnamed.root, _e1737.w), _e1748.unnamed_1);
+                                                                let _e1760 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1754.unnamed, lt_bvh_traverse_Tree(_e1737.x, _e1754.unnamed_1.first_primitive));
+                                                                phi_2311_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1760.unnamed, lt_bvh_traverse_Tree(_e1760.unnamed_1.root, _e1737.y));
                                                             } else {
-                                                                let _e1776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1737.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1776.unnamed.word, _e1737.y), _e1776.unnamed_1);
-                                                                let _e1788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1782.unnamed, lt_mask_LightPlace(_e1737.z, _e1782.unnamed_1.shift));
-                                                                phi_2311_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1788.unnamed, lt_mask_LightPlace(_e1788.unnamed_1.word, _e1737.w));
+                                                                let _e1776 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1737.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1782 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1776.unnamed.root, _e1737.y), _e1776.unnamed_1);
+                                                                let _e1788 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1782.unnamed, lt_bvh_traverse_Tree(_e1737.z, _e1782.unnamed_1.first_primitive));
+                                                                phi_2311_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1788.unnamed, lt_bvh_traverse_Tree(_e1788.unnamed_1.root, _e1737.w));
                                                             }
                                                             let _e1796 = phi_2311_;
                                                             phi_2317_ = 0u;
@@ -1861,41 +1861,41 @@ fn function_() {
                                                                     let _e1811 = (_e1806 >> bitcast<u32>(2i));
                                                                     let _e1812 = (_e1806 & 3u);
                                                                     if (_e1811 == 0u) {
-                                                                        phi_2334_ = _e1658.unnamed.word;
+                                                                        phi_2334_ = _e1658.unnamed.root;
                                                                     } else {
-                                                                        phi_2334_ = _e1658.unnamed.shift;
+                                                                        phi_2334_ = _e1658.unnamed.first_primitive;
                                                                     }
                                                                     let _e1815 = phi_2334_;
                                                                     if (_e1811 == 0u) {
-                                                                        phi_2344_ = _e1727.unnamed.word;
+                                                                        phi_2344_ = _e1727.unnamed.root;
                                                                     } else {
-                                                                        phi_2344_ = _e1727.unnamed.shift;
+                                                                        phi_2344_ = _e1727.unnamed.first_primitive;
                                                                     }
                                                                     let _e1824 = phi_2344_;
                                                                     if (_e1811 == 0u) {
-                                                                        phi_2354_ = _e1796.unnamed.word;
+                                                                        phi_2354_ = _e1796.unnamed.root;
                                                                     } else {
-                                                                        phi_2354_ = _e1796.unnamed.shift;
+                                                                        phi_2354_ = _e1796.unnamed.first_primitive;
                                                                     }
                                                                     let _e1833 = phi_2354_;
                                                                     let _e1846 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1815 >> bitcast<u32>(((_e1812 * 8u) & 31u))) & 255u)) * _e1571) + (_e1589 - _e1348)), ((f32(((_e1824 >> bitcast<u32>(((_e1812 * 8u) & 31u))) & 255u)) * _e1572) + (_e1590 - _e1349)));
                                                                     let _e1847 = core_intrinsics_maximum_number_nsz_f32_(_e1846, ((f32(((_e1833 >> bitcast<u32>(((_e1812 * 8u) & 31u))) & 255u)) * _e1573) + (_e1591 - _e1350)));
                                                                     if (_e1811 == 0u) {
-                                                                        phi_2372_ = _e1658.unnamed_1.word;
+                                                                        phi_2372_ = _e1658.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2372_ = _e1658.unnamed_1.shift;
+                                                                        phi_2372_ = _e1658.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1850 = phi_2372_;
                                                                     if (_e1811 == 0u) {
-                                                                        phi_2382_ = _e1727.unnamed_1.word;
+                                                                        phi_2382_ = _e1727.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2382_ = _e1727.unnamed_1.shift;
+                                                                        phi_2382_ = _e1727.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1859 = phi_2382_;
                                                                     if (_e1811 == 0u) {
-                                                                        phi_2392_ = _e1796.unnamed_1.word;
+                                                                        phi_2392_ = _e1796.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2392_ = _e1796.unnamed_1.shift;
+                                                                        phi_2392_ = _e1796.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1868 = phi_2392_;
                                                                     let _e1881 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1850 >> bitcast<u32>(((_e1812 * 8u) & 31u))) & 255u)) * _e1571) + (_e1589 + _e1348)), ((f32(((_e1859 >> bitcast<u32>(((_e1812 * 8u) & 31u))) & 255u)) * _e1572) + (_e1590 + _e1349)));
@@ -3157,11 +3157,11 @@ fn function_() {
             phi_4342_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e3626 = phi_4342_;
-        if (_e114.shift < arrayLength((&samples.member))) {
+        if (_e114.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e114.shift)] = _e3626;
+        samples.member[(0u + _e114.first_primitive)] = _e3626;
         if (_e2842.triangle != 4294967295u) {
             let _e3635 = ((1f - _e2842.u) - _e2842.v);
             if (_e2842.triangle < _e84) {
@@ -3211,11 +3211,11 @@ fn function_() {
             phi_4565_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e3815 = phi_4565_;
-        if (_e114.shift < arrayLength((&past.member))) {
+        if (_e114.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e114.shift)] = vec4<f32>(_e3815.x, _e3815.y, _e3815.z, 1f);
+        past.member[(0u + _e114.first_primitive)] = vec4<f32>(_e3815.x, _e3815.y, _e3815.z, 1f);
     }
     return;
 }

@@ -11,6 +11,15 @@ struct abi_CameraParams {
     grid: vec2<u32>,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -20,20 +29,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
-    member: array<u32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
-}
-
-struct type_26 {
+struct type_28 {
     member: array<vec4<f32>>,
 }
 
@@ -59,7 +59,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_34 {
+struct type_36 {
     member: array<lt_bvh_Node>,
 }
 
@@ -72,7 +72,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_38 {
+struct type_40 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -84,7 +84,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_42 {
+struct type_44 {
     member: array<abi_Vertex>,
 }
 
@@ -100,13 +100,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_46 {
+struct type_48 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -163,39 +163,39 @@ struct lt_bvh_Hit {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_42;
+var<storage> vertices: type_44;
 @group(0) @binding(4) 
-var<storage> materials: type_46;
+var<storage> materials: type_48;
 @group(0) @binding(0) 
 var<uniform> p: type_63;
 @group(0) @binding(1) 
-var<storage> nodes: type_34;
+var<storage> nodes: type_36;
 @group(0) @binding(2) 
-var<storage> triangles: type_38;
+var<storage> triangles: type_40;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_9;
+var<storage, read_write> samples: type_20;
 @group(0) @binding(6) 
 var<storage> instances: type_59;
 @group(0) @binding(7) 
-var<storage> alpha_texels: type_13;
+var<storage> alpha_texels: type_9;
 @group(0) @binding(8) 
-var<storage> before: type_26;
+var<storage> before: type_28;
 @group(0) @binding(9) 
-var<storage, read_write> past: type_26;
+var<storage, read_write> past: type_28;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_233_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_233_: lt_bvh_traverse_Tree;
     var phi_234_: bool;
-    var phi_235_: lt_mask_LightPlace;
+    var phi_235_: lt_bvh_traverse_Tree;
     var phi_236_: bool;
-    var phi_241_: lt_mask_LightPlace;
+    var phi_241_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_233_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_233_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_234_ = false;
         } else {
-            phi_233_ = lt_mask_LightPlace();
+            phi_233_ = lt_bvh_traverse_Tree();
             phi_234_ = true;
         }
         let _e85 = phi_233_;
@@ -203,18 +203,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_235_ = _e85;
         phi_236_ = _e87;
     } else {
-        phi_235_ = lt_mask_LightPlace();
+        phi_235_ = lt_bvh_traverse_Tree();
         phi_236_ = true;
     }
     let _e89 = phi_235_;
     let _e91 = phi_236_;
     if _e91 {
-        phi_241_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_241_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_241_ = _e89;
     }
     let _e96 = phi_241_;
-    return lt_mask_LightPlace(_e96.word, _e96.shift);
+    return lt_bvh_traverse_Tree(_e96.root, _e96.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -936,7 +936,7 @@ fn function_() {
     let _e106 = p.member.size[0u];
     let _e108 = p.member.size[1u];
     let _e109 = lt_shaders_entry_pixel_index(_e75, _e106, _e108);
-    if (bitcast<i32>(_e109.word) != 0i) {
+    if (bitcast<i32>(_e109.root) != 0i) {
         let _e115 = p.member.root;
         let _e119 = p.member.eye;
         let _e122 = p.member.grid[0u];
@@ -1233,41 +1233,41 @@ fn function_() {
                         let _e606 = ((bitcast<f32>(_e596) - _e183.origin.z) * _e351);
                         let _e614 = nodes.member[(0u + _e547)].x;
                         if (_e329 < 0f) {
-                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e614.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e625.unnamed.word, _e614.w), _e625.unnamed_1);
-                            let _e637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e631.unnamed, lt_mask_LightPlace(_e614.x, _e631.unnamed_1.shift));
-                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e637.unnamed, lt_mask_LightPlace(_e637.unnamed_1.word, _e614.y));
+                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e614.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e625.unnamed.root, _e614.w), _e625.unnamed_1);
+                            let _e637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e631.unnamed, lt_bvh_traverse_Tree(_e614.x, _e631.unnamed_1.first_primitive));
+                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e637.unnamed, lt_bvh_traverse_Tree(_e637.unnamed_1.root, _e614.y));
                         } else {
-                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e614.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e653.unnamed.word, _e614.y), _e653.unnamed_1);
-                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e659.unnamed, lt_mask_LightPlace(_e614.z, _e659.unnamed_1.shift));
-                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e665.unnamed, lt_mask_LightPlace(_e665.unnamed_1.word, _e614.w));
+                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e614.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e653.unnamed.root, _e614.y), _e653.unnamed_1);
+                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e659.unnamed, lt_bvh_traverse_Tree(_e614.z, _e659.unnamed_1.first_primitive));
+                            phi_1291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e665.unnamed, lt_bvh_traverse_Tree(_e665.unnamed_1.root, _e614.w));
                         }
                         let _e673 = phi_1291_;
                         let _e683 = nodes.member[(0u + _e547)].y;
                         if (_e340 < 0f) {
-                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e683.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e694.unnamed.word, _e683.w), _e694.unnamed_1);
-                            let _e706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e700.unnamed, lt_mask_LightPlace(_e683.x, _e700.unnamed_1.shift));
-                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e706.unnamed, lt_mask_LightPlace(_e706.unnamed_1.word, _e683.y));
+                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e683.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e694.unnamed.root, _e683.w), _e694.unnamed_1);
+                            let _e706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e700.unnamed, lt_bvh_traverse_Tree(_e683.x, _e700.unnamed_1.first_primitive));
+                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e706.unnamed, lt_bvh_traverse_Tree(_e706.unnamed_1.root, _e683.y));
                         } else {
-                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e683.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e722.unnamed.word, _e683.y), _e722.unnamed_1);
-                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e728.unnamed, lt_mask_LightPlace(_e683.z, _e728.unnamed_1.shift));
-                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e734.unnamed, lt_mask_LightPlace(_e734.unnamed_1.word, _e683.w));
+                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e683.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e722.unnamed.root, _e683.y), _e722.unnamed_1);
+                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e728.unnamed, lt_bvh_traverse_Tree(_e683.z, _e728.unnamed_1.first_primitive));
+                            phi_1318_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e734.unnamed, lt_bvh_traverse_Tree(_e734.unnamed_1.root, _e683.w));
                         }
                         let _e742 = phi_1318_;
                         let _e752 = nodes.member[(0u + _e547)].z;
                         if (_e351 < 0f) {
-                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e752.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e763.unnamed.word, _e752.w), _e763.unnamed_1);
-                            let _e775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e769.unnamed, lt_mask_LightPlace(_e752.x, _e769.unnamed_1.shift));
-                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e775.unnamed, lt_mask_LightPlace(_e775.unnamed_1.word, _e752.y));
+                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e752.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e763.unnamed.root, _e752.w), _e763.unnamed_1);
+                            let _e775 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e769.unnamed, lt_bvh_traverse_Tree(_e752.x, _e769.unnamed_1.first_primitive));
+                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e775.unnamed, lt_bvh_traverse_Tree(_e775.unnamed_1.root, _e752.y));
                         } else {
-                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e752.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e791.unnamed.word, _e752.y), _e791.unnamed_1);
-                            let _e803 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e797.unnamed, lt_mask_LightPlace(_e752.z, _e797.unnamed_1.shift));
-                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e803.unnamed, lt_mask_LightPlace(_e803.unnamed_1.word, _e752.w));
+                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e752.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e791.unnamed.root, _e752.y), _e791.unnamed_1);
+                            let _e803 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e797.unnamed, lt_bvh_traverse_Tree(_e752.z, _e797.unnamed_1.first_primitive));
+                            phi_1345_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e803.unnamed, lt_bvh_traverse_Tree(_e803.unnamed_1.root, _e752.w));
                         }
                         let _e811 = phi_1345_;
                         phi_1351_ = 0u;
@@ -1283,41 +1283,41 @@ fn function_() {
                                 let _e826 = (_e821 >> bitcast<u32>(2i));
                                 let _e827 = (_e821 & 3u);
                                 if (_e826 == 0u) {
-                                    phi_1368_ = _e673.unnamed.word;
+                                    phi_1368_ = _e673.unnamed.root;
                                 } else {
-                                    phi_1368_ = _e673.unnamed.shift;
+                                    phi_1368_ = _e673.unnamed.first_primitive;
                                 }
                                 let _e830 = phi_1368_;
                                 if (_e826 == 0u) {
-                                    phi_1378_ = _e742.unnamed.word;
+                                    phi_1378_ = _e742.unnamed.root;
                                 } else {
-                                    phi_1378_ = _e742.unnamed.shift;
+                                    phi_1378_ = _e742.unnamed.first_primitive;
                                 }
                                 let _e839 = phi_1378_;
                                 if (_e826 == 0u) {
-                                    phi_1388_ = _e811.unnamed.word;
+                                    phi_1388_ = _e811.unnamed.root;
                                 } else {
-                                    phi_1388_ = _e811.unnamed.shift;
+                                    phi_1388_ = _e811.unnamed.first_primitive;
                                 }
                                 let _e848 = phi_1388_;
                                 let _e861 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e830 >> bitcast<u32>(((_e827 * 8u) & 31u))) & 255u)) * _e583) + (_e604 - _e389)), ((f32(((_e839 >> bitcast<u32>(((_e827 * 8u) & 31u))) & 255u)) * _e584) + (_e605 - _e390)));
                                 let _e862 = core_intrinsics_maximum_number_nsz_f32_(_e861, ((f32(((_e848 >> bitcast<u32>(((_e827 * 8u) & 31u))) & 255u)) * _e585) + (_e606 - _e391)));
                                 if (_e826 == 0u) {
-                                    phi_1406_ = _e673.unnamed_1.word;
+                                    phi_1406_ = _e673.unnamed_1.root;
                                 } else {
-                                    phi_1406_ = _e673.unnamed_1.shift;
+                                    phi_1406_ = _e673.unnamed_1.first_primitive;
                                 }
                                 let _e865 = phi_1406_;
                                 if (_e826 == 0u) {
-                                    phi_1416_ = _e742.unnamed_1.word;
+                                    phi_1416_ = _e742.unnamed_1.root;
                                 } else {
-                                    phi_1416_ = _e742.unnamed_1.shift;
+                                    phi_1416_ = _e742.unnamed_1.first_primitive;
                                 }
                                 let _e874 = phi_1416_;
                                 if (_e826 == 0u) {
-                                    phi_1426_ = _e811.unnamed_1.word;
+                                    phi_1426_ = _e811.unnamed_1.root;
                                 } else {
-                                    phi_1426_ = _e811.unnamed_1.shift;
+                                    phi_1426_ = _e811.unnamed_1.first_primitive;
                                 }
                                 let _e883 = phi_1426_;
                                 let _e896 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e865 >> bitcast<u32>(((_e827 * 8u) & 31u))) & 255u)) * _e583) + (_e604 + _e389)), ((f32(((_e874 >> bitcast<u32>(((_e827 * 8u) & 31u))) & 255u)) * _e584) + (_e605 + _e390)));
@@ -1810,41 +1810,41 @@ fn function_() {
                                                             let _e1586 = ((bitcast<f32>(_e1579) - _e1110) * _e1311);
                                                             let _e1594 = nodes.member[(0u + _e1533)].x;
                                                             if (_e1291 < 0f) {
-                                                                let _e1605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1594.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1605.unnamed.word, _e1594.w), _e1605.unnamed_1);
-                                                                let _e1617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1611.unnamed, lt_mask_LightPlace(_e1594.x, _e1611.unnamed_1.shift));
-                                                                phi_2257_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1617.unnamed, lt_mask_LightPlace(_e1617.unnamed_1.word, _e1594.y));
+                                                                let _e1605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1594.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1605.unnamed.root, _e1594.w), _e1605.unnamed_1);
+                                                                let _e1617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1611.unnamed, lt_bvh_traverse_Tree(_e1594.x, _e1611.unnamed_1.first_primitive));
+                                                                phi_2257_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1617.unnamed, lt_bvh_traverse_Tree(_e1617.unnamed_1.root, _e1594.y));
                                                             } else {
-                                                                let _e1633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1594.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1633.unnamed.word, _e1594.y), _e1633.unnamed_1);
-                                                                let _e1645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1639.unnamed, lt_mask_LightPlace(_e1594.z, _e1639.unnamed_1.shift));
-                                                                phi_2257_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1645.unnamed, lt_mask_LightPlace(_e1645.unnamed_1.word, _e1594.w));
+                                                                let _e1633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1594.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1633.unnamed.root, _e1594.y), _e1633.unnamed_1);
+                                                                let _e1645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1639.unnamed, lt_bvh_traverse_Tree(_e1594.z, _e1639.unnamed_1.first_primitive));
+                                                                phi_2257_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1645.unnamed, lt_bvh_traverse_Tree(_e1645.unnamed_1.root, _e1594.w));
                                                             }
                                                             let _e1653 = phi_2257_;
                                                             let _e1663 = nodes.member[(0u + _e1533)].y;
                                                             if (_e1301 < 0f) {
-                                                                let _e1674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1663.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1674.unnamed.word, _e1663.w), _e1674.unnamed_1);
-                                                                let _e1686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1680.unnamed, lt_mask_LightPlace(_e1663.x, _e1680.unnamed_1.shift));
-                                                                phi_2284_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1686.unnamed, lt_mask_LightPlace(_e1686.unnamed_1.word, _e1663.y));
+                                                                let _e1674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1663.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1674.unnamed.root, _e1663.w), _e1674.unnamed_1);
+                                                                let _e1686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1680.unnamed, lt_bvh_traverse_Tree(_e1663.x, _e1680.unnamed_1.first_primitive));
+                                                                phi_2284_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1686.unnamed, lt_bvh_traverse_Tree(_e1686.unnamed_1.root, _e1663.y));
                                                             } else {
-                                                                let _e1702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1663.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1702.unnamed.word, _e1663.y), _e1702.unnamed_1);
-                                                                let _e1714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1708.unnamed, lt_mask_LightPlace(_e1663.z, _e1708.unnamed_1.shift));
-                                                                phi_2284_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1714.unnamed, lt_mask_LightPlace(_e1714.unnamed_1.word, _e1663.w));
+                                                                let _e1702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1663.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1702.unnamed.root, _e1663.y), _e1702.unnamed_1);
+                                                                let _e1714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1708.unnamed, lt_bvh_traverse_Tree(_e1663.z, _e1708.unnamed_1.first_primitive));
+                                                                phi_2284_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1714.unnamed, lt_bvh_traverse_Tree(_e1714.unnamed_1.root, _e1663.w));
                                                             }
                                                             let _e1722 = phi_2284_;
                                                             let _e1732 = nodes.member[(0u + _e1533)].z;
                                                             if (_e1311 < 0f) {
-                                                                let _e1743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1732.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1743.unnamed.word, _e1732.w), _e1743.unnamed_1);
-                                                                let _e1755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1749.unnamed, lt_mask_LightPlace(_e1732.x, _e1749.unnamed_1.shift));
-                                                                phi_2311_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1755.unnamed, lt_mask_LightPlace(_e1755.unnamed_1.word, _e1732.y));
+                                                                let _e1743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1732.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1743.unnamed.root, _e1732.w), _e1743.unnamed_1);
+                                                                let _e1755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1749.unnamed, lt_bvh_traverse_Tree(_e1732.x, _e1749.unnamed_1.first_primitive));
+                                                                phi_2311_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1755.unnamed, lt_bvh_traverse_Tree(_e1755.unnamed_1.root, _e1732.y));
                                                             } else {
-                                                                let _e1771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1732.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1771.unnamed.word, _e1732.y), _e1771.unnamed_1);
-                                                                let _e1783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1777.unnamed, lt_mask_LightPlace(_e1732.z, _e1777.unnamed_1.shift));
-                                                                phi_2311_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1783.unnamed, lt_mask_LightPlace(_e1783.unnamed_1.word, _e1732.w));
+                                                                let _e1771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1732.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1771.unnamed.root, _e1732.y), _e1771.unnamed_1);
+                                                                let _e1783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1777.unnamed, lt_bvh_traverse_Tree(_e1732.z, _e1777.unnamed_1.first_primitive));
+                                                                phi_2311_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1783.unnamed, lt_bvh_traverse_Tree(_e1783.unnamed_1.root, _e1732.w));
                                                             }
                                                             let _e1791 = phi_2311_;
                                                             phi_2317_ = 0u;
@@ -1860,41 +1860,41 @@ fn function_() {
                                                                     let _e1806 = (_e1801 >> bitcast<u32>(2i));
                                                                     let _e1807 = (_e1801 & 3u);
                                                                     if (_e1806 == 0u) {
-                                                                        phi_2334_ = _e1653.unnamed.word;
+                                                                        phi_2334_ = _e1653.unnamed.root;
                                                                     } else {
-                                                                        phi_2334_ = _e1653.unnamed.shift;
+                                                                        phi_2334_ = _e1653.unnamed.first_primitive;
                                                                     }
                                                                     let _e1810 = phi_2334_;
                                                                     if (_e1806 == 0u) {
-                                                                        phi_2344_ = _e1722.unnamed.word;
+                                                                        phi_2344_ = _e1722.unnamed.root;
                                                                     } else {
-                                                                        phi_2344_ = _e1722.unnamed.shift;
+                                                                        phi_2344_ = _e1722.unnamed.first_primitive;
                                                                     }
                                                                     let _e1819 = phi_2344_;
                                                                     if (_e1806 == 0u) {
-                                                                        phi_2354_ = _e1791.unnamed.word;
+                                                                        phi_2354_ = _e1791.unnamed.root;
                                                                     } else {
-                                                                        phi_2354_ = _e1791.unnamed.shift;
+                                                                        phi_2354_ = _e1791.unnamed.first_primitive;
                                                                     }
                                                                     let _e1828 = phi_2354_;
                                                                     let _e1841 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1810 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1566) + (_e1584 - _e1343)), ((f32(((_e1819 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1567) + (_e1585 - _e1344)));
                                                                     let _e1842 = core_intrinsics_maximum_number_nsz_f32_(_e1841, ((f32(((_e1828 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1568) + (_e1586 - _e1345)));
                                                                     if (_e1806 == 0u) {
-                                                                        phi_2372_ = _e1653.unnamed_1.word;
+                                                                        phi_2372_ = _e1653.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2372_ = _e1653.unnamed_1.shift;
+                                                                        phi_2372_ = _e1653.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1845 = phi_2372_;
                                                                     if (_e1806 == 0u) {
-                                                                        phi_2382_ = _e1722.unnamed_1.word;
+                                                                        phi_2382_ = _e1722.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2382_ = _e1722.unnamed_1.shift;
+                                                                        phi_2382_ = _e1722.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1854 = phi_2382_;
                                                                     if (_e1806 == 0u) {
-                                                                        phi_2392_ = _e1791.unnamed_1.word;
+                                                                        phi_2392_ = _e1791.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2392_ = _e1791.unnamed_1.shift;
+                                                                        phi_2392_ = _e1791.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1863 = phi_2392_;
                                                                     let _e1876 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1845 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1566) + (_e1584 + _e1343)), ((f32(((_e1854 >> bitcast<u32>(((_e1807 * 8u) & 31u))) & 255u)) * _e1567) + (_e1585 + _e1344)));
@@ -3120,11 +3120,11 @@ fn function_() {
             phi_4206_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e3477 = phi_4206_;
-        if (_e109.shift < arrayLength((&samples.member))) {
+        if (_e109.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e109.shift)] = _e3477;
+        samples.member[(0u + _e109.first_primitive)] = _e3477;
         if (_e2837.triangle != 4294967295u) {
             let _e3486 = ((1f - _e2837.u) - _e2837.v);
             if (_e2837.triangle < _e82) {
@@ -3174,11 +3174,11 @@ fn function_() {
             phi_4429_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e3666 = phi_4429_;
-        if (_e109.shift < arrayLength((&past.member))) {
+        if (_e109.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e109.shift)] = vec4<f32>(_e3666.x, _e3666.y, _e3666.z, 1f);
+        past.member[(0u + _e109.first_primitive)] = vec4<f32>(_e3666.x, _e3666.y, _e3666.z, 1f);
     }
     return;
 }

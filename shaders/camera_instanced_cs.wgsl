@@ -11,6 +11,11 @@ struct abi_CameraParams {
     grid: vec2<u32>,
 }
 
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -20,13 +25,8 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_16 {
     member: array<abi_Sample>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -45,7 +45,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_25 {
+struct type_27 {
     member: array<lt_bvh_Node>,
 }
 
@@ -58,7 +58,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_29 {
+struct type_31 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -70,7 +70,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_33 {
+struct type_35 {
     member: array<abi_Vertex>,
 }
 
@@ -86,13 +86,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_37 {
+struct type_39 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -138,33 +138,33 @@ struct lt_bvh_Hit {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_33;
+var<storage> vertices: type_35;
 @group(0) @binding(4) 
-var<storage> materials: type_37;
+var<storage> materials: type_39;
 @group(0) @binding(0) 
 var<uniform> p: type_54;
 @group(0) @binding(1) 
-var<storage> nodes: type_25;
+var<storage> nodes: type_27;
 @group(0) @binding(2) 
-var<storage> triangles: type_29;
+var<storage> triangles: type_31;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_9;
+var<storage, read_write> samples: type_16;
 @group(0) @binding(6) 
 var<storage> instances: type_50;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_201_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_201_: lt_bvh_traverse_Tree;
     var phi_202_: bool;
-    var phi_203_: lt_mask_LightPlace;
+    var phi_203_: lt_bvh_traverse_Tree;
     var phi_204_: bool;
-    var phi_209_: lt_mask_LightPlace;
+    var phi_209_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_201_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_201_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_202_ = false;
         } else {
-            phi_201_ = lt_mask_LightPlace();
+            phi_201_ = lt_bvh_traverse_Tree();
             phi_202_ = true;
         }
         let _e75 = phi_201_;
@@ -172,18 +172,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_203_ = _e75;
         phi_204_ = _e77;
     } else {
-        phi_203_ = lt_mask_LightPlace();
+        phi_203_ = lt_bvh_traverse_Tree();
         phi_204_ = true;
     }
     let _e79 = phi_203_;
     let _e81 = phi_204_;
     if _e81 {
-        phi_209_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_209_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_209_ = _e79;
     }
     let _e86 = phi_209_;
-    return lt_mask_LightPlace(_e86.word, _e86.shift);
+    return lt_bvh_traverse_Tree(_e86.root, _e86.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -548,7 +548,7 @@ fn function_() {
     let _e86 = p.member.size[0u];
     let _e88 = p.member.size[1u];
     let _e89 = lt_shaders_entry_pixel_index(_e64, _e86, _e88);
-    if (bitcast<i32>(_e89.word) != 0i) {
+    if (bitcast<i32>(_e89.root) != 0i) {
         let _e95 = p.member.root;
         let _e99 = p.member.eye;
         let _e102 = p.member.grid[0u];
@@ -845,41 +845,41 @@ fn function_() {
                         let _e586 = ((bitcast<f32>(_e576) - _e163.origin.z) * _e331);
                         let _e594 = nodes.member[(0u + _e527)].x;
                         if (_e309 < 0f) {
-                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e594.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e605.unnamed.word, _e594.w), _e605.unnamed_1);
-                            let _e617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e611.unnamed, lt_mask_LightPlace(_e594.x, _e611.unnamed_1.shift));
-                            phi_872_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e617.unnamed, lt_mask_LightPlace(_e617.unnamed_1.word, _e594.y));
+                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e594.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e605.unnamed.root, _e594.w), _e605.unnamed_1);
+                            let _e617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e611.unnamed, lt_bvh_traverse_Tree(_e594.x, _e611.unnamed_1.first_primitive));
+                            phi_872_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e617.unnamed, lt_bvh_traverse_Tree(_e617.unnamed_1.root, _e594.y));
                         } else {
-                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e594.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e633.unnamed.word, _e594.y), _e633.unnamed_1);
-                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e639.unnamed, lt_mask_LightPlace(_e594.z, _e639.unnamed_1.shift));
-                            phi_872_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_mask_LightPlace(_e645.unnamed_1.word, _e594.w));
+                            let _e633 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e594.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e633.unnamed.root, _e594.y), _e633.unnamed_1);
+                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e639.unnamed, lt_bvh_traverse_Tree(_e594.z, _e639.unnamed_1.first_primitive));
+                            phi_872_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_bvh_traverse_Tree(_e645.unnamed_1.root, _e594.w));
                         }
                         let _e653 = phi_872_;
                         let _e663 = nodes.member[(0u + _e527)].y;
                         if (_e320 < 0f) {
-                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e663.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e674.unnamed.word, _e663.w), _e674.unnamed_1);
-                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_mask_LightPlace(_e663.x, _e680.unnamed_1.shift));
-                            phi_899_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_mask_LightPlace(_e686.unnamed_1.word, _e663.y));
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e663.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e674.unnamed.root, _e663.w), _e674.unnamed_1);
+                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_bvh_traverse_Tree(_e663.x, _e680.unnamed_1.first_primitive));
+                            phi_899_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_bvh_traverse_Tree(_e686.unnamed_1.root, _e663.y));
                         } else {
-                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e663.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e702.unnamed.word, _e663.y), _e702.unnamed_1);
-                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e708.unnamed, lt_mask_LightPlace(_e663.z, _e708.unnamed_1.shift));
-                            phi_899_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_mask_LightPlace(_e714.unnamed_1.word, _e663.w));
+                            let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e663.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e702.unnamed.root, _e663.y), _e702.unnamed_1);
+                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e708.unnamed, lt_bvh_traverse_Tree(_e663.z, _e708.unnamed_1.first_primitive));
+                            phi_899_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_bvh_traverse_Tree(_e714.unnamed_1.root, _e663.w));
                         }
                         let _e722 = phi_899_;
                         let _e732 = nodes.member[(0u + _e527)].z;
                         if (_e331 < 0f) {
-                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e732.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e743.unnamed.word, _e732.w), _e743.unnamed_1);
-                            let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_mask_LightPlace(_e732.x, _e749.unnamed_1.shift));
-                            phi_926_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_mask_LightPlace(_e755.unnamed_1.word, _e732.y));
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e732.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e743.unnamed.root, _e732.w), _e743.unnamed_1);
+                            let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_bvh_traverse_Tree(_e732.x, _e749.unnamed_1.first_primitive));
+                            phi_926_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_bvh_traverse_Tree(_e755.unnamed_1.root, _e732.y));
                         } else {
-                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e732.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e771.unnamed.word, _e732.y), _e771.unnamed_1);
-                            let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e777.unnamed, lt_mask_LightPlace(_e732.z, _e777.unnamed_1.shift));
-                            phi_926_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_mask_LightPlace(_e783.unnamed_1.word, _e732.w));
+                            let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e732.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e771.unnamed.root, _e732.y), _e771.unnamed_1);
+                            let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e777.unnamed, lt_bvh_traverse_Tree(_e732.z, _e777.unnamed_1.first_primitive));
+                            phi_926_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_bvh_traverse_Tree(_e783.unnamed_1.root, _e732.w));
                         }
                         let _e791 = phi_926_;
                         phi_932_ = 0u;
@@ -895,41 +895,41 @@ fn function_() {
                                 let _e806 = (_e801 >> bitcast<u32>(2i));
                                 let _e807 = (_e801 & 3u);
                                 if (_e806 == 0u) {
-                                    phi_949_ = _e653.unnamed.word;
+                                    phi_949_ = _e653.unnamed.root;
                                 } else {
-                                    phi_949_ = _e653.unnamed.shift;
+                                    phi_949_ = _e653.unnamed.first_primitive;
                                 }
                                 let _e810 = phi_949_;
                                 if (_e806 == 0u) {
-                                    phi_959_ = _e722.unnamed.word;
+                                    phi_959_ = _e722.unnamed.root;
                                 } else {
-                                    phi_959_ = _e722.unnamed.shift;
+                                    phi_959_ = _e722.unnamed.first_primitive;
                                 }
                                 let _e819 = phi_959_;
                                 if (_e806 == 0u) {
-                                    phi_969_ = _e791.unnamed.word;
+                                    phi_969_ = _e791.unnamed.root;
                                 } else {
-                                    phi_969_ = _e791.unnamed.shift;
+                                    phi_969_ = _e791.unnamed.first_primitive;
                                 }
                                 let _e828 = phi_969_;
                                 let _e841 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e810 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e563) + (_e584 - _e369)), ((f32(((_e819 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e564) + (_e585 - _e370)));
                                 let _e842 = core_intrinsics_maximum_number_nsz_f32_(_e841, ((f32(((_e828 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e565) + (_e586 - _e371)));
                                 if (_e806 == 0u) {
-                                    phi_987_ = _e653.unnamed_1.word;
+                                    phi_987_ = _e653.unnamed_1.root;
                                 } else {
-                                    phi_987_ = _e653.unnamed_1.shift;
+                                    phi_987_ = _e653.unnamed_1.first_primitive;
                                 }
                                 let _e845 = phi_987_;
                                 if (_e806 == 0u) {
-                                    phi_997_ = _e722.unnamed_1.word;
+                                    phi_997_ = _e722.unnamed_1.root;
                                 } else {
-                                    phi_997_ = _e722.unnamed_1.shift;
+                                    phi_997_ = _e722.unnamed_1.first_primitive;
                                 }
                                 let _e854 = phi_997_;
                                 if (_e806 == 0u) {
-                                    phi_1007_ = _e791.unnamed_1.word;
+                                    phi_1007_ = _e791.unnamed_1.root;
                                 } else {
-                                    phi_1007_ = _e791.unnamed_1.shift;
+                                    phi_1007_ = _e791.unnamed_1.first_primitive;
                                 }
                                 let _e863 = phi_1007_;
                                 let _e876 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e845 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e563) + (_e584 + _e369)), ((f32(((_e854 >> bitcast<u32>(((_e807 * 8u) & 31u))) & 255u)) * _e564) + (_e585 + _e370)));
@@ -1422,41 +1422,41 @@ fn function_() {
                                                             let _e1566 = ((bitcast<f32>(_e1559) - _e1090) * _e1291);
                                                             let _e1574 = nodes.member[(0u + _e1513)].x;
                                                             if (_e1271 < 0f) {
-                                                                let _e1585 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1574.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1591 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1585.unnamed.word, _e1574.w), _e1585.unnamed_1);
-                                                                let _e1597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1591.unnamed, lt_mask_LightPlace(_e1574.x, _e1591.unnamed_1.shift));
-                                                                phi_1838_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1597.unnamed, lt_mask_LightPlace(_e1597.unnamed_1.word, _e1574.y));
+                                                                let _e1585 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1574.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1591 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1585.unnamed.root, _e1574.w), _e1585.unnamed_1);
+                                                                let _e1597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1591.unnamed, lt_bvh_traverse_Tree(_e1574.x, _e1591.unnamed_1.first_primitive));
+                                                                phi_1838_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1597.unnamed, lt_bvh_traverse_Tree(_e1597.unnamed_1.root, _e1574.y));
                                                             } else {
-                                                                let _e1613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1574.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1613.unnamed.word, _e1574.y), _e1613.unnamed_1);
-                                                                let _e1625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1619.unnamed, lt_mask_LightPlace(_e1574.z, _e1619.unnamed_1.shift));
-                                                                phi_1838_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1625.unnamed, lt_mask_LightPlace(_e1625.unnamed_1.word, _e1574.w));
+                                                                let _e1613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1574.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1613.unnamed.root, _e1574.y), _e1613.unnamed_1);
+                                                                let _e1625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1619.unnamed, lt_bvh_traverse_Tree(_e1574.z, _e1619.unnamed_1.first_primitive));
+                                                                phi_1838_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1625.unnamed, lt_bvh_traverse_Tree(_e1625.unnamed_1.root, _e1574.w));
                                                             }
                                                             let _e1633 = phi_1838_;
                                                             let _e1643 = nodes.member[(0u + _e1513)].y;
                                                             if (_e1281 < 0f) {
-                                                                let _e1654 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1643.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1654.unnamed.word, _e1643.w), _e1654.unnamed_1);
-                                                                let _e1666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1660.unnamed, lt_mask_LightPlace(_e1643.x, _e1660.unnamed_1.shift));
-                                                                phi_1865_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1666.unnamed, lt_mask_LightPlace(_e1666.unnamed_1.word, _e1643.y));
+                                                                let _e1654 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1643.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1654.unnamed.root, _e1643.w), _e1654.unnamed_1);
+                                                                let _e1666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1660.unnamed, lt_bvh_traverse_Tree(_e1643.x, _e1660.unnamed_1.first_primitive));
+                                                                phi_1865_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1666.unnamed, lt_bvh_traverse_Tree(_e1666.unnamed_1.root, _e1643.y));
                                                             } else {
-                                                                let _e1682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1643.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1682.unnamed.word, _e1643.y), _e1682.unnamed_1);
-                                                                let _e1694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1688.unnamed, lt_mask_LightPlace(_e1643.z, _e1688.unnamed_1.shift));
-                                                                phi_1865_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1694.unnamed, lt_mask_LightPlace(_e1694.unnamed_1.word, _e1643.w));
+                                                                let _e1682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1643.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1682.unnamed.root, _e1643.y), _e1682.unnamed_1);
+                                                                let _e1694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1688.unnamed, lt_bvh_traverse_Tree(_e1643.z, _e1688.unnamed_1.first_primitive));
+                                                                phi_1865_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1694.unnamed, lt_bvh_traverse_Tree(_e1694.unnamed_1.root, _e1643.w));
                                                             }
                                                             let _e1702 = phi_1865_;
                                                             let _e1712 = nodes.member[(0u + _e1513)].z;
                                                             if (_e1291 < 0f) {
-                                                                let _e1723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1712.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1723.unnamed.word, _e1712.w), _e1723.unnamed_1);
-                                                                let _e1735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1729.unnamed, lt_mask_LightPlace(_e1712.x, _e1729.unnamed_1.shift));
-                                                                phi_1892_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1735.unnamed, lt_mask_LightPlace(_e1735.unnamed_1.word, _e1712.y));
+                                                                let _e1723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1712.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1723.unnamed.root, _e1712.w), _e1723.unnamed_1);
+                                                                let _e1735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1729.unnamed, lt_bvh_traverse_Tree(_e1712.x, _e1729.unnamed_1.first_primitive));
+                                                                phi_1892_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1735.unnamed, lt_bvh_traverse_Tree(_e1735.unnamed_1.root, _e1712.y));
                                                             } else {
-                                                                let _e1751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1712.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1751.unnamed.word, _e1712.y), _e1751.unnamed_1);
-                                                                let _e1763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1757.unnamed, lt_mask_LightPlace(_e1712.z, _e1757.unnamed_1.shift));
-                                                                phi_1892_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1763.unnamed, lt_mask_LightPlace(_e1763.unnamed_1.word, _e1712.w));
+                                                                let _e1751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1712.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1751.unnamed.root, _e1712.y), _e1751.unnamed_1);
+                                                                let _e1763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1757.unnamed, lt_bvh_traverse_Tree(_e1712.z, _e1757.unnamed_1.first_primitive));
+                                                                phi_1892_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1763.unnamed, lt_bvh_traverse_Tree(_e1763.unnamed_1.root, _e1712.w));
                                                             }
                                                             let _e1771 = phi_1892_;
                                                             phi_1898_ = 0u;
@@ -1472,41 +1472,41 @@ fn function_() {
                                                                     let _e1786 = (_e1781 >> bitcast<u32>(2i));
                                                                     let _e1787 = (_e1781 & 3u);
                                                                     if (_e1786 == 0u) {
-                                                                        phi_1915_ = _e1633.unnamed.word;
+                                                                        phi_1915_ = _e1633.unnamed.root;
                                                                     } else {
-                                                                        phi_1915_ = _e1633.unnamed.shift;
+                                                                        phi_1915_ = _e1633.unnamed.first_primitive;
                                                                     }
                                                                     let _e1790 = phi_1915_;
                                                                     if (_e1786 == 0u) {
-                                                                        phi_1925_ = _e1702.unnamed.word;
+                                                                        phi_1925_ = _e1702.unnamed.root;
                                                                     } else {
-                                                                        phi_1925_ = _e1702.unnamed.shift;
+                                                                        phi_1925_ = _e1702.unnamed.first_primitive;
                                                                     }
                                                                     let _e1799 = phi_1925_;
                                                                     if (_e1786 == 0u) {
-                                                                        phi_1935_ = _e1771.unnamed.word;
+                                                                        phi_1935_ = _e1771.unnamed.root;
                                                                     } else {
-                                                                        phi_1935_ = _e1771.unnamed.shift;
+                                                                        phi_1935_ = _e1771.unnamed.first_primitive;
                                                                     }
                                                                     let _e1808 = phi_1935_;
                                                                     let _e1821 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1790 >> bitcast<u32>(((_e1787 * 8u) & 31u))) & 255u)) * _e1546) + (_e1564 - _e1323)), ((f32(((_e1799 >> bitcast<u32>(((_e1787 * 8u) & 31u))) & 255u)) * _e1547) + (_e1565 - _e1324)));
                                                                     let _e1822 = core_intrinsics_maximum_number_nsz_f32_(_e1821, ((f32(((_e1808 >> bitcast<u32>(((_e1787 * 8u) & 31u))) & 255u)) * _e1548) + (_e1566 - _e1325)));
                                                                     if (_e1786 == 0u) {
-                                                                        phi_1953_ = _e1633.unnamed_1.word;
+                                                                        phi_1953_ = _e1633.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1953_ = _e1633.unnamed_1.shift;
+                                                                        phi_1953_ = _e1633.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1825 = phi_1953_;
                                                                     if (_e1786 == 0u) {
-                                                                        phi_1963_ = _e1702.unnamed_1.word;
+                                                                        phi_1963_ = _e1702.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1963_ = _e1702.unnamed_1.shift;
+                                                                        phi_1963_ = _e1702.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1834 = phi_1963_;
                                                                     if (_e1786 == 0u) {
-                                                                        phi_1973_ = _e1771.unnamed_1.word;
+                                                                        phi_1973_ = _e1771.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1973_ = _e1771.unnamed_1.shift;
+                                                                        phi_1973_ = _e1771.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1843 = phi_1973_;
                                                                     let _e1856 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1825 >> bitcast<u32>(((_e1787 * 8u) & 31u))) & 255u)) * _e1546) + (_e1564 + _e1323)), ((f32(((_e1834 >> bitcast<u32>(((_e1787 * 8u) & 31u))) & 255u)) * _e1547) + (_e1565 + _e1324)));
@@ -2655,11 +2655,11 @@ fn function_() {
             phi_3590_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e3271 = phi_3590_;
-        if (_e89.shift < arrayLength((&samples.member))) {
+        if (_e89.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e89.shift)] = _e3271;
+        samples.member[(0u + _e89.first_primitive)] = _e3271;
     }
     return;
 }

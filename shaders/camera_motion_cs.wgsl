@@ -11,6 +11,11 @@ struct abi_CameraParams {
     grid: vec2<u32>,
 }
 
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -20,16 +25,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_16 {
     member: array<abi_Sample>,
 }
 
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
-}
-
-struct type_22 {
+struct type_24 {
     member: array<vec4<f32>>,
 }
 
@@ -49,7 +49,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_29 {
+struct type_31 {
     member: array<lt_bvh_Node>,
 }
 
@@ -62,7 +62,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_33 {
+struct type_35 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -74,7 +74,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_37 {
+struct type_39 {
     member: array<abi_Vertex>,
 }
 
@@ -90,13 +90,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_41 {
+struct type_43 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -127,35 +127,35 @@ struct lt_bvh_Hit {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_37;
+var<storage> vertices: type_39;
 @group(0) @binding(4) 
-var<storage> materials: type_41;
+var<storage> materials: type_43;
 @group(0) @binding(0) 
 var<uniform> p: type_51;
 @group(0) @binding(1) 
-var<storage> nodes: type_29;
+var<storage> nodes: type_31;
 @group(0) @binding(2) 
-var<storage> triangles: type_33;
+var<storage> triangles: type_35;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_9;
+var<storage, read_write> samples: type_16;
 @group(0) @binding(6) 
-var<storage> before: type_22;
+var<storage> before: type_24;
 @group(0) @binding(7) 
-var<storage, read_write> past: type_22;
+var<storage, read_write> past: type_24;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_197_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_197_: lt_bvh_traverse_Tree;
     var phi_198_: bool;
-    var phi_199_: lt_mask_LightPlace;
+    var phi_199_: lt_bvh_traverse_Tree;
     var phi_200_: bool;
-    var phi_205_: lt_mask_LightPlace;
+    var phi_205_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_197_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_197_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_198_ = false;
         } else {
-            phi_197_ = lt_mask_LightPlace();
+            phi_197_ = lt_bvh_traverse_Tree();
             phi_198_ = true;
         }
         let _e76 = phi_197_;
@@ -163,18 +163,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_199_ = _e76;
         phi_200_ = _e78;
     } else {
-        phi_199_ = lt_mask_LightPlace();
+        phi_199_ = lt_bvh_traverse_Tree();
         phi_200_ = true;
     }
     let _e80 = phi_199_;
     let _e82 = phi_200_;
     if _e82 {
-        phi_205_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_205_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_205_ = _e80;
     }
     let _e87 = phi_205_;
-    return lt_mask_LightPlace(_e87.word, _e87.shift);
+    return lt_bvh_traverse_Tree(_e87.root, _e87.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -463,7 +463,7 @@ fn function_() {
     let _e89 = p.member.size[0u];
     let _e91 = p.member.size[1u];
     let _e92 = lt_shaders_entry_pixel_index(_e64, _e89, _e91);
-    if (bitcast<i32>(_e92.word) != 0i) {
+    if (bitcast<i32>(_e92.root) != 0i) {
         let _e100 = p.member.eye;
         let _e103 = p.member.grid[0u];
         let _e105 = p.member.grid[1u];
@@ -800,41 +800,41 @@ fn function_() {
                         let _e628 = ((bitcast<f32>(_e618) - _e164.origin.z) * _e332);
                         let _e636 = nodes.member[(0u + _e571)].x;
                         if (_e310 < 0f) {
-                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e636.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e647.unnamed.word, _e636.w), _e647.unnamed_1);
-                            let _e659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_mask_LightPlace(_e636.x, _e653.unnamed_1.shift));
-                            phi_917_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e659.unnamed, lt_mask_LightPlace(_e659.unnamed_1.word, _e636.y));
+                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e636.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e647.unnamed.root, _e636.w), _e647.unnamed_1);
+                            let _e659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e653.unnamed, lt_bvh_traverse_Tree(_e636.x, _e653.unnamed_1.first_primitive));
+                            phi_917_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e659.unnamed, lt_bvh_traverse_Tree(_e659.unnamed_1.root, _e636.y));
                         } else {
-                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e636.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e675.unnamed.word, _e636.y), _e675.unnamed_1);
-                            let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e681.unnamed, lt_mask_LightPlace(_e636.z, _e681.unnamed_1.shift));
-                            phi_917_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e687.unnamed, lt_mask_LightPlace(_e687.unnamed_1.word, _e636.w));
+                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e636.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e675.unnamed.root, _e636.y), _e675.unnamed_1);
+                            let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e681.unnamed, lt_bvh_traverse_Tree(_e636.z, _e681.unnamed_1.first_primitive));
+                            phi_917_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e687.unnamed, lt_bvh_traverse_Tree(_e687.unnamed_1.root, _e636.w));
                         }
                         let _e695 = phi_917_;
                         let _e705 = nodes.member[(0u + _e571)].y;
                         if (_e321 < 0f) {
-                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e705.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e716.unnamed.word, _e705.w), _e716.unnamed_1);
-                            let _e728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_mask_LightPlace(_e705.x, _e722.unnamed_1.shift));
-                            phi_944_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e728.unnamed, lt_mask_LightPlace(_e728.unnamed_1.word, _e705.y));
+                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e705.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e722 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e716.unnamed.root, _e705.w), _e716.unnamed_1);
+                            let _e728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e722.unnamed, lt_bvh_traverse_Tree(_e705.x, _e722.unnamed_1.first_primitive));
+                            phi_944_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e728.unnamed, lt_bvh_traverse_Tree(_e728.unnamed_1.root, _e705.y));
                         } else {
-                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e705.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e744.unnamed.word, _e705.y), _e744.unnamed_1);
-                            let _e756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e750.unnamed, lt_mask_LightPlace(_e705.z, _e750.unnamed_1.shift));
-                            phi_944_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e756.unnamed, lt_mask_LightPlace(_e756.unnamed_1.word, _e705.w));
+                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e705.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e750 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e744.unnamed.root, _e705.y), _e744.unnamed_1);
+                            let _e756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e750.unnamed, lt_bvh_traverse_Tree(_e705.z, _e750.unnamed_1.first_primitive));
+                            phi_944_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e756.unnamed, lt_bvh_traverse_Tree(_e756.unnamed_1.root, _e705.w));
                         }
                         let _e764 = phi_944_;
                         let _e774 = nodes.member[(0u + _e571)].z;
                         if (_e332 < 0f) {
-                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e774.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e785.unnamed.word, _e774.w), _e785.unnamed_1);
-                            let _e797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_mask_LightPlace(_e774.x, _e791.unnamed_1.shift));
-                            phi_971_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e797.unnamed, lt_mask_LightPlace(_e797.unnamed_1.word, _e774.y));
+                            let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e774.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e785.unnamed.root, _e774.w), _e785.unnamed_1);
+                            let _e797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_bvh_traverse_Tree(_e774.x, _e791.unnamed_1.first_primitive));
+                            phi_971_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e797.unnamed, lt_bvh_traverse_Tree(_e797.unnamed_1.root, _e774.y));
                         } else {
-                            let _e813 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e774.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e819 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e813.unnamed.word, _e774.y), _e813.unnamed_1);
-                            let _e825 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e819.unnamed, lt_mask_LightPlace(_e774.z, _e819.unnamed_1.shift));
-                            phi_971_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e825.unnamed, lt_mask_LightPlace(_e825.unnamed_1.word, _e774.w));
+                            let _e813 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e774.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e819 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e813.unnamed.root, _e774.y), _e813.unnamed_1);
+                            let _e825 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e819.unnamed, lt_bvh_traverse_Tree(_e774.z, _e819.unnamed_1.first_primitive));
+                            phi_971_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e825.unnamed, lt_bvh_traverse_Tree(_e825.unnamed_1.root, _e774.w));
                         }
                         let _e833 = phi_971_;
                         phi_977_ = 0u;
@@ -850,41 +850,41 @@ fn function_() {
                                 let _e848 = (_e843 >> bitcast<u32>(2i));
                                 let _e849 = (_e843 & 3u);
                                 if (_e848 == 0u) {
-                                    phi_994_ = _e695.unnamed.word;
+                                    phi_994_ = _e695.unnamed.root;
                                 } else {
-                                    phi_994_ = _e695.unnamed.shift;
+                                    phi_994_ = _e695.unnamed.first_primitive;
                                 }
                                 let _e852 = phi_994_;
                                 if (_e848 == 0u) {
-                                    phi_1004_ = _e764.unnamed.word;
+                                    phi_1004_ = _e764.unnamed.root;
                                 } else {
-                                    phi_1004_ = _e764.unnamed.shift;
+                                    phi_1004_ = _e764.unnamed.first_primitive;
                                 }
                                 let _e861 = phi_1004_;
                                 if (_e848 == 0u) {
-                                    phi_1014_ = _e833.unnamed.word;
+                                    phi_1014_ = _e833.unnamed.root;
                                 } else {
-                                    phi_1014_ = _e833.unnamed.shift;
+                                    phi_1014_ = _e833.unnamed.first_primitive;
                                 }
                                 let _e870 = phi_1014_;
                                 let _e883 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e852 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e605) + (_e626 - _e370)), ((f32(((_e861 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e606) + (_e627 - _e371)));
                                 let _e884 = core_intrinsics_maximum_number_nsz_f32_(_e883, ((f32(((_e870 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e607) + (_e628 - _e372)));
                                 if (_e848 == 0u) {
-                                    phi_1032_ = _e695.unnamed_1.word;
+                                    phi_1032_ = _e695.unnamed_1.root;
                                 } else {
-                                    phi_1032_ = _e695.unnamed_1.shift;
+                                    phi_1032_ = _e695.unnamed_1.first_primitive;
                                 }
                                 let _e887 = phi_1032_;
                                 if (_e848 == 0u) {
-                                    phi_1042_ = _e764.unnamed_1.word;
+                                    phi_1042_ = _e764.unnamed_1.root;
                                 } else {
-                                    phi_1042_ = _e764.unnamed_1.shift;
+                                    phi_1042_ = _e764.unnamed_1.first_primitive;
                                 }
                                 let _e896 = phi_1042_;
                                 if (_e848 == 0u) {
-                                    phi_1052_ = _e833.unnamed_1.word;
+                                    phi_1052_ = _e833.unnamed_1.root;
                                 } else {
-                                    phi_1052_ = _e833.unnamed_1.shift;
+                                    phi_1052_ = _e833.unnamed_1.first_primitive;
                                 }
                                 let _e905 = phi_1052_;
                                 let _e918 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e887 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e605) + (_e626 + _e370)), ((f32(((_e896 >> bitcast<u32>(((_e849 * 8u) & 31u))) & 255u)) * _e606) + (_e627 + _e371)));
@@ -1894,11 +1894,11 @@ fn function_() {
             phi_2469_ = abi_Sample(vec3<f32>(0f, 0f, 0f), 0f, vec3<f32>(0f, 0f, 0f), 0u, vec3<f32>(0f, 0f, 0f), 0u);
         }
         let _e2133 = phi_2469_;
-        if (_e92.shift < arrayLength((&samples.member))) {
+        if (_e92.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e92.shift)] = _e2133;
+        samples.member[(0u + _e92.first_primitive)] = _e2133;
         if (_e1621.triangle != 4294967295u) {
             let _e2142 = ((1f - _e1621.u) - _e1621.v);
             if (_e1621.triangle < _e71) {
@@ -1930,11 +1930,11 @@ fn function_() {
             phi_2560_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e2205 = phi_2560_;
-        if (_e92.shift < arrayLength((&past.member))) {
+        if (_e92.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e92.shift)] = vec4<f32>(_e2205.x, _e2205.y, _e2205.z, 1f);
+        past.member[(0u + _e92.first_primitive)] = vec4<f32>(_e2205.x, _e2205.y, _e2205.z, 1f);
     }
     return;
 }

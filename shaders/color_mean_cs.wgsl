@@ -25,9 +25,9 @@ struct type_9 {
     member: array<u32>,
 }
 
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
 }
 
 struct type_18 {
@@ -52,19 +52,19 @@ var<storage> colors: type_18;
 @group(0) @binding(2) 
 var<storage, read_write> picture: type_9;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_93_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_93_: lt_bvh_traverse_Tree;
     var phi_94_: bool;
-    var phi_95_: lt_mask_LightPlace;
+    var phi_95_: lt_bvh_traverse_Tree;
     var phi_96_: bool;
-    var phi_101_: lt_mask_LightPlace;
+    var phi_101_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_93_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_93_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_94_ = false;
         } else {
-            phi_93_ = lt_mask_LightPlace();
+            phi_93_ = lt_bvh_traverse_Tree();
             phi_94_ = true;
         }
         let _e41 = phi_93_;
@@ -72,18 +72,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_95_ = _e41;
         phi_96_ = _e43;
     } else {
-        phi_95_ = lt_mask_LightPlace();
+        phi_95_ = lt_bvh_traverse_Tree();
         phi_96_ = true;
     }
     let _e45 = phi_95_;
     let _e47 = phi_96_;
     if _e47 {
-        phi_101_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_101_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_101_ = _e45;
     }
     let _e52 = phi_101_;
-    return lt_mask_LightPlace(_e52.word, _e52.shift);
+    return lt_bvh_traverse_Tree(_e52.root, _e52.first_primitive);
 }
 
 fn function_() {
@@ -119,7 +119,7 @@ fn function_() {
         return;
     }
     let _e52 = lt_shaders_entry_pixel_index(_e28, (_e39 / _e45), (_e41 / _e47));
-    if (bitcast<i32>(_e52.word) != 0i) {
+    if (bitcast<i32>(_e52.root) != 0i) {
         let _e62 = p.member.camera.grid[0u];
         let _e64 = p.member.camera.grid[1u];
         let _e68 = p.member.camera.size[0u];
@@ -251,11 +251,11 @@ fn function_() {
         let _e197 = ((_e149 * 255f) + 0.5f);
         let _e206 = ((_e172 * 255f) + 0.5f);
         let _e218 = ((_e195 * 255f) + 0.5f);
-        if (_e52.shift < arrayLength((&picture.member))) {
+        if (_e52.first_primitive < arrayLength((&picture.member))) {
         } else {
             return;
         }
-        picture.member[(0u + _e52.shift)] = (((select(select(u32(_e197), 0u, (_e197 < bitcast<f32>(0u))), 4294967295u, (_e197 > bitcast<f32>(1333788671u))) | (select(select(u32(_e206), 0u, (_e206 < bitcast<f32>(0u))), 4294967295u, (_e206 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e218), 0u, (_e218 < bitcast<f32>(0u))), 4294967295u, (_e218 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
+        picture.member[(0u + _e52.first_primitive)] = (((select(select(u32(_e197), 0u, (_e197 < bitcast<f32>(0u))), 4294967295u, (_e197 > bitcast<f32>(1333788671u))) | (select(select(u32(_e206), 0u, (_e206 < bitcast<f32>(0u))), 4294967295u, (_e206 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e218), 0u, (_e218 < bitcast<f32>(0u))), 4294967295u, (_e218 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
     }
     return;
 }

@@ -1,4 +1,4 @@
-struct type_7 {
+struct type_6 {
     member: array<u32>,
 }
 
@@ -24,7 +24,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_18 {
+struct type_19 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -36,7 +36,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_22 {
+struct type_23 {
     member: array<abi_Vertex>,
 }
 
@@ -52,7 +52,7 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_26 {
+struct type_27 {
     member: array<abi_Material>,
 }
 
@@ -84,13 +84,13 @@ var<private> triangle_1: u32;
 @group(0) @binding(0) 
 var<uniform> p: type_35;
 @group(0) @binding(1) 
-var<storage> triangles: type_18;
+var<storage> triangles: type_19;
 @group(0) @binding(2) 
-var<storage> vertices: type_22;
+var<storage> vertices: type_23;
 @group(0) @binding(3) 
-var<storage> materials: type_26;
+var<storage> materials: type_27;
 @group(0) @binding(4) 
-var<storage> alpha_texels: type_7;
+var<storage> alpha_texels: type_6;
 
 fn _lt_shaders_texture_TextureView_quad(param: ptr<function, texture_TextureView>, param_1: f32, param_2: f32) -> texture_TexelQuad {
     var phi_146_: f32;

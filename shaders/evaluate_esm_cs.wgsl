@@ -8,6 +8,11 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,17 +22,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_15 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
+struct type_19 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -70,28 +70,28 @@ struct lt_math_OneLevel {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_15;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_30;
 @group(0) @binding(2) 
-var<storage> map: type_13;
+var<storage> map: type_19;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_13;
+var<storage, read_write> visibility: type_19;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_141_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_141_: lt_bvh_traverse_Tree;
     var phi_142_: bool;
-    var phi_143_: lt_mask_LightPlace;
+    var phi_143_: lt_bvh_traverse_Tree;
     var phi_144_: bool;
-    var phi_149_: lt_mask_LightPlace;
+    var phi_149_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_141_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_141_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_142_ = false;
         } else {
-            phi_141_ = lt_mask_LightPlace();
+            phi_141_ = lt_bvh_traverse_Tree();
             phi_142_ = true;
         }
         let _e59 = phi_141_;
@@ -99,18 +99,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_143_ = _e59;
         phi_144_ = _e61;
     } else {
-        phi_143_ = lt_mask_LightPlace();
+        phi_143_ = lt_bvh_traverse_Tree();
         phi_144_ = true;
     }
     let _e63 = phi_143_;
     let _e65 = phi_144_;
     if _e65 {
-        phi_149_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_149_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_149_ = _e63;
     }
     let _e70 = phi_149_;
-    return lt_mask_LightPlace(_e70.word, _e70.shift);
+    return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -571,20 +571,20 @@ fn function_() {
     let _e60 = p.member.size[0u];
     let _e62 = p.member.size[1u];
     let _e63 = lt_shaders_entry_pixel_index(_e47, _e60, _e62);
-    if (bitcast<i32>(_e63.word) != 0i) {
+    if (bitcast<i32>(_e63.root) != 0i) {
         let _e69 = p.member.projection;
-        if (_e63.shift < arrayLength((&samples.member))) {
+        if (_e63.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
         let _e73 = lt_math_OneLevel(_e69);
-        let _e77 = samples.member[(0u + _e63.shift)].normal[0u];
+        let _e77 = samples.member[(0u + _e63.first_primitive)].normal[0u];
         let _e79 = global[0u];
         if (_e77 == _e79) {
-            let _e82 = samples.member[(0u + _e63.shift)].normal[1u];
+            let _e82 = samples.member[(0u + _e63.first_primitive)].normal[1u];
             let _e84 = global[1u];
             if (_e82 == _e84) {
-                let _e87 = samples.member[(0u + _e63.shift)].normal[2u];
+                let _e87 = samples.member[(0u + _e63.first_primitive)].normal[2u];
                 let _e89 = global[2u];
                 phi_211_ = (_e87 == _e89);
                 phi_212_ = false;
@@ -609,13 +609,13 @@ fn function_() {
         }
         let _e100 = phi_218_;
         if !(_e100) {
-            let _e103 = samples.member[(0u + _e63.shift)].position;
+            let _e103 = samples.member[(0u + _e63.first_primitive)].position;
             let _e105 = p.member.light.place;
             let _e111 = p.member.light.place[3u];
             let _e118 = (_e105.x - (_e103.x * _e111));
             let _e119 = (_e105.y - (_e103.y * _e111));
             let _e120 = (_e105.z - (_e103.z * _e111));
-            let _e122 = samples.member[(0u + _e63.shift)].normal;
+            let _e122 = samples.member[(0u + _e63.first_primitive)].normal;
             if ((((_e122.x * _e118) + (_e122.y * _e119)) + (_e122.z * _e120)) > 0f) {
                 let _e136 = (((_e118 * _e118) + (_e119 * _e119)) + (_e120 * _e120));
                 let _e138 = p.member.light.axis;
@@ -635,7 +635,7 @@ fn function_() {
                 }
                 let _e163 = phi_289_;
                 if _e163 {
-                    let _e165 = samples.member[(0u + _e63.shift)].flags;
+                    let _e165 = samples.member[(0u + _e63.first_primitive)].flags;
                     let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
                     phi_300_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
@@ -674,7 +674,7 @@ fn function_() {
             phi_718_ = evaluate_Verdict();
             phi_719_ = true;
         } else {
-            let _e232 = samples.member[(0u + _e63.shift)].position;
+            let _e232 = samples.member[(0u + _e63.first_primitive)].position;
             let _e250 = ((((_e73.projection.row_w.x * _e232.x) + (_e73.projection.row_w.y * _e232.y)) + (_e73.projection.row_w.z * _e232.z)) + (_e73.projection.row_w.w * 1f));
             let _e264 = (((((_e73.projection.row_x.x * _e232.x) + (_e73.projection.row_x.y * _e232.y)) + (_e73.projection.row_x.z * _e232.z)) + (_e73.projection.row_x.w * 1f)) / _e250);
             let _e278 = (((((_e73.projection.row_y.x * _e232.x) + (_e73.projection.row_y.y * _e232.y)) + (_e73.projection.row_y.z * _e232.z)) + (_e73.projection.row_y.w * 1f)) / _e250);
@@ -732,7 +732,7 @@ fn function_() {
             let _e318 = phi_416_;
             if _e318 {
                 if (0f > 0f) {
-                    let _e321 = samples.member[(0u + _e63.shift)].normal;
+                    let _e321 = samples.member[(0u + _e63.first_primitive)].normal;
                     let _e323 = p.member.map_size;
                     let _e393 = ((abs(((((_e69.row_x.x * _e321.x) + (_e69.row_x.y * _e321.y)) + (_e69.row_x.z * _e321.z)) / (((_e69.row_x.x * _e69.row_x.x) + (_e69.row_x.y * _e69.row_x.y)) + (_e69.row_x.z * _e69.row_x.z)))) + abs(((((_e69.row_y.x * _e321.x) + (_e69.row_y.y * _e321.y)) + (_e69.row_y.z * _e321.z)) / (((_e69.row_y.x * _e69.row_y.x) + (_e69.row_y.y * _e69.row_y.y)) + (_e69.row_y.z * _e69.row_y.z))))) / (abs(((((_e69.row_z.x * _e321.x) + (_e69.row_z.y * _e321.y)) + (_e69.row_z.z * _e321.z)) / (((_e69.row_z.x * _e69.row_z.x) + (_e69.row_z.y * _e69.row_z.y)) + (_e69.row_z.z * _e69.row_z.z)))) * f32(_e323)));
                     if (_e393 < 0.002f) {
@@ -925,11 +925,11 @@ fn function_() {
             phi_723_ = _e567;
         }
         let _e571 = phi_723_;
-        if (_e63.shift < arrayLength((&visibility.member))) {
+        if (_e63.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e63.shift)] = _e571.visibility;
+        visibility.member[(0u + _e63.first_primitive)] = _e571.visibility;
     }
     return;
 }

@@ -8,6 +8,11 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,17 +22,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_15 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
+struct type_19 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -81,30 +81,30 @@ struct lt_math_LevelPoint {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_15;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_31;
 @group(0) @binding(2) 
-var<storage> map: type_13;
+var<storage> map: type_19;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_13;
+var<storage, read_write> visibility: type_19;
 @group(0) @binding(4) 
 var<storage> levels: type_37;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_155_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_155_: lt_bvh_traverse_Tree;
     var phi_156_: bool;
-    var phi_157_: lt_mask_LightPlace;
+    var phi_157_: lt_bvh_traverse_Tree;
     var phi_158_: bool;
-    var phi_163_: lt_mask_LightPlace;
+    var phi_163_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_155_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_155_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_156_ = false;
         } else {
-            phi_155_ = lt_mask_LightPlace();
+            phi_155_ = lt_bvh_traverse_Tree();
             phi_156_ = true;
         }
         let _e65 = phi_155_;
@@ -112,18 +112,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_157_ = _e65;
         phi_158_ = _e67;
     } else {
-        phi_157_ = lt_mask_LightPlace();
+        phi_157_ = lt_bvh_traverse_Tree();
         phi_158_ = true;
     }
     let _e69 = phi_157_;
     let _e71 = phi_158_;
     if _e71 {
-        phi_163_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_163_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_163_ = _e69;
     }
     let _e76 = phi_163_;
-    return lt_mask_LightPlace(_e76.word, _e76.shift);
+    return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -615,19 +615,19 @@ fn function_() {
     let _e69 = p.member.size[0u];
     let _e71 = p.member.size[1u];
     let _e72 = lt_shaders_entry_pixel_index(_e53, _e69, _e71);
-    if (bitcast<i32>(_e72.word) != 0i) {
+    if (bitcast<i32>(_e72.root) != 0i) {
         let _e78 = p.member.level_count;
-        if (_e72.shift < arrayLength((&samples.member))) {
+        if (_e72.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e85 = samples.member[(0u + _e72.shift)].normal[0u];
+        let _e85 = samples.member[(0u + _e72.first_primitive)].normal[0u];
         let _e87 = global[0u];
         if (_e85 == _e87) {
-            let _e90 = samples.member[(0u + _e72.shift)].normal[1u];
+            let _e90 = samples.member[(0u + _e72.first_primitive)].normal[1u];
             let _e92 = global[1u];
             if (_e90 == _e92) {
-                let _e95 = samples.member[(0u + _e72.shift)].normal[2u];
+                let _e95 = samples.member[(0u + _e72.first_primitive)].normal[2u];
                 let _e97 = global[2u];
                 phi_727_ = (_e95 == _e97);
                 phi_728_ = false;
@@ -652,13 +652,13 @@ fn function_() {
         }
         let _e108 = phi_734_;
         if !(_e108) {
-            let _e111 = samples.member[(0u + _e72.shift)].position;
+            let _e111 = samples.member[(0u + _e72.first_primitive)].position;
             let _e113 = p.member.light.place;
             let _e119 = p.member.light.place[3u];
             let _e126 = (_e113.x - (_e111.x * _e119));
             let _e127 = (_e113.y - (_e111.y * _e119));
             let _e128 = (_e113.z - (_e111.z * _e119));
-            let _e130 = samples.member[(0u + _e72.shift)].normal;
+            let _e130 = samples.member[(0u + _e72.first_primitive)].normal;
             if ((((_e130.x * _e126) + (_e130.y * _e127)) + (_e130.z * _e128)) > 0f) {
                 let _e144 = (((_e126 * _e126) + (_e127 * _e127)) + (_e128 * _e128));
                 let _e146 = p.member.light.axis;
@@ -678,7 +678,7 @@ fn function_() {
                 }
                 let _e171 = phi_805_;
                 if _e171 {
-                    let _e173 = samples.member[(0u + _e72.shift)].flags;
+                    let _e173 = samples.member[(0u + _e72.first_primitive)].flags;
                     let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
                     phi_816_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
@@ -717,7 +717,7 @@ fn function_() {
             phi_1481_ = evaluate_Verdict();
             phi_1482_ = true;
         } else {
-            let _e240 = samples.member[(0u + _e72.shift)].position;
+            let _e240 = samples.member[(0u + _e72.first_primitive)].position;
             let _e242 = p.member.map_size;
             let _e244 = (0.5f / f32(_e242));
             let _e251 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
@@ -917,7 +917,7 @@ fn function_() {
                     }
                     let _e464 = phi_1067_;
                     if _e464 {
-                        let _e466 = samples.member[(0u + _e72.shift)].normal;
+                        let _e466 = samples.member[(0u + _e72.first_primitive)].normal;
                         let _e468 = p.member.map_size;
                         let _e538 = ((abs(((((_e441.row_x.x * _e466.x) + (_e441.row_x.y * _e466.y)) + (_e441.row_x.z * _e466.z)) / (((_e441.row_x.x * _e441.row_x.x) + (_e441.row_x.y * _e441.row_x.y)) + (_e441.row_x.z * _e441.row_x.z)))) + abs(((((_e441.row_y.x * _e466.x) + (_e441.row_y.y * _e466.y)) + (_e441.row_y.z * _e466.z)) / (((_e441.row_y.x * _e441.row_y.x) + (_e441.row_y.y * _e441.row_y.y)) + (_e441.row_y.z * _e441.row_y.z))))) / (abs(((((_e441.row_z.x * _e466.x) + (_e441.row_z.y * _e466.y)) + (_e441.row_z.z * _e466.z)) / (((_e441.row_z.x * _e441.row_z.x) + (_e441.row_z.y * _e441.row_z.y)) + (_e441.row_z.z * _e441.row_z.z)))) * f32(_e468)));
                         if (_e538 < 0.002f) {
@@ -929,7 +929,7 @@ fn function_() {
                         phi_1268_ = _e541;
                     } else {
                         let _e543 = p.member.map_size;
-                        let _e549 = samples.member[(0u + _e72.shift)].position;
+                        let _e549 = samples.member[(0u + _e72.first_primitive)].position;
                         let _e560 = ((((_e441.row_w.x * _e549.x) + (_e441.row_w.y * _e549.y)) + (_e441.row_w.z * _e549.z)) + _e441.row_w.w);
                         let _e573 = ((_e441.row_x.x - (_e441.row_w.x * _e430.point.uv.x)) / _e560);
                         let _e574 = ((_e441.row_x.y - (_e441.row_w.y * _e430.point.uv.x)) / _e560);
@@ -937,11 +937,11 @@ fn function_() {
                         let _e588 = ((_e441.row_y.x - (_e441.row_w.x * _e430.point.uv.y)) / _e560);
                         let _e589 = ((_e441.row_y.y - (_e441.row_w.y * _e430.point.uv.y)) / _e560);
                         let _e590 = ((_e441.row_y.z - (_e441.row_w.z * _e430.point.uv.y)) / _e560);
-                        let _e596 = samples.member[(0u + _e72.shift)].normal;
+                        let _e596 = samples.member[(0u + _e72.first_primitive)].normal;
                         let _e601 = ((_e589 * _e596.z) - (_e596.y * _e590));
                         let _e606 = ((_e590 * _e596.x) - (_e596.z * _e588));
                         let _e611 = ((_e588 * _e596.y) - (_e596.x * _e589));
-                        let _e613 = samples.member[(0u + _e72.shift)].normal;
+                        let _e613 = samples.member[(0u + _e72.first_primitive)].normal;
                         let _e618 = ((_e574 * _e613.z) - (_e613.y * _e575));
                         let _e623 = ((_e575 * _e613.x) - (_e613.z * _e573));
                         let _e628 = ((_e573 * _e613.y) - (_e613.x * _e574));
@@ -1141,11 +1141,11 @@ fn function_() {
             phi_1486_ = _e840;
         }
         let _e844 = phi_1486_;
-        if (_e72.shift < arrayLength((&visibility.member))) {
+        if (_e72.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e72.shift)] = _e844.visibility;
+        visibility.member[(0u + _e72.first_primitive)] = _e844.visibility;
     }
     return;
 }

@@ -8,6 +8,11 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,17 +22,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_15 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
+struct type_19 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -80,28 +80,28 @@ struct lt_math_OneLevel {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_15;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_35;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_13;
+var<storage, read_write> visibility: type_19;
 @group(0) @binding(2) 
 var<storage> map: type_31;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_152_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_152_: lt_bvh_traverse_Tree;
     var phi_153_: bool;
-    var phi_154_: lt_mask_LightPlace;
+    var phi_154_: lt_bvh_traverse_Tree;
     var phi_155_: bool;
-    var phi_160_: lt_mask_LightPlace;
+    var phi_160_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_152_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_152_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_153_ = false;
         } else {
-            phi_152_ = lt_mask_LightPlace();
+            phi_152_ = lt_bvh_traverse_Tree();
             phi_153_ = true;
         }
         let _e60 = phi_152_;
@@ -109,18 +109,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_154_ = _e60;
         phi_155_ = _e62;
     } else {
-        phi_154_ = lt_mask_LightPlace();
+        phi_154_ = lt_bvh_traverse_Tree();
         phi_155_ = true;
     }
     let _e64 = phi_154_;
     let _e66 = phi_155_;
     if _e66 {
-        phi_160_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_160_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_160_ = _e64;
     }
     let _e71 = phi_160_;
-    return lt_mask_LightPlace(_e71.word, _e71.shift);
+    return lt_bvh_traverse_Tree(_e71.root, _e71.first_primitive);
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> lt_math_Evsm {
@@ -528,20 +528,20 @@ fn function_() {
     let _e61 = p.member.size[0u];
     let _e63 = p.member.size[1u];
     let _e64 = lt_shaders_entry_pixel_index(_e48, _e61, _e63);
-    if (bitcast<i32>(_e64.word) != 0i) {
+    if (bitcast<i32>(_e64.root) != 0i) {
         let _e70 = p.member.projection;
-        if (_e64.shift < arrayLength((&samples.member))) {
+        if (_e64.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
         let _e74 = lt_math_OneLevel(_e70);
-        let _e78 = samples.member[(0u + _e64.shift)].normal[0u];
+        let _e78 = samples.member[(0u + _e64.first_primitive)].normal[0u];
         let _e80 = global[0u];
         if (_e78 == _e80) {
-            let _e83 = samples.member[(0u + _e64.shift)].normal[1u];
+            let _e83 = samples.member[(0u + _e64.first_primitive)].normal[1u];
             let _e85 = global[1u];
             if (_e83 == _e85) {
-                let _e88 = samples.member[(0u + _e64.shift)].normal[2u];
+                let _e88 = samples.member[(0u + _e64.first_primitive)].normal[2u];
                 let _e90 = global[2u];
                 phi_462_ = (_e88 == _e90);
                 phi_463_ = false;
@@ -566,13 +566,13 @@ fn function_() {
         }
         let _e101 = phi_469_;
         if !(_e101) {
-            let _e104 = samples.member[(0u + _e64.shift)].position;
+            let _e104 = samples.member[(0u + _e64.first_primitive)].position;
             let _e106 = p.member.light.place;
             let _e112 = p.member.light.place[3u];
             let _e119 = (_e106.x - (_e104.x * _e112));
             let _e120 = (_e106.y - (_e104.y * _e112));
             let _e121 = (_e106.z - (_e104.z * _e112));
-            let _e123 = samples.member[(0u + _e64.shift)].normal;
+            let _e123 = samples.member[(0u + _e64.first_primitive)].normal;
             if ((((_e123.x * _e119) + (_e123.y * _e120)) + (_e123.z * _e121)) > 0f) {
                 let _e137 = (((_e119 * _e119) + (_e120 * _e120)) + (_e121 * _e121));
                 let _e139 = p.member.light.axis;
@@ -592,7 +592,7 @@ fn function_() {
                 }
                 let _e164 = phi_540_;
                 if _e164 {
-                    let _e166 = samples.member[(0u + _e64.shift)].flags;
+                    let _e166 = samples.member[(0u + _e64.first_primitive)].flags;
                     let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e180 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e174.unnamed.visibility, false), _e174.unnamed_1);
                     phi_551_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e180.unnamed, ((_e166 & 1u) == 0u));
@@ -631,7 +631,7 @@ fn function_() {
             phi_1017_ = evaluate_Verdict();
             phi_1018_ = true;
         } else {
-            let _e233 = samples.member[(0u + _e64.shift)].position;
+            let _e233 = samples.member[(0u + _e64.first_primitive)].position;
             let _e251 = ((((_e74.projection.row_w.x * _e233.x) + (_e74.projection.row_w.y * _e233.y)) + (_e74.projection.row_w.z * _e233.z)) + (_e74.projection.row_w.w * 1f));
             let _e265 = (((((_e74.projection.row_x.x * _e233.x) + (_e74.projection.row_x.y * _e233.y)) + (_e74.projection.row_x.z * _e233.z)) + (_e74.projection.row_x.w * 1f)) / _e251);
             let _e279 = (((((_e74.projection.row_y.x * _e233.x) + (_e74.projection.row_y.y * _e233.y)) + (_e74.projection.row_y.z * _e233.z)) + (_e74.projection.row_y.w * 1f)) / _e251);
@@ -689,7 +689,7 @@ fn function_() {
             let _e319 = phi_667_;
             if _e319 {
                 if (0f > 0f) {
-                    let _e322 = samples.member[(0u + _e64.shift)].normal;
+                    let _e322 = samples.member[(0u + _e64.first_primitive)].normal;
                     let _e324 = p.member.map_size;
                     let _e394 = ((abs(((((_e70.row_x.x * _e322.x) + (_e70.row_x.y * _e322.y)) + (_e70.row_x.z * _e322.z)) / (((_e70.row_x.x * _e70.row_x.x) + (_e70.row_x.y * _e70.row_x.y)) + (_e70.row_x.z * _e70.row_x.z)))) + abs(((((_e70.row_y.x * _e322.x) + (_e70.row_y.y * _e322.y)) + (_e70.row_y.z * _e322.z)) / (((_e70.row_y.x * _e70.row_y.x) + (_e70.row_y.y * _e70.row_y.y)) + (_e70.row_y.z * _e70.row_y.z))))) / (abs(((((_e70.row_z.x * _e322.x) + (_e70.row_z.y * _e322.y)) + (_e70.row_z.z * _e322.z)) / (((_e70.row_z.x * _e70.row_z.x) + (_e70.row_z.y * _e70.row_z.y)) + (_e70.row_z.z * _e70.row_z.z)))) * f32(_e324)));
                     if (_e394 < 0.002f) {
@@ -886,11 +886,11 @@ fn function_() {
             phi_1022_ = _e615;
         }
         let _e619 = phi_1022_;
-        if (_e64.shift < arrayLength((&visibility.member))) {
+        if (_e64.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e64.shift)] = _e619.visibility;
+        visibility.member[(0u + _e64.first_primitive)] = _e619.visibility;
     }
     return;
 }

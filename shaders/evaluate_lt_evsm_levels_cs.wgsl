@@ -8,6 +8,11 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,17 +22,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_15 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
+struct type_19 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -87,30 +87,30 @@ struct lt_math_LevelPoint {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_15;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_31;
 @group(0) @binding(2) 
-var<storage> map: type_13;
+var<storage> map: type_19;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_13;
+var<storage, read_write> visibility: type_19;
 @group(0) @binding(4) 
 var<storage> levels: type_38;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_163_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_163_: lt_bvh_traverse_Tree;
     var phi_164_: bool;
-    var phi_165_: lt_mask_LightPlace;
+    var phi_165_: lt_bvh_traverse_Tree;
     var phi_166_: bool;
-    var phi_171_: lt_mask_LightPlace;
+    var phi_171_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_163_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_163_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_164_ = false;
         } else {
-            phi_163_ = lt_mask_LightPlace();
+            phi_163_ = lt_bvh_traverse_Tree();
             phi_164_ = true;
         }
         let _e66 = phi_163_;
@@ -118,18 +118,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_165_ = _e66;
         phi_166_ = _e68;
     } else {
-        phi_165_ = lt_mask_LightPlace();
+        phi_165_ = lt_bvh_traverse_Tree();
         phi_166_ = true;
     }
     let _e70 = phi_165_;
     let _e72 = phi_166_;
     if _e72 {
-        phi_171_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_171_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_171_ = _e70;
     }
     let _e77 = phi_171_;
-    return lt_mask_LightPlace(_e77.word, _e77.shift);
+    return lt_bvh_traverse_Tree(_e77.root, _e77.first_primitive);
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> lt_math_Evsm {
@@ -1083,19 +1083,19 @@ fn function_() {
     let _e70 = p.member.size[0u];
     let _e72 = p.member.size[1u];
     let _e73 = lt_shaders_entry_pixel_index(_e54, _e70, _e72);
-    if (bitcast<i32>(_e73.word) != 0i) {
+    if (bitcast<i32>(_e73.root) != 0i) {
         let _e79 = p.member.level_count;
-        if (_e73.shift < arrayLength((&samples.member))) {
+        if (_e73.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e86 = samples.member[(0u + _e73.shift)].normal[0u];
+        let _e86 = samples.member[(0u + _e73.first_primitive)].normal[0u];
         let _e88 = global[0u];
         if (_e86 == _e88) {
-            let _e91 = samples.member[(0u + _e73.shift)].normal[1u];
+            let _e91 = samples.member[(0u + _e73.first_primitive)].normal[1u];
             let _e93 = global[1u];
             if (_e91 == _e93) {
-                let _e96 = samples.member[(0u + _e73.shift)].normal[2u];
+                let _e96 = samples.member[(0u + _e73.first_primitive)].normal[2u];
                 let _e98 = global[2u];
                 phi_1337_ = (_e96 == _e98);
                 phi_1338_ = false;
@@ -1120,13 +1120,13 @@ fn function_() {
         }
         let _e109 = phi_1344_;
         if !(_e109) {
-            let _e112 = samples.member[(0u + _e73.shift)].position;
+            let _e112 = samples.member[(0u + _e73.first_primitive)].position;
             let _e114 = p.member.light.place;
             let _e120 = p.member.light.place[3u];
             let _e127 = (_e114.x - (_e112.x * _e120));
             let _e128 = (_e114.y - (_e112.y * _e120));
             let _e129 = (_e114.z - (_e112.z * _e120));
-            let _e131 = samples.member[(0u + _e73.shift)].normal;
+            let _e131 = samples.member[(0u + _e73.first_primitive)].normal;
             if ((((_e131.x * _e127) + (_e131.y * _e128)) + (_e131.z * _e129)) > 0f) {
                 let _e145 = (((_e127 * _e127) + (_e128 * _e128)) + (_e129 * _e129));
                 let _e147 = p.member.light.axis;
@@ -1146,7 +1146,7 @@ fn function_() {
                 }
                 let _e172 = phi_1415_;
                 if _e172 {
-                    let _e174 = samples.member[(0u + _e73.shift)].flags;
+                    let _e174 = samples.member[(0u + _e73.first_primitive)].flags;
                     let _e182 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e188 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e182.unnamed.visibility, false), _e182.unnamed_1);
                     phi_1426_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e188.unnamed, ((_e174 & 1u) == 0u));
@@ -1183,7 +1183,7 @@ fn function_() {
         if _e233.unnamed_1 {
             phi_2136_ = evaluate_Verdict(_e233.unnamed.visibility, _e233.unnamed.is_doubted);
         } else {
-            let _e241 = samples.member[(0u + _e73.shift)].position;
+            let _e241 = samples.member[(0u + _e73.first_primitive)].position;
             let _e243 = p.member.map_size;
             let _e245 = (0.5f / f32(_e243));
             let _e252 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
@@ -1383,7 +1383,7 @@ fn function_() {
                     }
                     let _e465 = phi_1677_;
                     if _e465 {
-                        let _e467 = samples.member[(0u + _e73.shift)].normal;
+                        let _e467 = samples.member[(0u + _e73.first_primitive)].normal;
                         let _e469 = p.member.map_size;
                         let _e539 = ((abs(((((_e442.row_x.x * _e467.x) + (_e442.row_x.y * _e467.y)) + (_e442.row_x.z * _e467.z)) / (((_e442.row_x.x * _e442.row_x.x) + (_e442.row_x.y * _e442.row_x.y)) + (_e442.row_x.z * _e442.row_x.z)))) + abs(((((_e442.row_y.x * _e467.x) + (_e442.row_y.y * _e467.y)) + (_e442.row_y.z * _e467.z)) / (((_e442.row_y.x * _e442.row_y.x) + (_e442.row_y.y * _e442.row_y.y)) + (_e442.row_y.z * _e442.row_y.z))))) / (abs(((((_e442.row_z.x * _e467.x) + (_e442.row_z.y * _e467.y)) + (_e442.row_z.z * _e467.z)) / (((_e442.row_z.x * _e442.row_z.x) + (_e442.row_z.y * _e442.row_z.y)) + (_e442.row_z.z * _e442.row_z.z)))) * f32(_e469)));
                         if (_e539 < 0.002f) {
@@ -1395,7 +1395,7 @@ fn function_() {
                         phi_1878_ = _e542;
                     } else {
                         let _e544 = p.member.map_size;
-                        let _e550 = samples.member[(0u + _e73.shift)].position;
+                        let _e550 = samples.member[(0u + _e73.first_primitive)].position;
                         let _e561 = ((((_e442.row_w.x * _e550.x) + (_e442.row_w.y * _e550.y)) + (_e442.row_w.z * _e550.z)) + _e442.row_w.w);
                         let _e574 = ((_e442.row_x.x - (_e442.row_w.x * _e431.point.uv.x)) / _e561);
                         let _e575 = ((_e442.row_x.y - (_e442.row_w.y * _e431.point.uv.x)) / _e561);
@@ -1403,11 +1403,11 @@ fn function_() {
                         let _e589 = ((_e442.row_y.x - (_e442.row_w.x * _e431.point.uv.y)) / _e561);
                         let _e590 = ((_e442.row_y.y - (_e442.row_w.y * _e431.point.uv.y)) / _e561);
                         let _e591 = ((_e442.row_y.z - (_e442.row_w.z * _e431.point.uv.y)) / _e561);
-                        let _e597 = samples.member[(0u + _e73.shift)].normal;
+                        let _e597 = samples.member[(0u + _e73.first_primitive)].normal;
                         let _e602 = ((_e590 * _e597.z) - (_e597.y * _e591));
                         let _e607 = ((_e591 * _e597.x) - (_e597.z * _e589));
                         let _e612 = ((_e589 * _e597.y) - (_e597.x * _e590));
-                        let _e614 = samples.member[(0u + _e73.shift)].normal;
+                        let _e614 = samples.member[(0u + _e73.first_primitive)].normal;
                         let _e619 = ((_e575 * _e614.z) - (_e614.y * _e576));
                         let _e624 = ((_e576 * _e614.x) - (_e614.z * _e574));
                         let _e629 = ((_e574 * _e614.y) - (_e614.x * _e575));
@@ -1634,11 +1634,11 @@ fn function_() {
             phi_2136_ = _e867;
         }
         let _e869 = phi_2136_;
-        if (_e73.shift < arrayLength((&visibility.member))) {
+        if (_e73.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e73.shift)] = _e869.visibility;
+        visibility.member[(0u + _e73.first_primitive)] = _e869.visibility;
     }
     return;
 }

@@ -8,6 +8,11 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,17 +22,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_15 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
+struct type_19 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -74,28 +74,28 @@ struct lt_math_OneLevel {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_15;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_35;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_13;
+var<storage, read_write> visibility: type_19;
 @group(0) @binding(2) 
 var<storage> map: type_31;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_135_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_135_: lt_bvh_traverse_Tree;
     var phi_136_: bool;
-    var phi_137_: lt_mask_LightPlace;
+    var phi_137_: lt_bvh_traverse_Tree;
     var phi_138_: bool;
-    var phi_143_: lt_mask_LightPlace;
+    var phi_143_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_135_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_135_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_136_ = false;
         } else {
-            phi_135_ = lt_mask_LightPlace();
+            phi_135_ = lt_bvh_traverse_Tree();
             phi_136_ = true;
         }
         let _e47 = phi_135_;
@@ -103,18 +103,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_137_ = _e47;
         phi_138_ = _e49;
     } else {
-        phi_137_ = lt_mask_LightPlace();
+        phi_137_ = lt_bvh_traverse_Tree();
         phi_138_ = true;
     }
     let _e51 = phi_137_;
     let _e53 = phi_138_;
     if _e53 {
-        phi_143_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_143_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_143_ = _e51;
     }
     let _e58 = phi_143_;
-    return lt_mask_LightPlace(_e58.word, _e58.shift);
+    return lt_bvh_traverse_Tree(_e58.root, _e58.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -267,20 +267,20 @@ fn function_() {
     let _e48 = p.member.size[0u];
     let _e50 = p.member.size[1u];
     let _e51 = lt_shaders_entry_pixel_index(_e35, _e48, _e50);
-    if (bitcast<i32>(_e51.word) != 0i) {
+    if (bitcast<i32>(_e51.root) != 0i) {
         let _e57 = p.member.projection;
-        if (_e51.shift < arrayLength((&samples.member))) {
+        if (_e51.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
         let _e61 = lt_math_OneLevel(_e57);
-        let _e65 = samples.member[(0u + _e51.shift)].normal[0u];
+        let _e65 = samples.member[(0u + _e51.first_primitive)].normal[0u];
         let _e67 = global[0u];
         if (_e65 == _e67) {
-            let _e70 = samples.member[(0u + _e51.shift)].normal[1u];
+            let _e70 = samples.member[(0u + _e51.first_primitive)].normal[1u];
             let _e72 = global[1u];
             if (_e70 == _e72) {
-                let _e75 = samples.member[(0u + _e51.shift)].normal[2u];
+                let _e75 = samples.member[(0u + _e51.first_primitive)].normal[2u];
                 let _e77 = global[2u];
                 phi_284_ = (_e75 == _e77);
                 phi_285_ = false;
@@ -305,13 +305,13 @@ fn function_() {
         }
         let _e88 = phi_291_;
         if !(_e88) {
-            let _e91 = samples.member[(0u + _e51.shift)].position;
+            let _e91 = samples.member[(0u + _e51.first_primitive)].position;
             let _e93 = p.member.light.place;
             let _e99 = p.member.light.place[3u];
             let _e106 = (_e93.x - (_e91.x * _e99));
             let _e107 = (_e93.y - (_e91.y * _e99));
             let _e108 = (_e93.z - (_e91.z * _e99));
-            let _e110 = samples.member[(0u + _e51.shift)].normal;
+            let _e110 = samples.member[(0u + _e51.first_primitive)].normal;
             if ((((_e110.x * _e106) + (_e110.y * _e107)) + (_e110.z * _e108)) > 0f) {
                 let _e124 = (((_e106 * _e106) + (_e107 * _e107)) + (_e108 * _e108));
                 let _e126 = p.member.light.axis;
@@ -331,7 +331,7 @@ fn function_() {
                 }
                 let _e151 = phi_362_;
                 if _e151 {
-                    let _e153 = samples.member[(0u + _e51.shift)].flags;
+                    let _e153 = samples.member[(0u + _e51.first_primitive)].flags;
                     let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e161.unnamed.visibility, false), _e161.unnamed_1);
                     phi_373_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e167.unnamed, ((_e153 & 1u) == 0u));
@@ -368,7 +368,7 @@ fn function_() {
         if _e212.unnamed_1 {
             phi_876_ = evaluate_Verdict(_e212.unnamed.visibility, _e212.unnamed.is_doubted);
         } else {
-            let _e220 = samples.member[(0u + _e51.shift)].position;
+            let _e220 = samples.member[(0u + _e51.first_primitive)].position;
             let _e238 = ((((_e61.projection.row_w.x * _e220.x) + (_e61.projection.row_w.y * _e220.y)) + (_e61.projection.row_w.z * _e220.z)) + (_e61.projection.row_w.w * 1f));
             let _e252 = (((((_e61.projection.row_x.x * _e220.x) + (_e61.projection.row_x.y * _e220.y)) + (_e61.projection.row_x.z * _e220.z)) + (_e61.projection.row_x.w * 1f)) / _e238);
             let _e266 = (((((_e61.projection.row_y.x * _e220.x) + (_e61.projection.row_y.y * _e220.y)) + (_e61.projection.row_y.z * _e220.z)) + (_e61.projection.row_y.w * 1f)) / _e238);
@@ -426,7 +426,7 @@ fn function_() {
             let _e306 = phi_489_;
             if _e306 {
                 if (0f > 0f) {
-                    let _e309 = samples.member[(0u + _e51.shift)].normal;
+                    let _e309 = samples.member[(0u + _e51.first_primitive)].normal;
                     let _e311 = p.member.map_size;
                     let _e381 = ((abs(((((_e57.row_x.x * _e309.x) + (_e57.row_x.y * _e309.y)) + (_e57.row_x.z * _e309.z)) / (((_e57.row_x.x * _e57.row_x.x) + (_e57.row_x.y * _e57.row_x.y)) + (_e57.row_x.z * _e57.row_x.z)))) + abs(((((_e57.row_y.x * _e309.x) + (_e57.row_y.y * _e309.y)) + (_e57.row_y.z * _e309.z)) / (((_e57.row_y.x * _e57.row_y.x) + (_e57.row_y.y * _e57.row_y.y)) + (_e57.row_y.z * _e57.row_y.z))))) / (abs(((((_e57.row_z.x * _e309.x) + (_e57.row_z.y * _e309.y)) + (_e57.row_z.z * _e309.z)) / (((_e57.row_z.x * _e57.row_z.x) + (_e57.row_z.y * _e57.row_z.y)) + (_e57.row_z.z * _e57.row_z.z)))) * f32(_e311)));
                     if (_e381 < 0.002f) {
@@ -650,11 +650,11 @@ fn function_() {
             phi_876_ = _e620;
         }
         let _e622 = phi_876_;
-        if (_e51.shift < arrayLength((&visibility.member))) {
+        if (_e51.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e51.shift)] = _e622.visibility;
+        visibility.member[(0u + _e51.first_primitive)] = _e622.visibility;
     }
     return;
 }

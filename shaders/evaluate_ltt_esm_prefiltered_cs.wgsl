@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_10 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_14 {
-    member: array<u32>,
-}
-
-struct type_18 {
+struct type_24 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -83,31 +83,31 @@ struct type_50 {
 var<private> id_1: vec3<u32>;
 var<private> local_2: u32;
 @group(0) @binding(1) 
-var<storage> samples: type_10;
+var<storage> samples: type_20;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
 var<uniform> p: type_43;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_18;
+var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_50;
 @group(0) @binding(2) 
 var<storage> map: type_39;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_162_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_162_: lt_bvh_traverse_Tree;
     var phi_163_: bool;
-    var phi_164_: lt_mask_LightPlace;
+    var phi_164_: lt_bvh_traverse_Tree;
     var phi_165_: bool;
-    var phi_170_: lt_mask_LightPlace;
+    var phi_170_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_162_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_162_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_163_ = false;
         } else {
-            phi_162_ = lt_mask_LightPlace();
+            phi_162_ = lt_bvh_traverse_Tree();
             phi_163_ = true;
         }
         let _e63 = phi_162_;
@@ -115,18 +115,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_164_ = _e63;
         phi_165_ = _e65;
     } else {
-        phi_164_ = lt_mask_LightPlace();
+        phi_164_ = lt_bvh_traverse_Tree();
         phi_165_ = true;
     }
     let _e67 = phi_164_;
     let _e69 = phi_165_;
     if _e69 {
-        phi_170_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_170_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_170_ = _e67;
     }
     let _e74 = phi_170_;
-    return lt_mask_LightPlace(_e74.word, _e74.shift);
+    return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -326,16 +326,16 @@ fn function_() {
     let _e62 = p.member.size[0u];
     let _e64 = p.member.size[1u];
     let _e65 = lt_shaders_entry_pixel_index(_e51, _e62, _e64);
-    if (bitcast<i32>(_e65.word) != 0i) {
+    if (bitcast<i32>(_e65.root) != 0i) {
         let _e72 = p.member.projection;
         let _e73 = lt_math_OneLevel(_e72);
-        let _e77 = samples.member[_e65.shift].normal[0u];
+        let _e77 = samples.member[_e65.first_primitive].normal[0u];
         let _e79 = global[0u];
         if (_e77 == _e79) {
-            let _e82 = samples.member[_e65.shift].normal[1u];
+            let _e82 = samples.member[_e65.first_primitive].normal[1u];
             let _e84 = global[1u];
             if (_e82 == _e84) {
-                let _e87 = samples.member[_e65.shift].normal[2u];
+                let _e87 = samples.member[_e65.first_primitive].normal[2u];
                 let _e89 = global[2u];
                 phi_373_ = (_e87 == _e89);
                 phi_374_ = false;
@@ -360,13 +360,13 @@ fn function_() {
         }
         let _e100 = phi_380_;
         if !(_e100) {
-            let _e103 = samples.member[_e65.shift].position;
+            let _e103 = samples.member[_e65.first_primitive].position;
             let _e105 = p.member.light.place;
             let _e111 = p.member.light.place[3u];
             let _e118 = (_e105.x - (_e103.x * _e111));
             let _e119 = (_e105.y - (_e103.y * _e111));
             let _e120 = (_e105.z - (_e103.z * _e111));
-            let _e122 = samples.member[_e65.shift].normal;
+            let _e122 = samples.member[_e65.first_primitive].normal;
             if ((((_e122.x * _e118) + (_e122.y * _e119)) + (_e122.z * _e120)) > 0f) {
                 let _e136 = (((_e118 * _e118) + (_e119 * _e119)) + (_e120 * _e120));
                 let _e138 = p.member.light.axis;
@@ -386,7 +386,7 @@ fn function_() {
                 }
                 let _e163 = phi_451_;
                 if _e163 {
-                    let _e165 = samples.member[_e65.shift].flags;
+                    let _e165 = samples.member[_e65.first_primitive].flags;
                     let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
                     phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
@@ -423,7 +423,7 @@ fn function_() {
         if _e224.unnamed_1 {
             phi_965_ = evaluate_Verdict(_e224.unnamed.visibility, _e224.unnamed.is_doubted);
         } else {
-            let _e232 = samples.member[_e65.shift].position;
+            let _e232 = samples.member[_e65.first_primitive].position;
             let _e250 = ((((_e73.projection.row_w.x * _e232.x) + (_e73.projection.row_w.y * _e232.y)) + (_e73.projection.row_w.z * _e232.z)) + (_e73.projection.row_w.w * 1f));
             let _e264 = (((((_e73.projection.row_x.x * _e232.x) + (_e73.projection.row_x.y * _e232.y)) + (_e73.projection.row_x.z * _e232.z)) + (_e73.projection.row_x.w * 1f)) / _e250);
             let _e278 = (((((_e73.projection.row_y.x * _e232.x) + (_e73.projection.row_y.y * _e232.y)) + (_e73.projection.row_y.z * _e232.z)) + (_e73.projection.row_y.w * 1f)) / _e250);
@@ -481,7 +481,7 @@ fn function_() {
             let _e318 = phi_578_;
             if _e318 {
                 if (0f > 0f) {
-                    let _e321 = samples.member[_e65.shift].normal;
+                    let _e321 = samples.member[_e65.first_primitive].normal;
                     let _e323 = p.member.map_size;
                     let _e393 = ((abs(((((_e72.row_x.x * _e321.x) + (_e72.row_x.y * _e321.y)) + (_e72.row_x.z * _e321.z)) / (((_e72.row_x.x * _e72.row_x.x) + (_e72.row_x.y * _e72.row_x.y)) + (_e72.row_x.z * _e72.row_x.z)))) + abs(((((_e72.row_y.x * _e321.x) + (_e72.row_y.y * _e321.y)) + (_e72.row_y.z * _e321.z)) / (((_e72.row_y.x * _e72.row_y.x) + (_e72.row_y.y * _e72.row_y.y)) + (_e72.row_y.z * _e72.row_y.z))))) / (abs(((((_e72.row_z.x * _e321.x) + (_e72.row_z.y * _e321.y)) + (_e72.row_z.z * _e321.z)) / (((_e72.row_z.x * _e72.row_z.x) + (_e72.row_z.y * _e72.row_z.y)) + (_e72.row_z.z * _e72.row_z.z)))) * f32(_e323)));
                     if (_e393 < 0.002f) {
@@ -705,9 +705,9 @@ fn function_() {
             phi_965_ = _e632;
         }
         let _e634 = phi_965_;
-        visibility.member[_e65.shift] = _e634.visibility;
+        visibility.member[_e65.first_primitive] = _e634.visibility;
         phi_969_ = _e634.is_doubted;
-        phi_970_ = _e65.shift;
+        phi_970_ = _e65.first_primitive;
     } else {
         phi_969_ = false;
         phi_970_ = 0u;

@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_10 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_14 {
-    member: array<u32>,
-}
-
-struct type_18 {
+struct type_24 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -85,31 +85,31 @@ struct type_46 {
 var<private> id_1: vec3<u32>;
 var<private> local_2: u32;
 @group(0) @binding(1) 
-var<storage> samples: type_10;
+var<storage> samples: type_20;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
 var<uniform> p: type_38;
 @group(0) @binding(2) 
-var<storage> map: type_18;
+var<storage> map: type_24;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_18;
+var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_46;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_165_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_165_: lt_bvh_traverse_Tree;
     var phi_166_: bool;
-    var phi_167_: lt_mask_LightPlace;
+    var phi_167_: lt_bvh_traverse_Tree;
     var phi_168_: bool;
-    var phi_173_: lt_mask_LightPlace;
+    var phi_173_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_165_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_165_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_166_ = false;
         } else {
-            phi_165_ = lt_mask_LightPlace();
+            phi_165_ = lt_bvh_traverse_Tree();
             phi_166_ = true;
         }
         let _e64 = phi_165_;
@@ -117,18 +117,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_167_ = _e64;
         phi_168_ = _e66;
     } else {
-        phi_167_ = lt_mask_LightPlace();
+        phi_167_ = lt_bvh_traverse_Tree();
         phi_168_ = true;
     }
     let _e68 = phi_167_;
     let _e70 = phi_168_;
     if _e70 {
-        phi_173_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_173_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_173_ = _e68;
     }
     let _e75 = phi_173_;
-    return lt_mask_LightPlace(_e75.word, _e75.shift);
+    return lt_bvh_traverse_Tree(_e75.root, _e75.first_primitive);
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> lt_math_Evsm {
@@ -1055,16 +1055,16 @@ fn function_() {
     let _e63 = p.member.size[0u];
     let _e65 = p.member.size[1u];
     let _e66 = lt_shaders_entry_pixel_index(_e52, _e63, _e65);
-    if (bitcast<i32>(_e66.word) != 0i) {
+    if (bitcast<i32>(_e66.root) != 0i) {
         let _e73 = p.member.projection;
         let _e74 = lt_math_OneLevel(_e73);
-        let _e78 = samples.member[_e66.shift].normal[0u];
+        let _e78 = samples.member[_e66.first_primitive].normal[0u];
         let _e80 = global[0u];
         if (_e78 == _e80) {
-            let _e83 = samples.member[_e66.shift].normal[1u];
+            let _e83 = samples.member[_e66.first_primitive].normal[1u];
             let _e85 = global[1u];
             if (_e83 == _e85) {
-                let _e88 = samples.member[_e66.shift].normal[2u];
+                let _e88 = samples.member[_e66.first_primitive].normal[2u];
                 let _e90 = global[2u];
                 phi_1330_ = (_e88 == _e90);
                 phi_1331_ = false;
@@ -1089,13 +1089,13 @@ fn function_() {
         }
         let _e101 = phi_1337_;
         if !(_e101) {
-            let _e104 = samples.member[_e66.shift].position;
+            let _e104 = samples.member[_e66.first_primitive].position;
             let _e106 = p.member.light.place;
             let _e112 = p.member.light.place[3u];
             let _e119 = (_e106.x - (_e104.x * _e112));
             let _e120 = (_e106.y - (_e104.y * _e112));
             let _e121 = (_e106.z - (_e104.z * _e112));
-            let _e123 = samples.member[_e66.shift].normal;
+            let _e123 = samples.member[_e66.first_primitive].normal;
             if ((((_e123.x * _e119) + (_e123.y * _e120)) + (_e123.z * _e121)) > 0f) {
                 let _e137 = (((_e119 * _e119) + (_e120 * _e120)) + (_e121 * _e121));
                 let _e139 = p.member.light.axis;
@@ -1115,7 +1115,7 @@ fn function_() {
                 }
                 let _e164 = phi_1408_;
                 if _e164 {
-                    let _e166 = samples.member[_e66.shift].flags;
+                    let _e166 = samples.member[_e66.first_primitive].flags;
                     let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e180 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e174.unnamed.visibility, false), _e174.unnamed_1);
                     phi_1419_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e180.unnamed, ((_e166 & 1u) == 0u));
@@ -1152,7 +1152,7 @@ fn function_() {
         if _e225.unnamed_1 {
             phi_1882_ = evaluate_Verdict(_e225.unnamed.visibility, _e225.unnamed.is_doubted);
         } else {
-            let _e233 = samples.member[_e66.shift].position;
+            let _e233 = samples.member[_e66.first_primitive].position;
             let _e251 = ((((_e74.projection.row_w.x * _e233.x) + (_e74.projection.row_w.y * _e233.y)) + (_e74.projection.row_w.z * _e233.z)) + (_e74.projection.row_w.w * 1f));
             let _e265 = (((((_e74.projection.row_x.x * _e233.x) + (_e74.projection.row_x.y * _e233.y)) + (_e74.projection.row_x.z * _e233.z)) + (_e74.projection.row_x.w * 1f)) / _e251);
             let _e279 = (((((_e74.projection.row_y.x * _e233.x) + (_e74.projection.row_y.y * _e233.y)) + (_e74.projection.row_y.z * _e233.z)) + (_e74.projection.row_y.w * 1f)) / _e251);
@@ -1210,7 +1210,7 @@ fn function_() {
             let _e319 = phi_1535_;
             if _e319 {
                 if (0f > 0f) {
-                    let _e322 = samples.member[_e66.shift].normal;
+                    let _e322 = samples.member[_e66.first_primitive].normal;
                     let _e324 = p.member.map_size;
                     let _e394 = ((abs(((((_e73.row_x.x * _e322.x) + (_e73.row_x.y * _e322.y)) + (_e73.row_x.z * _e322.z)) / (((_e73.row_x.x * _e73.row_x.x) + (_e73.row_x.y * _e73.row_x.y)) + (_e73.row_x.z * _e73.row_x.z)))) + abs(((((_e73.row_y.x * _e322.x) + (_e73.row_y.y * _e322.y)) + (_e73.row_y.z * _e322.z)) / (((_e73.row_y.x * _e73.row_y.x) + (_e73.row_y.y * _e73.row_y.y)) + (_e73.row_y.z * _e73.row_y.z))))) / (abs(((((_e73.row_z.x * _e322.x) + (_e73.row_z.y * _e322.y)) + (_e73.row_z.z * _e322.z)) / (((_e73.row_z.x * _e73.row_z.x) + (_e73.row_z.y * _e73.row_z.y)) + (_e73.row_z.z * _e73.row_z.z)))) * f32(_e324)));
                     if (_e394 < 0.002f) {
@@ -1430,9 +1430,9 @@ fn function_() {
             phi_1882_ = _e594;
         }
         let _e596 = phi_1882_;
-        visibility.member[_e66.shift] = _e596.visibility;
+        visibility.member[_e66.first_primitive] = _e596.visibility;
         phi_1886_ = _e596.is_doubted;
-        phi_1887_ = _e66.shift;
+        phi_1887_ = _e66.first_primitive;
     } else {
         phi_1886_ = false;
         phi_1887_ = 0u;

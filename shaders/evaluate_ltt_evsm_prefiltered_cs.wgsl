@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_10 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_14 {
-    member: array<u32>,
-}
-
-struct type_18 {
+struct type_24 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -89,31 +89,31 @@ struct type_51 {
 var<private> id_1: vec3<u32>;
 var<private> local_2: u32;
 @group(0) @binding(1) 
-var<storage> samples: type_10;
+var<storage> samples: type_20;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
 var<uniform> p: type_43;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_18;
+var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_51;
 @group(0) @binding(2) 
 var<storage> map: type_39;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_169_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_169_: lt_bvh_traverse_Tree;
     var phi_170_: bool;
-    var phi_171_: lt_mask_LightPlace;
+    var phi_171_: lt_bvh_traverse_Tree;
     var phi_172_: bool;
-    var phi_177_: lt_mask_LightPlace;
+    var phi_177_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_169_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_169_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_170_ = false;
         } else {
-            phi_169_ = lt_mask_LightPlace();
+            phi_169_ = lt_bvh_traverse_Tree();
             phi_170_ = true;
         }
         let _e64 = phi_169_;
@@ -121,18 +121,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_171_ = _e64;
         phi_172_ = _e66;
     } else {
-        phi_171_ = lt_mask_LightPlace();
+        phi_171_ = lt_bvh_traverse_Tree();
         phi_172_ = true;
     }
     let _e68 = phi_171_;
     let _e70 = phi_172_;
     if _e70 {
-        phi_177_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_177_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_177_ = _e68;
     }
     let _e75 = phi_177_;
-    return lt_mask_LightPlace(_e75.word, _e75.shift);
+    return lt_bvh_traverse_Tree(_e75.root, _e75.first_primitive);
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> lt_math_Evsm {
@@ -546,16 +546,16 @@ fn function_() {
     let _e63 = p.member.size[0u];
     let _e65 = p.member.size[1u];
     let _e66 = lt_shaders_entry_pixel_index(_e52, _e63, _e65);
-    if (bitcast<i32>(_e66.word) != 0i) {
+    if (bitcast<i32>(_e66.root) != 0i) {
         let _e73 = p.member.projection;
         let _e74 = lt_math_OneLevel(_e73);
-        let _e78 = samples.member[_e66.shift].normal[0u];
+        let _e78 = samples.member[_e66.first_primitive].normal[0u];
         let _e80 = global[0u];
         if (_e78 == _e80) {
-            let _e83 = samples.member[_e66.shift].normal[1u];
+            let _e83 = samples.member[_e66.first_primitive].normal[1u];
             let _e85 = global[1u];
             if (_e83 == _e85) {
-                let _e88 = samples.member[_e66.shift].normal[2u];
+                let _e88 = samples.member[_e66.first_primitive].normal[2u];
                 let _e90 = global[2u];
                 phi_639_ = (_e88 == _e90);
                 phi_640_ = false;
@@ -580,13 +580,13 @@ fn function_() {
         }
         let _e101 = phi_646_;
         if !(_e101) {
-            let _e104 = samples.member[_e66.shift].position;
+            let _e104 = samples.member[_e66.first_primitive].position;
             let _e106 = p.member.light.place;
             let _e112 = p.member.light.place[3u];
             let _e119 = (_e106.x - (_e104.x * _e112));
             let _e120 = (_e106.y - (_e104.y * _e112));
             let _e121 = (_e106.z - (_e104.z * _e112));
-            let _e123 = samples.member[_e66.shift].normal;
+            let _e123 = samples.member[_e66.first_primitive].normal;
             if ((((_e123.x * _e119) + (_e123.y * _e120)) + (_e123.z * _e121)) > 0f) {
                 let _e137 = (((_e119 * _e119) + (_e120 * _e120)) + (_e121 * _e121));
                 let _e139 = p.member.light.axis;
@@ -606,7 +606,7 @@ fn function_() {
                 }
                 let _e164 = phi_717_;
                 if _e164 {
-                    let _e166 = samples.member[_e66.shift].flags;
+                    let _e166 = samples.member[_e66.first_primitive].flags;
                     let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e180 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e174.unnamed.visibility, false), _e174.unnamed_1);
                     phi_728_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e180.unnamed, ((_e166 & 1u) == 0u));
@@ -643,7 +643,7 @@ fn function_() {
         if _e225.unnamed_1 {
             phi_1235_ = evaluate_Verdict(_e225.unnamed.visibility, _e225.unnamed.is_doubted);
         } else {
-            let _e233 = samples.member[_e66.shift].position;
+            let _e233 = samples.member[_e66.first_primitive].position;
             let _e251 = ((((_e74.projection.row_w.x * _e233.x) + (_e74.projection.row_w.y * _e233.y)) + (_e74.projection.row_w.z * _e233.z)) + (_e74.projection.row_w.w * 1f));
             let _e265 = (((((_e74.projection.row_x.x * _e233.x) + (_e74.projection.row_x.y * _e233.y)) + (_e74.projection.row_x.z * _e233.z)) + (_e74.projection.row_x.w * 1f)) / _e251);
             let _e279 = (((((_e74.projection.row_y.x * _e233.x) + (_e74.projection.row_y.y * _e233.y)) + (_e74.projection.row_y.z * _e233.z)) + (_e74.projection.row_y.w * 1f)) / _e251);
@@ -701,7 +701,7 @@ fn function_() {
             let _e319 = phi_844_;
             if _e319 {
                 if (0f > 0f) {
-                    let _e322 = samples.member[_e66.shift].normal;
+                    let _e322 = samples.member[_e66.first_primitive].normal;
                     let _e324 = p.member.map_size;
                     let _e394 = ((abs(((((_e73.row_x.x * _e322.x) + (_e73.row_x.y * _e322.y)) + (_e73.row_x.z * _e322.z)) / (((_e73.row_x.x * _e73.row_x.x) + (_e73.row_x.y * _e73.row_x.y)) + (_e73.row_x.z * _e73.row_x.z)))) + abs(((((_e73.row_y.x * _e322.x) + (_e73.row_y.y * _e322.y)) + (_e73.row_y.z * _e322.z)) / (((_e73.row_y.x * _e73.row_y.x) + (_e73.row_y.y * _e73.row_y.y)) + (_e73.row_y.z * _e73.row_y.z))))) / (abs(((((_e73.row_z.x * _e322.x) + (_e73.row_z.y * _e322.y)) + (_e73.row_z.z * _e322.z)) / (((_e73.row_z.x * _e73.row_z.x) + (_e73.row_z.y * _e73.row_z.y)) + (_e73.row_z.z * _e73.row_z.z)))) * f32(_e324)));
                     if (_e394 < 0.002f) {
@@ -925,9 +925,9 @@ fn function_() {
             phi_1235_ = _e637;
         }
         let _e639 = phi_1235_;
-        visibility.member[_e66.shift] = _e639.visibility;
+        visibility.member[_e66.first_primitive] = _e639.visibility;
         phi_1239_ = _e639.is_doubted;
-        phi_1240_ = _e66.shift;
+        phi_1240_ = _e66.first_primitive;
     } else {
         phi_1239_ = false;
         phi_1240_ = 0u;

@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_10 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_14 {
-    member: array<u32>,
-}
-
-struct type_18 {
+struct type_24 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -100,13 +100,13 @@ struct type_56 {
 var<private> id_1: vec3<u32>;
 var<private> local_5: u32;
 @group(0) @binding(1) 
-var<storage> samples: type_10;
+var<storage> samples: type_20;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
 var<uniform> p: type_43;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_18;
+var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_56;
 @group(0) @binding(5) 
@@ -114,19 +114,19 @@ var<storage> levels: type_50;
 @group(0) @binding(2) 
 var<storage> map: type_39;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_182_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_182_: lt_bvh_traverse_Tree;
     var phi_183_: bool;
-    var phi_184_: lt_mask_LightPlace;
+    var phi_184_: lt_bvh_traverse_Tree;
     var phi_185_: bool;
-    var phi_190_: lt_mask_LightPlace;
+    var phi_190_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_182_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_182_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_183_ = false;
         } else {
-            phi_182_ = lt_mask_LightPlace();
+            phi_182_ = lt_bvh_traverse_Tree();
             phi_183_ = true;
         }
         let _e70 = phi_182_;
@@ -134,18 +134,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_184_ = _e70;
         phi_185_ = _e72;
     } else {
-        phi_184_ = lt_mask_LightPlace();
+        phi_184_ = lt_bvh_traverse_Tree();
         phi_185_ = true;
     }
     let _e74 = phi_184_;
     let _e76 = phi_185_;
     if _e76 {
-        phi_190_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_190_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_190_ = _e74;
     }
     let _e81 = phi_190_;
-    return lt_mask_LightPlace(_e81.word, _e81.shift);
+    return lt_bvh_traverse_Tree(_e81.root, _e81.first_primitive);
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> lt_math_Evsm {
@@ -590,15 +590,15 @@ fn function_() {
     let _e72 = p.member.size[0u];
     let _e74 = p.member.size[1u];
     let _e75 = lt_shaders_entry_pixel_index(_e58, _e72, _e74);
-    if (bitcast<i32>(_e75.word) != 0i) {
+    if (bitcast<i32>(_e75.root) != 0i) {
         let _e82 = p.member.level_count;
-        let _e86 = samples.member[_e75.shift].normal[0u];
+        let _e86 = samples.member[_e75.first_primitive].normal[0u];
         let _e88 = global[0u];
         if (_e86 == _e88) {
-            let _e91 = samples.member[_e75.shift].normal[1u];
+            let _e91 = samples.member[_e75.first_primitive].normal[1u];
             let _e93 = global[1u];
             if (_e91 == _e93) {
-                let _e96 = samples.member[_e75.shift].normal[2u];
+                let _e96 = samples.member[_e75.first_primitive].normal[2u];
                 let _e98 = global[2u];
                 phi_656_ = (_e96 == _e98);
                 phi_657_ = false;
@@ -623,13 +623,13 @@ fn function_() {
         }
         let _e109 = phi_663_;
         if !(_e109) {
-            let _e112 = samples.member[_e75.shift].position;
+            let _e112 = samples.member[_e75.first_primitive].position;
             let _e114 = p.member.light.place;
             let _e120 = p.member.light.place[3u];
             let _e127 = (_e114.x - (_e112.x * _e120));
             let _e128 = (_e114.y - (_e112.y * _e120));
             let _e129 = (_e114.z - (_e112.z * _e120));
-            let _e131 = samples.member[_e75.shift].normal;
+            let _e131 = samples.member[_e75.first_primitive].normal;
             if ((((_e131.x * _e127) + (_e131.y * _e128)) + (_e131.z * _e129)) > 0f) {
                 let _e145 = (((_e127 * _e127) + (_e128 * _e128)) + (_e129 * _e129));
                 let _e147 = p.member.light.axis;
@@ -649,7 +649,7 @@ fn function_() {
                 }
                 let _e172 = phi_734_;
                 if _e172 {
-                    let _e174 = samples.member[_e75.shift].flags;
+                    let _e174 = samples.member[_e75.first_primitive].flags;
                     let _e182 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e188 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e182.unnamed.visibility, false), _e182.unnamed_1);
                     phi_745_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e188.unnamed, ((_e174 & 1u) == 0u));
@@ -686,7 +686,7 @@ fn function_() {
         if _e233.unnamed_1 {
             phi_1499_ = evaluate_Verdict(_e233.unnamed.visibility, _e233.unnamed.is_doubted);
         } else {
-            let _e241 = samples.member[_e75.shift].position;
+            let _e241 = samples.member[_e75.first_primitive].position;
             let _e243 = p.member.map_size;
             let _e245 = (0.5f / f32(_e243));
             let _e252 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
@@ -886,7 +886,7 @@ fn function_() {
                     }
                     let _e465 = phi_996_;
                     if _e465 {
-                        let _e467 = samples.member[_e75.shift].normal;
+                        let _e467 = samples.member[_e75.first_primitive].normal;
                         let _e469 = p.member.map_size;
                         let _e539 = ((abs(((((_e442.row_x.x * _e467.x) + (_e442.row_x.y * _e467.y)) + (_e442.row_x.z * _e467.z)) / (((_e442.row_x.x * _e442.row_x.x) + (_e442.row_x.y * _e442.row_x.y)) + (_e442.row_x.z * _e442.row_x.z)))) + abs(((((_e442.row_y.x * _e467.x) + (_e442.row_y.y * _e467.y)) + (_e442.row_y.z * _e467.z)) / (((_e442.row_y.x * _e442.row_y.x) + (_e442.row_y.y * _e442.row_y.y)) + (_e442.row_y.z * _e442.row_y.z))))) / (abs(((((_e442.row_z.x * _e467.x) + (_e442.row_z.y * _e467.y)) + (_e442.row_z.z * _e467.z)) / (((_e442.row_z.x * _e442.row_z.x) + (_e442.row_z.y * _e442.row_z.y)) + (_e442.row_z.z * _e442.row_z.z)))) * f32(_e469)));
                         if (_e539 < 0.002f) {
@@ -898,7 +898,7 @@ fn function_() {
                         phi_1197_ = _e542;
                     } else {
                         let _e544 = p.member.map_size;
-                        let _e550 = samples.member[_e75.shift].position;
+                        let _e550 = samples.member[_e75.first_primitive].position;
                         let _e561 = ((((_e442.row_w.x * _e550.x) + (_e442.row_w.y * _e550.y)) + (_e442.row_w.z * _e550.z)) + _e442.row_w.w);
                         let _e574 = ((_e442.row_x.x - (_e442.row_w.x * _e431.point.uv.x)) / _e561);
                         let _e575 = ((_e442.row_x.y - (_e442.row_w.y * _e431.point.uv.x)) / _e561);
@@ -906,11 +906,11 @@ fn function_() {
                         let _e589 = ((_e442.row_y.x - (_e442.row_w.x * _e431.point.uv.y)) / _e561);
                         let _e590 = ((_e442.row_y.y - (_e442.row_w.y * _e431.point.uv.y)) / _e561);
                         let _e591 = ((_e442.row_y.z - (_e442.row_w.z * _e431.point.uv.y)) / _e561);
-                        let _e597 = samples.member[_e75.shift].normal;
+                        let _e597 = samples.member[_e75.first_primitive].normal;
                         let _e602 = ((_e590 * _e597.z) - (_e597.y * _e591));
                         let _e607 = ((_e591 * _e597.x) - (_e597.z * _e589));
                         let _e612 = ((_e589 * _e597.y) - (_e597.x * _e590));
-                        let _e614 = samples.member[_e75.shift].normal;
+                        let _e614 = samples.member[_e75.first_primitive].normal;
                         let _e619 = ((_e575 * _e614.z) - (_e614.y * _e576));
                         let _e624 = ((_e576 * _e614.x) - (_e614.z * _e574));
                         let _e629 = ((_e574 * _e614.y) - (_e614.x * _e575));
@@ -1141,9 +1141,9 @@ fn function_() {
             phi_1499_ = _e910;
         }
         let _e912 = phi_1499_;
-        visibility.member[_e75.shift] = _e912.visibility;
+        visibility.member[_e75.first_primitive] = _e912.visibility;
         phi_1503_ = _e912.is_doubted;
-        phi_1504_ = _e75.shift;
+        phi_1504_ = _e75.first_primitive;
     } else {
         phi_1503_ = false;
         phi_1504_ = 0u;

@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_10 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_14 {
-    member: array<u32>,
-}
-
-struct type_18 {
+struct type_24 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -84,31 +84,31 @@ struct type_45 {
 var<private> id_1: vec3<u32>;
 var<private> local_2: u32;
 @group(0) @binding(1) 
-var<storage> samples: type_10;
+var<storage> samples: type_20;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
 var<uniform> p: type_38;
 @group(0) @binding(2) 
-var<storage> map: type_18;
+var<storage> map: type_24;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_18;
+var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_45;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_152_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_152_: lt_bvh_traverse_Tree;
     var phi_153_: bool;
-    var phi_154_: lt_mask_LightPlace;
+    var phi_154_: lt_bvh_traverse_Tree;
     var phi_155_: bool;
-    var phi_160_: lt_mask_LightPlace;
+    var phi_160_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_152_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_152_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_153_ = false;
         } else {
-            phi_152_ = lt_mask_LightPlace();
+            phi_152_ = lt_bvh_traverse_Tree();
             phi_153_ = true;
         }
         let _e55 = phi_152_;
@@ -116,18 +116,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_154_ = _e55;
         phi_155_ = _e57;
     } else {
-        phi_154_ = lt_mask_LightPlace();
+        phi_154_ = lt_bvh_traverse_Tree();
         phi_155_ = true;
     }
     let _e59 = phi_154_;
     let _e61 = phi_155_;
     if _e61 {
-        phi_160_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_160_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_160_ = _e59;
     }
     let _e66 = phi_160_;
-    return lt_mask_LightPlace(_e66.word, _e66.shift);
+    return lt_bvh_traverse_Tree(_e66.root, _e66.first_primitive);
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -885,16 +885,16 @@ fn function_() {
     let _e54 = p.member.size[0u];
     let _e56 = p.member.size[1u];
     let _e57 = lt_shaders_entry_pixel_index(_e43, _e54, _e56);
-    if (bitcast<i32>(_e57.word) != 0i) {
+    if (bitcast<i32>(_e57.root) != 0i) {
         let _e64 = p.member.projection;
         let _e65 = lt_math_OneLevel(_e64);
-        let _e69 = samples.member[_e57.shift].normal[0u];
+        let _e69 = samples.member[_e57.first_primitive].normal[0u];
         let _e71 = global[0u];
         if (_e69 == _e71) {
-            let _e74 = samples.member[_e57.shift].normal[1u];
+            let _e74 = samples.member[_e57.first_primitive].normal[1u];
             let _e76 = global[1u];
             if (_e74 == _e76) {
-                let _e79 = samples.member[_e57.shift].normal[2u];
+                let _e79 = samples.member[_e57.first_primitive].normal[2u];
                 let _e81 = global[2u];
                 phi_1159_ = (_e79 == _e81);
                 phi_1160_ = false;
@@ -919,13 +919,13 @@ fn function_() {
         }
         let _e92 = phi_1166_;
         if !(_e92) {
-            let _e95 = samples.member[_e57.shift].position;
+            let _e95 = samples.member[_e57.first_primitive].position;
             let _e97 = p.member.light.place;
             let _e103 = p.member.light.place[3u];
             let _e110 = (_e97.x - (_e95.x * _e103));
             let _e111 = (_e97.y - (_e95.y * _e103));
             let _e112 = (_e97.z - (_e95.z * _e103));
-            let _e114 = samples.member[_e57.shift].normal;
+            let _e114 = samples.member[_e57.first_primitive].normal;
             if ((((_e114.x * _e110) + (_e114.y * _e111)) + (_e114.z * _e112)) > 0f) {
                 let _e128 = (((_e110 * _e110) + (_e111 * _e111)) + (_e112 * _e112));
                 let _e130 = p.member.light.axis;
@@ -945,7 +945,7 @@ fn function_() {
                 }
                 let _e155 = phi_1237_;
                 if _e155 {
-                    let _e157 = samples.member[_e57.shift].flags;
+                    let _e157 = samples.member[_e57.first_primitive].flags;
                     let _e165 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e165.unnamed.visibility, false), _e165.unnamed_1);
                     phi_1248_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e171.unnamed, ((_e157 & 1u) == 0u));
@@ -982,7 +982,7 @@ fn function_() {
         if _e216.unnamed_1 {
             phi_1707_ = evaluate_Verdict(_e216.unnamed.visibility, _e216.unnamed.is_doubted);
         } else {
-            let _e224 = samples.member[_e57.shift].position;
+            let _e224 = samples.member[_e57.first_primitive].position;
             let _e242 = ((((_e65.projection.row_w.x * _e224.x) + (_e65.projection.row_w.y * _e224.y)) + (_e65.projection.row_w.z * _e224.z)) + (_e65.projection.row_w.w * 1f));
             let _e256 = (((((_e65.projection.row_x.x * _e224.x) + (_e65.projection.row_x.y * _e224.y)) + (_e65.projection.row_x.z * _e224.z)) + (_e65.projection.row_x.w * 1f)) / _e242);
             let _e270 = (((((_e65.projection.row_y.x * _e224.x) + (_e65.projection.row_y.y * _e224.y)) + (_e65.projection.row_y.z * _e224.z)) + (_e65.projection.row_y.w * 1f)) / _e242);
@@ -1040,7 +1040,7 @@ fn function_() {
             let _e310 = phi_1364_;
             if _e310 {
                 if (0f > 0f) {
-                    let _e313 = samples.member[_e57.shift].normal;
+                    let _e313 = samples.member[_e57.first_primitive].normal;
                     let _e315 = p.member.map_size;
                     let _e385 = ((abs(((((_e64.row_x.x * _e313.x) + (_e64.row_x.y * _e313.y)) + (_e64.row_x.z * _e313.z)) / (((_e64.row_x.x * _e64.row_x.x) + (_e64.row_x.y * _e64.row_x.y)) + (_e64.row_x.z * _e64.row_x.z)))) + abs(((((_e64.row_y.x * _e313.x) + (_e64.row_y.y * _e313.y)) + (_e64.row_y.z * _e313.z)) / (((_e64.row_y.x * _e64.row_y.x) + (_e64.row_y.y * _e64.row_y.y)) + (_e64.row_y.z * _e64.row_y.z))))) / (abs(((((_e64.row_z.x * _e313.x) + (_e64.row_z.y * _e313.y)) + (_e64.row_z.z * _e313.z)) / (((_e64.row_z.x * _e64.row_z.x) + (_e64.row_z.y * _e64.row_z.y)) + (_e64.row_z.z * _e64.row_z.z)))) * f32(_e315)));
                     if (_e385 < 0.002f) {
@@ -1260,9 +1260,9 @@ fn function_() {
             phi_1707_ = _e581;
         }
         let _e583 = phi_1707_;
-        visibility.member[_e57.shift] = _e583.visibility;
+        visibility.member[_e57.first_primitive] = _e583.visibility;
         phi_1711_ = _e583.is_doubted;
-        phi_1712_ = _e57.shift;
+        phi_1712_ = _e57.first_primitive;
     } else {
         phi_1711_ = false;
         phi_1712_ = 0u;

@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_10 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_14 {
-    member: array<u32>,
-}
-
-struct type_18 {
+struct type_24 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -95,33 +95,33 @@ struct type_51 {
 var<private> id_1: vec3<u32>;
 var<private> local_5: u32;
 @group(0) @binding(1) 
-var<storage> samples: type_10;
+var<storage> samples: type_20;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
 var<uniform> p: type_39;
 @group(0) @binding(2) 
-var<storage> map: type_18;
+var<storage> map: type_24;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_18;
+var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_51;
 @group(0) @binding(5) 
 var<storage> levels: type_45;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_166_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_166_: lt_bvh_traverse_Tree;
     var phi_167_: bool;
-    var phi_168_: lt_mask_LightPlace;
+    var phi_168_: lt_bvh_traverse_Tree;
     var phi_169_: bool;
-    var phi_174_: lt_mask_LightPlace;
+    var phi_174_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_166_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_166_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_167_ = false;
         } else {
-            phi_166_ = lt_mask_LightPlace();
+            phi_166_ = lt_bvh_traverse_Tree();
             phi_167_ = true;
         }
         let _e61 = phi_166_;
@@ -129,18 +129,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_168_ = _e61;
         phi_169_ = _e63;
     } else {
-        phi_168_ = lt_mask_LightPlace();
+        phi_168_ = lt_bvh_traverse_Tree();
         phi_169_ = true;
     }
     let _e65 = phi_168_;
     let _e67 = phi_169_;
     if _e67 {
-        phi_174_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_174_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_174_ = _e65;
     }
     let _e72 = phi_174_;
-    return lt_mask_LightPlace(_e72.word, _e72.shift);
+    return lt_bvh_traverse_Tree(_e72.root, _e72.first_primitive);
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -929,15 +929,15 @@ fn function_() {
     let _e63 = p.member.size[0u];
     let _e65 = p.member.size[1u];
     let _e66 = lt_shaders_entry_pixel_index(_e49, _e63, _e65);
-    if (bitcast<i32>(_e66.word) != 0i) {
+    if (bitcast<i32>(_e66.root) != 0i) {
         let _e73 = p.member.level_count;
-        let _e77 = samples.member[_e66.shift].normal[0u];
+        let _e77 = samples.member[_e66.first_primitive].normal[0u];
         let _e79 = global[0u];
         if (_e77 == _e79) {
-            let _e82 = samples.member[_e66.shift].normal[1u];
+            let _e82 = samples.member[_e66.first_primitive].normal[1u];
             let _e84 = global[1u];
             if (_e82 == _e84) {
-                let _e87 = samples.member[_e66.shift].normal[2u];
+                let _e87 = samples.member[_e66.first_primitive].normal[2u];
                 let _e89 = global[2u];
                 phi_1177_ = (_e87 == _e89);
                 phi_1178_ = false;
@@ -962,13 +962,13 @@ fn function_() {
         }
         let _e100 = phi_1184_;
         if !(_e100) {
-            let _e103 = samples.member[_e66.shift].position;
+            let _e103 = samples.member[_e66.first_primitive].position;
             let _e105 = p.member.light.place;
             let _e111 = p.member.light.place[3u];
             let _e118 = (_e105.x - (_e103.x * _e111));
             let _e119 = (_e105.y - (_e103.y * _e111));
             let _e120 = (_e105.z - (_e103.z * _e111));
-            let _e122 = samples.member[_e66.shift].normal;
+            let _e122 = samples.member[_e66.first_primitive].normal;
             if ((((_e122.x * _e118) + (_e122.y * _e119)) + (_e122.z * _e120)) > 0f) {
                 let _e136 = (((_e118 * _e118) + (_e119 * _e119)) + (_e120 * _e120));
                 let _e138 = p.member.light.axis;
@@ -988,7 +988,7 @@ fn function_() {
                 }
                 let _e163 = phi_1255_;
                 if _e163 {
-                    let _e165 = samples.member[_e66.shift].flags;
+                    let _e165 = samples.member[_e66.first_primitive].flags;
                     let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
                     phi_1266_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
@@ -1025,7 +1025,7 @@ fn function_() {
         if _e224.unnamed_1 {
             phi_1972_ = evaluate_Verdict(_e224.unnamed.visibility, _e224.unnamed.is_doubted);
         } else {
-            let _e232 = samples.member[_e66.shift].position;
+            let _e232 = samples.member[_e66.first_primitive].position;
             let _e234 = p.member.map_size;
             let _e236 = (0.5f / f32(_e234));
             let _e243 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
@@ -1225,7 +1225,7 @@ fn function_() {
                     }
                     let _e456 = phi_1517_;
                     if _e456 {
-                        let _e458 = samples.member[_e66.shift].normal;
+                        let _e458 = samples.member[_e66.first_primitive].normal;
                         let _e460 = p.member.map_size;
                         let _e530 = ((abs(((((_e433.row_x.x * _e458.x) + (_e433.row_x.y * _e458.y)) + (_e433.row_x.z * _e458.z)) / (((_e433.row_x.x * _e433.row_x.x) + (_e433.row_x.y * _e433.row_x.y)) + (_e433.row_x.z * _e433.row_x.z)))) + abs(((((_e433.row_y.x * _e458.x) + (_e433.row_y.y * _e458.y)) + (_e433.row_y.z * _e458.z)) / (((_e433.row_y.x * _e433.row_y.x) + (_e433.row_y.y * _e433.row_y.y)) + (_e433.row_y.z * _e433.row_y.z))))) / (abs(((((_e433.row_z.x * _e458.x) + (_e433.row_z.y * _e458.y)) + (_e433.row_z.z * _e458.z)) / (((_e433.row_z.x * _e433.row_z.x) + (_e433.row_z.y * _e433.row_z.y)) + (_e433.row_z.z * _e433.row_z.z)))) * f32(_e460)));
                         if (_e530 < 0.002f) {
@@ -1237,7 +1237,7 @@ fn function_() {
                         phi_1718_ = _e533;
                     } else {
                         let _e535 = p.member.map_size;
-                        let _e541 = samples.member[_e66.shift].position;
+                        let _e541 = samples.member[_e66.first_primitive].position;
                         let _e552 = ((((_e433.row_w.x * _e541.x) + (_e433.row_w.y * _e541.y)) + (_e433.row_w.z * _e541.z)) + _e433.row_w.w);
                         let _e565 = ((_e433.row_x.x - (_e433.row_w.x * _e422.point.uv.x)) / _e552);
                         let _e566 = ((_e433.row_x.y - (_e433.row_w.y * _e422.point.uv.x)) / _e552);
@@ -1245,11 +1245,11 @@ fn function_() {
                         let _e580 = ((_e433.row_y.x - (_e433.row_w.x * _e422.point.uv.y)) / _e552);
                         let _e581 = ((_e433.row_y.y - (_e433.row_w.y * _e422.point.uv.y)) / _e552);
                         let _e582 = ((_e433.row_y.z - (_e433.row_w.z * _e422.point.uv.y)) / _e552);
-                        let _e588 = samples.member[_e66.shift].normal;
+                        let _e588 = samples.member[_e66.first_primitive].normal;
                         let _e593 = ((_e581 * _e588.z) - (_e588.y * _e582));
                         let _e598 = ((_e582 * _e588.x) - (_e588.z * _e580));
                         let _e603 = ((_e580 * _e588.y) - (_e588.x * _e581));
-                        let _e605 = samples.member[_e66.shift].normal;
+                        let _e605 = samples.member[_e66.first_primitive].normal;
                         let _e610 = ((_e566 * _e605.z) - (_e605.y * _e567));
                         let _e615 = ((_e567 * _e605.x) - (_e605.z * _e565));
                         let _e620 = ((_e565 * _e605.y) - (_e605.x * _e566));
@@ -1476,9 +1476,9 @@ fn function_() {
             phi_1972_ = _e854;
         }
         let _e856 = phi_1972_;
-        visibility.member[_e66.shift] = _e856.visibility;
+        visibility.member[_e66.first_primitive] = _e856.visibility;
         phi_1976_ = _e856.is_doubted;
-        phi_1977_ = _e66.shift;
+        phi_1977_ = _e66.first_primitive;
     } else {
         phi_1976_ = false;
         phi_1977_ = 0u;

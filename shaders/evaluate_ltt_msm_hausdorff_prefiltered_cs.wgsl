@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_10 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_14 {
-    member: array<u32>,
-}
-
-struct type_18 {
+struct type_24 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -90,31 +90,31 @@ struct type_53 {
 var<private> id_1: vec3<u32>;
 var<private> local_3: u32;
 @group(0) @binding(1) 
-var<storage> samples: type_10;
+var<storage> samples: type_20;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
 var<uniform> p: type_43;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_18;
+var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_53;
 @group(0) @binding(2) 
 var<storage> map: type_39;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_164_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_164_: lt_bvh_traverse_Tree;
     var phi_165_: bool;
-    var phi_166_: lt_mask_LightPlace;
+    var phi_166_: lt_bvh_traverse_Tree;
     var phi_167_: bool;
-    var phi_172_: lt_mask_LightPlace;
+    var phi_172_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_164_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_164_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_165_ = false;
         } else {
-            phi_164_ = lt_mask_LightPlace();
+            phi_164_ = lt_bvh_traverse_Tree();
             phi_165_ = true;
         }
         let _e53 = phi_164_;
@@ -122,18 +122,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_166_ = _e53;
         phi_167_ = _e55;
     } else {
-        phi_166_ = lt_mask_LightPlace();
+        phi_166_ = lt_bvh_traverse_Tree();
         phi_167_ = true;
     }
     let _e57 = phi_166_;
     let _e59 = phi_167_;
     if _e59 {
-        phi_172_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_172_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_172_ = _e57;
     }
     let _e64 = phi_172_;
-    return lt_mask_LightPlace(_e64.word, _e64.shift);
+    return lt_bvh_traverse_Tree(_e64.root, _e64.first_primitive);
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -936,16 +936,16 @@ fn function_() {
     let _e52 = p.member.size[0u];
     let _e54 = p.member.size[1u];
     let _e55 = lt_shaders_entry_pixel_index(_e41, _e52, _e54);
-    if (bitcast<i32>(_e55.word) != 0i) {
+    if (bitcast<i32>(_e55.root) != 0i) {
         let _e62 = p.member.projection;
         let _e63 = lt_math_OneLevel(_e62);
-        let _e67 = samples.member[_e55.shift].normal[0u];
+        let _e67 = samples.member[_e55.first_primitive].normal[0u];
         let _e69 = global[0u];
         if (_e67 == _e69) {
-            let _e72 = samples.member[_e55.shift].normal[1u];
+            let _e72 = samples.member[_e55.first_primitive].normal[1u];
             let _e74 = global[1u];
             if (_e72 == _e74) {
-                let _e77 = samples.member[_e55.shift].normal[2u];
+                let _e77 = samples.member[_e55.first_primitive].normal[2u];
                 let _e79 = global[2u];
                 phi_1101_ = (_e77 == _e79);
                 phi_1102_ = false;
@@ -970,13 +970,13 @@ fn function_() {
         }
         let _e90 = phi_1108_;
         if !(_e90) {
-            let _e93 = samples.member[_e55.shift].position;
+            let _e93 = samples.member[_e55.first_primitive].position;
             let _e95 = p.member.light.place;
             let _e101 = p.member.light.place[3u];
             let _e108 = (_e95.x - (_e93.x * _e101));
             let _e109 = (_e95.y - (_e93.y * _e101));
             let _e110 = (_e95.z - (_e93.z * _e101));
-            let _e112 = samples.member[_e55.shift].normal;
+            let _e112 = samples.member[_e55.first_primitive].normal;
             if ((((_e112.x * _e108) + (_e112.y * _e109)) + (_e112.z * _e110)) > 0f) {
                 let _e126 = (((_e108 * _e108) + (_e109 * _e109)) + (_e110 * _e110));
                 let _e128 = p.member.light.axis;
@@ -996,7 +996,7 @@ fn function_() {
                 }
                 let _e153 = phi_1179_;
                 if _e153 {
-                    let _e155 = samples.member[_e55.shift].flags;
+                    let _e155 = samples.member[_e55.first_primitive].flags;
                     let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e163.unnamed.visibility, false), _e163.unnamed_1);
                     phi_1190_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e169.unnamed, ((_e155 & 1u) == 0u));
@@ -1033,7 +1033,7 @@ fn function_() {
         if _e214.unnamed_1 {
             phi_1693_ = evaluate_Verdict(_e214.unnamed.visibility, _e214.unnamed.is_doubted);
         } else {
-            let _e222 = samples.member[_e55.shift].position;
+            let _e222 = samples.member[_e55.first_primitive].position;
             let _e240 = ((((_e63.projection.row_w.x * _e222.x) + (_e63.projection.row_w.y * _e222.y)) + (_e63.projection.row_w.z * _e222.z)) + (_e63.projection.row_w.w * 1f));
             let _e254 = (((((_e63.projection.row_x.x * _e222.x) + (_e63.projection.row_x.y * _e222.y)) + (_e63.projection.row_x.z * _e222.z)) + (_e63.projection.row_x.w * 1f)) / _e240);
             let _e268 = (((((_e63.projection.row_y.x * _e222.x) + (_e63.projection.row_y.y * _e222.y)) + (_e63.projection.row_y.z * _e222.z)) + (_e63.projection.row_y.w * 1f)) / _e240);
@@ -1091,7 +1091,7 @@ fn function_() {
             let _e308 = phi_1306_;
             if _e308 {
                 if (0f > 0f) {
-                    let _e311 = samples.member[_e55.shift].normal;
+                    let _e311 = samples.member[_e55.first_primitive].normal;
                     let _e313 = p.member.map_size;
                     let _e383 = ((abs(((((_e62.row_x.x * _e311.x) + (_e62.row_x.y * _e311.y)) + (_e62.row_x.z * _e311.z)) / (((_e62.row_x.x * _e62.row_x.x) + (_e62.row_x.y * _e62.row_x.y)) + (_e62.row_x.z * _e62.row_x.z)))) + abs(((((_e62.row_y.x * _e311.x) + (_e62.row_y.y * _e311.y)) + (_e62.row_y.z * _e311.z)) / (((_e62.row_y.x * _e62.row_y.x) + (_e62.row_y.y * _e62.row_y.y)) + (_e62.row_y.z * _e62.row_y.z))))) / (abs(((((_e62.row_z.x * _e311.x) + (_e62.row_z.y * _e311.y)) + (_e62.row_z.z * _e311.z)) / (((_e62.row_z.x * _e62.row_z.x) + (_e62.row_z.y * _e62.row_z.y)) + (_e62.row_z.z * _e62.row_z.z)))) * f32(_e313)));
                     if (_e383 < 0.002f) {
@@ -1315,9 +1315,9 @@ fn function_() {
             phi_1693_ = _e622;
         }
         let _e624 = phi_1693_;
-        visibility.member[_e55.shift] = _e624.visibility;
+        visibility.member[_e55.first_primitive] = _e624.visibility;
         phi_1697_ = _e624.is_doubted;
-        phi_1698_ = _e55.shift;
+        phi_1698_ = _e55.first_primitive;
     } else {
         phi_1697_ = false;
         phi_1698_ = 0u;

@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_10 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_14 {
-    member: array<u32>,
-}
-
-struct type_18 {
+struct type_24 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -101,13 +101,13 @@ struct type_57 {
 var<private> id_1: vec3<u32>;
 var<private> local_6: u32;
 @group(0) @binding(1) 
-var<storage> samples: type_10;
+var<storage> samples: type_20;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
 var<uniform> p: type_43;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_18;
+var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_57;
 @group(0) @binding(5) 
@@ -115,19 +115,19 @@ var<storage> levels: type_49;
 @group(0) @binding(2) 
 var<storage> map: type_39;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_177_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_177_: lt_bvh_traverse_Tree;
     var phi_178_: bool;
-    var phi_179_: lt_mask_LightPlace;
+    var phi_179_: lt_bvh_traverse_Tree;
     var phi_180_: bool;
-    var phi_185_: lt_mask_LightPlace;
+    var phi_185_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_177_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_177_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_178_ = false;
         } else {
-            phi_177_ = lt_mask_LightPlace();
+            phi_177_ = lt_bvh_traverse_Tree();
             phi_178_ = true;
         }
         let _e59 = phi_177_;
@@ -135,18 +135,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_179_ = _e59;
         phi_180_ = _e61;
     } else {
-        phi_179_ = lt_mask_LightPlace();
+        phi_179_ = lt_bvh_traverse_Tree();
         phi_180_ = true;
     }
     let _e63 = phi_179_;
     let _e65 = phi_180_;
     if _e65 {
-        phi_185_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_185_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_185_ = _e63;
     }
     let _e70 = phi_185_;
-    return lt_mask_LightPlace(_e70.word, _e70.shift);
+    return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -980,15 +980,15 @@ fn function_() {
     let _e61 = p.member.size[0u];
     let _e63 = p.member.size[1u];
     let _e64 = lt_shaders_entry_pixel_index(_e47, _e61, _e63);
-    if (bitcast<i32>(_e64.word) != 0i) {
+    if (bitcast<i32>(_e64.root) != 0i) {
         let _e71 = p.member.level_count;
-        let _e75 = samples.member[_e64.shift].normal[0u];
+        let _e75 = samples.member[_e64.first_primitive].normal[0u];
         let _e77 = global[0u];
         if (_e75 == _e77) {
-            let _e80 = samples.member[_e64.shift].normal[1u];
+            let _e80 = samples.member[_e64.first_primitive].normal[1u];
             let _e82 = global[1u];
             if (_e80 == _e82) {
-                let _e85 = samples.member[_e64.shift].normal[2u];
+                let _e85 = samples.member[_e64.first_primitive].normal[2u];
                 let _e87 = global[2u];
                 phi_1118_ = (_e85 == _e87);
                 phi_1119_ = false;
@@ -1013,13 +1013,13 @@ fn function_() {
         }
         let _e98 = phi_1125_;
         if !(_e98) {
-            let _e101 = samples.member[_e64.shift].position;
+            let _e101 = samples.member[_e64.first_primitive].position;
             let _e103 = p.member.light.place;
             let _e109 = p.member.light.place[3u];
             let _e116 = (_e103.x - (_e101.x * _e109));
             let _e117 = (_e103.y - (_e101.y * _e109));
             let _e118 = (_e103.z - (_e101.z * _e109));
-            let _e120 = samples.member[_e64.shift].normal;
+            let _e120 = samples.member[_e64.first_primitive].normal;
             if ((((_e120.x * _e116) + (_e120.y * _e117)) + (_e120.z * _e118)) > 0f) {
                 let _e134 = (((_e116 * _e116) + (_e117 * _e117)) + (_e118 * _e118));
                 let _e136 = p.member.light.axis;
@@ -1039,7 +1039,7 @@ fn function_() {
                 }
                 let _e161 = phi_1196_;
                 if _e161 {
-                    let _e163 = samples.member[_e64.shift].flags;
+                    let _e163 = samples.member[_e64.first_primitive].flags;
                     let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e171.unnamed.visibility, false), _e171.unnamed_1);
                     phi_1207_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e177.unnamed, ((_e163 & 1u) == 0u));
@@ -1076,7 +1076,7 @@ fn function_() {
         if _e222.unnamed_1 {
             phi_1957_ = evaluate_Verdict(_e222.unnamed.visibility, _e222.unnamed.is_doubted);
         } else {
-            let _e230 = samples.member[_e64.shift].position;
+            let _e230 = samples.member[_e64.first_primitive].position;
             let _e232 = p.member.map_size;
             let _e234 = (0.5f / f32(_e232));
             let _e241 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
@@ -1276,7 +1276,7 @@ fn function_() {
                     }
                     let _e454 = phi_1458_;
                     if _e454 {
-                        let _e456 = samples.member[_e64.shift].normal;
+                        let _e456 = samples.member[_e64.first_primitive].normal;
                         let _e458 = p.member.map_size;
                         let _e528 = ((abs(((((_e431.row_x.x * _e456.x) + (_e431.row_x.y * _e456.y)) + (_e431.row_x.z * _e456.z)) / (((_e431.row_x.x * _e431.row_x.x) + (_e431.row_x.y * _e431.row_x.y)) + (_e431.row_x.z * _e431.row_x.z)))) + abs(((((_e431.row_y.x * _e456.x) + (_e431.row_y.y * _e456.y)) + (_e431.row_y.z * _e456.z)) / (((_e431.row_y.x * _e431.row_y.x) + (_e431.row_y.y * _e431.row_y.y)) + (_e431.row_y.z * _e431.row_y.z))))) / (abs(((((_e431.row_z.x * _e456.x) + (_e431.row_z.y * _e456.y)) + (_e431.row_z.z * _e456.z)) / (((_e431.row_z.x * _e431.row_z.x) + (_e431.row_z.y * _e431.row_z.y)) + (_e431.row_z.z * _e431.row_z.z)))) * f32(_e458)));
                         if (_e528 < 0.002f) {
@@ -1288,7 +1288,7 @@ fn function_() {
                         phi_1659_ = _e531;
                     } else {
                         let _e533 = p.member.map_size;
-                        let _e539 = samples.member[_e64.shift].position;
+                        let _e539 = samples.member[_e64.first_primitive].position;
                         let _e550 = ((((_e431.row_w.x * _e539.x) + (_e431.row_w.y * _e539.y)) + (_e431.row_w.z * _e539.z)) + _e431.row_w.w);
                         let _e563 = ((_e431.row_x.x - (_e431.row_w.x * _e420.point.uv.x)) / _e550);
                         let _e564 = ((_e431.row_x.y - (_e431.row_w.y * _e420.point.uv.x)) / _e550);
@@ -1296,11 +1296,11 @@ fn function_() {
                         let _e578 = ((_e431.row_y.x - (_e431.row_w.x * _e420.point.uv.y)) / _e550);
                         let _e579 = ((_e431.row_y.y - (_e431.row_w.y * _e420.point.uv.y)) / _e550);
                         let _e580 = ((_e431.row_y.z - (_e431.row_w.z * _e420.point.uv.y)) / _e550);
-                        let _e586 = samples.member[_e64.shift].normal;
+                        let _e586 = samples.member[_e64.first_primitive].normal;
                         let _e591 = ((_e579 * _e586.z) - (_e586.y * _e580));
                         let _e596 = ((_e580 * _e586.x) - (_e586.z * _e578));
                         let _e601 = ((_e578 * _e586.y) - (_e586.x * _e579));
-                        let _e603 = samples.member[_e64.shift].normal;
+                        let _e603 = samples.member[_e64.first_primitive].normal;
                         let _e608 = ((_e564 * _e603.z) - (_e603.y * _e565));
                         let _e613 = ((_e565 * _e603.x) - (_e603.z * _e563));
                         let _e618 = ((_e563 * _e603.y) - (_e603.x * _e564));
@@ -1531,9 +1531,9 @@ fn function_() {
             phi_1957_ = _e895;
         }
         let _e897 = phi_1957_;
-        visibility.member[_e64.shift] = _e897.visibility;
+        visibility.member[_e64.first_primitive] = _e897.visibility;
         phi_1961_ = _e897.is_doubted;
-        phi_1962_ = _e64.shift;
+        phi_1962_ = _e64.first_primitive;
     } else {
         phi_1961_ = false;
         phi_1962_ = 0u;

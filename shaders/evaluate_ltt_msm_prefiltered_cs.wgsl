@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_10 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_14 {
-    member: array<u32>,
-}
-
-struct type_18 {
+struct type_24 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -83,31 +83,31 @@ struct type_51 {
 var<private> id_1: vec3<u32>;
 var<private> local_2: u32;
 @group(0) @binding(1) 
-var<storage> samples: type_10;
+var<storage> samples: type_20;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
 var<uniform> p: type_43;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_18;
+var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_51;
 @group(0) @binding(2) 
 var<storage> map: type_39;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_153_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_153_: lt_bvh_traverse_Tree;
     var phi_154_: bool;
-    var phi_155_: lt_mask_LightPlace;
+    var phi_155_: lt_bvh_traverse_Tree;
     var phi_156_: bool;
-    var phi_161_: lt_mask_LightPlace;
+    var phi_161_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_153_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_153_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_154_ = false;
         } else {
-            phi_153_ = lt_mask_LightPlace();
+            phi_153_ = lt_bvh_traverse_Tree();
             phi_154_ = true;
         }
         let _e51 = phi_153_;
@@ -115,18 +115,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_155_ = _e51;
         phi_156_ = _e53;
     } else {
-        phi_155_ = lt_mask_LightPlace();
+        phi_155_ = lt_bvh_traverse_Tree();
         phi_156_ = true;
     }
     let _e55 = phi_155_;
     let _e57 = phi_156_;
     if _e57 {
-        phi_161_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_161_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_161_ = _e55;
     }
     let _e62 = phi_161_;
-    return lt_mask_LightPlace(_e62.word, _e62.shift);
+    return lt_bvh_traverse_Tree(_e62.root, _e62.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -369,16 +369,16 @@ fn function_() {
     let _e50 = p.member.size[0u];
     let _e52 = p.member.size[1u];
     let _e53 = lt_shaders_entry_pixel_index(_e39, _e50, _e52);
-    if (bitcast<i32>(_e53.word) != 0i) {
+    if (bitcast<i32>(_e53.root) != 0i) {
         let _e60 = p.member.projection;
         let _e61 = lt_math_OneLevel(_e60);
-        let _e65 = samples.member[_e53.shift].normal[0u];
+        let _e65 = samples.member[_e53.first_primitive].normal[0u];
         let _e67 = global[0u];
         if (_e65 == _e67) {
-            let _e70 = samples.member[_e53.shift].normal[1u];
+            let _e70 = samples.member[_e53.first_primitive].normal[1u];
             let _e72 = global[1u];
             if (_e70 == _e72) {
-                let _e75 = samples.member[_e53.shift].normal[2u];
+                let _e75 = samples.member[_e53.first_primitive].normal[2u];
                 let _e77 = global[2u];
                 phi_409_ = (_e75 == _e77);
                 phi_410_ = false;
@@ -403,13 +403,13 @@ fn function_() {
         }
         let _e88 = phi_416_;
         if !(_e88) {
-            let _e91 = samples.member[_e53.shift].position;
+            let _e91 = samples.member[_e53.first_primitive].position;
             let _e93 = p.member.light.place;
             let _e99 = p.member.light.place[3u];
             let _e106 = (_e93.x - (_e91.x * _e99));
             let _e107 = (_e93.y - (_e91.y * _e99));
             let _e108 = (_e93.z - (_e91.z * _e99));
-            let _e110 = samples.member[_e53.shift].normal;
+            let _e110 = samples.member[_e53.first_primitive].normal;
             if ((((_e110.x * _e106) + (_e110.y * _e107)) + (_e110.z * _e108)) > 0f) {
                 let _e124 = (((_e106 * _e106) + (_e107 * _e107)) + (_e108 * _e108));
                 let _e126 = p.member.light.axis;
@@ -429,7 +429,7 @@ fn function_() {
                 }
                 let _e151 = phi_487_;
                 if _e151 {
-                    let _e153 = samples.member[_e53.shift].flags;
+                    let _e153 = samples.member[_e53.first_primitive].flags;
                     let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e161.unnamed.visibility, false), _e161.unnamed_1);
                     phi_498_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e167.unnamed, ((_e153 & 1u) == 0u));
@@ -466,7 +466,7 @@ fn function_() {
         if _e212.unnamed_1 {
             phi_1001_ = evaluate_Verdict(_e212.unnamed.visibility, _e212.unnamed.is_doubted);
         } else {
-            let _e220 = samples.member[_e53.shift].position;
+            let _e220 = samples.member[_e53.first_primitive].position;
             let _e238 = ((((_e61.projection.row_w.x * _e220.x) + (_e61.projection.row_w.y * _e220.y)) + (_e61.projection.row_w.z * _e220.z)) + (_e61.projection.row_w.w * 1f));
             let _e252 = (((((_e61.projection.row_x.x * _e220.x) + (_e61.projection.row_x.y * _e220.y)) + (_e61.projection.row_x.z * _e220.z)) + (_e61.projection.row_x.w * 1f)) / _e238);
             let _e266 = (((((_e61.projection.row_y.x * _e220.x) + (_e61.projection.row_y.y * _e220.y)) + (_e61.projection.row_y.z * _e220.z)) + (_e61.projection.row_y.w * 1f)) / _e238);
@@ -524,7 +524,7 @@ fn function_() {
             let _e306 = phi_614_;
             if _e306 {
                 if (0f > 0f) {
-                    let _e309 = samples.member[_e53.shift].normal;
+                    let _e309 = samples.member[_e53.first_primitive].normal;
                     let _e311 = p.member.map_size;
                     let _e381 = ((abs(((((_e60.row_x.x * _e309.x) + (_e60.row_x.y * _e309.y)) + (_e60.row_x.z * _e309.z)) / (((_e60.row_x.x * _e60.row_x.x) + (_e60.row_x.y * _e60.row_x.y)) + (_e60.row_x.z * _e60.row_x.z)))) + abs(((((_e60.row_y.x * _e309.x) + (_e60.row_y.y * _e309.y)) + (_e60.row_y.z * _e309.z)) / (((_e60.row_y.x * _e60.row_y.x) + (_e60.row_y.y * _e60.row_y.y)) + (_e60.row_y.z * _e60.row_y.z))))) / (abs(((((_e60.row_z.x * _e309.x) + (_e60.row_z.y * _e309.y)) + (_e60.row_z.z * _e309.z)) / (((_e60.row_z.x * _e60.row_z.x) + (_e60.row_z.y * _e60.row_z.y)) + (_e60.row_z.z * _e60.row_z.z)))) * f32(_e311)));
                     if (_e381 < 0.002f) {
@@ -748,9 +748,9 @@ fn function_() {
             phi_1001_ = _e620;
         }
         let _e622 = phi_1001_;
-        visibility.member[_e53.shift] = _e622.visibility;
+        visibility.member[_e53.first_primitive] = _e622.visibility;
         phi_1005_ = _e622.is_doubted;
-        phi_1006_ = _e53.shift;
+        phi_1006_ = _e53.first_primitive;
     } else {
         phi_1005_ = false;
         phi_1006_ = 0u;

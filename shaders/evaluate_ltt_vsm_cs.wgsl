@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_10 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_14 {
-    member: array<u32>,
-}
-
-struct type_18 {
+struct type_24 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -79,31 +79,31 @@ struct type_45 {
 var<private> id_1: vec3<u32>;
 var<private> local_2: u32;
 @group(0) @binding(1) 
-var<storage> samples: type_10;
+var<storage> samples: type_20;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
 var<uniform> p: type_38;
 @group(0) @binding(2) 
-var<storage> map: type_18;
+var<storage> map: type_24;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_18;
+var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_45;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_146_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_146_: lt_bvh_traverse_Tree;
     var phi_147_: bool;
-    var phi_148_: lt_mask_LightPlace;
+    var phi_148_: lt_bvh_traverse_Tree;
     var phi_149_: bool;
-    var phi_154_: lt_mask_LightPlace;
+    var phi_154_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_146_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_146_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_147_ = false;
         } else {
-            phi_146_ = lt_mask_LightPlace();
+            phi_146_ = lt_bvh_traverse_Tree();
             phi_147_ = true;
         }
         let _e50 = phi_146_;
@@ -111,18 +111,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_148_ = _e50;
         phi_149_ = _e52;
     } else {
-        phi_148_ = lt_mask_LightPlace();
+        phi_148_ = lt_bvh_traverse_Tree();
         phi_149_ = true;
     }
     let _e54 = phi_148_;
     let _e56 = phi_149_;
     if _e56 {
-        phi_154_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_154_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_154_ = _e54;
     }
     let _e61 = phi_154_;
-    return lt_mask_LightPlace(_e61.word, _e61.shift);
+    return lt_bvh_traverse_Tree(_e61.root, _e61.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -372,16 +372,16 @@ fn function_() {
     let _e49 = p.member.size[0u];
     let _e51 = p.member.size[1u];
     let _e52 = lt_shaders_entry_pixel_index(_e38, _e49, _e51);
-    if (bitcast<i32>(_e52.word) != 0i) {
+    if (bitcast<i32>(_e52.root) != 0i) {
         let _e59 = p.member.projection;
         let _e60 = lt_math_OneLevel(_e59);
-        let _e64 = samples.member[_e52.shift].normal[0u];
+        let _e64 = samples.member[_e52.first_primitive].normal[0u];
         let _e66 = global[0u];
         if (_e64 == _e66) {
-            let _e69 = samples.member[_e52.shift].normal[1u];
+            let _e69 = samples.member[_e52.first_primitive].normal[1u];
             let _e71 = global[1u];
             if (_e69 == _e71) {
-                let _e74 = samples.member[_e52.shift].normal[2u];
+                let _e74 = samples.member[_e52.first_primitive].normal[2u];
                 let _e76 = global[2u];
                 phi_391_ = (_e74 == _e76);
                 phi_392_ = false;
@@ -406,13 +406,13 @@ fn function_() {
         }
         let _e87 = phi_398_;
         if !(_e87) {
-            let _e90 = samples.member[_e52.shift].position;
+            let _e90 = samples.member[_e52.first_primitive].position;
             let _e92 = p.member.light.place;
             let _e98 = p.member.light.place[3u];
             let _e105 = (_e92.x - (_e90.x * _e98));
             let _e106 = (_e92.y - (_e90.y * _e98));
             let _e107 = (_e92.z - (_e90.z * _e98));
-            let _e109 = samples.member[_e52.shift].normal;
+            let _e109 = samples.member[_e52.first_primitive].normal;
             if ((((_e109.x * _e105) + (_e109.y * _e106)) + (_e109.z * _e107)) > 0f) {
                 let _e123 = (((_e105 * _e105) + (_e106 * _e106)) + (_e107 * _e107));
                 let _e125 = p.member.light.axis;
@@ -432,7 +432,7 @@ fn function_() {
                 }
                 let _e150 = phi_469_;
                 if _e150 {
-                    let _e152 = samples.member[_e52.shift].flags;
+                    let _e152 = samples.member[_e52.first_primitive].flags;
                     let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
                     phi_480_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, ((_e152 & 1u) == 0u));
@@ -469,7 +469,7 @@ fn function_() {
         if _e211.unnamed_1 {
             phi_939_ = evaluate_Verdict(_e211.unnamed.visibility, _e211.unnamed.is_doubted);
         } else {
-            let _e219 = samples.member[_e52.shift].position;
+            let _e219 = samples.member[_e52.first_primitive].position;
             let _e237 = ((((_e60.projection.row_w.x * _e219.x) + (_e60.projection.row_w.y * _e219.y)) + (_e60.projection.row_w.z * _e219.z)) + (_e60.projection.row_w.w * 1f));
             let _e251 = (((((_e60.projection.row_x.x * _e219.x) + (_e60.projection.row_x.y * _e219.y)) + (_e60.projection.row_x.z * _e219.z)) + (_e60.projection.row_x.w * 1f)) / _e237);
             let _e265 = (((((_e60.projection.row_y.x * _e219.x) + (_e60.projection.row_y.y * _e219.y)) + (_e60.projection.row_y.z * _e219.z)) + (_e60.projection.row_y.w * 1f)) / _e237);
@@ -527,7 +527,7 @@ fn function_() {
             let _e305 = phi_596_;
             if _e305 {
                 if (0f > 0f) {
-                    let _e308 = samples.member[_e52.shift].normal;
+                    let _e308 = samples.member[_e52.first_primitive].normal;
                     let _e310 = p.member.map_size;
                     let _e380 = ((abs(((((_e59.row_x.x * _e308.x) + (_e59.row_x.y * _e308.y)) + (_e59.row_x.z * _e308.z)) / (((_e59.row_x.x * _e59.row_x.x) + (_e59.row_x.y * _e59.row_x.y)) + (_e59.row_x.z * _e59.row_x.z)))) + abs(((((_e59.row_y.x * _e308.x) + (_e59.row_y.y * _e308.y)) + (_e59.row_y.z * _e308.z)) / (((_e59.row_y.x * _e59.row_y.x) + (_e59.row_y.y * _e59.row_y.y)) + (_e59.row_y.z * _e59.row_y.z))))) / (abs(((((_e59.row_z.x * _e308.x) + (_e59.row_z.y * _e308.y)) + (_e59.row_z.z * _e308.z)) / (((_e59.row_z.x * _e59.row_z.x) + (_e59.row_z.y * _e59.row_z.y)) + (_e59.row_z.z * _e59.row_z.z)))) * f32(_e310)));
                     if (_e380 < 0.002f) {
@@ -747,9 +747,9 @@ fn function_() {
             phi_939_ = _e576;
         }
         let _e578 = phi_939_;
-        visibility.member[_e52.shift] = _e578.visibility;
+        visibility.member[_e52.first_primitive] = _e578.visibility;
         phi_943_ = _e578.is_doubted;
-        phi_944_ = _e52.shift;
+        phi_944_ = _e52.first_primitive;
     } else {
         phi_943_ = false;
         phi_944_ = 0u;

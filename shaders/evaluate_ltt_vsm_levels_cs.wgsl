@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_10 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_14 {
-    member: array<u32>,
-}
-
-struct type_18 {
+struct type_24 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -90,33 +90,33 @@ struct type_51 {
 var<private> id_1: vec3<u32>;
 var<private> local_5: u32;
 @group(0) @binding(1) 
-var<storage> samples: type_10;
+var<storage> samples: type_20;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
 var<uniform> p: type_39;
 @group(0) @binding(2) 
-var<storage> map: type_18;
+var<storage> map: type_24;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_18;
+var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_51;
 @group(0) @binding(5) 
 var<storage> levels: type_45;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_160_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_160_: lt_bvh_traverse_Tree;
     var phi_161_: bool;
-    var phi_162_: lt_mask_LightPlace;
+    var phi_162_: lt_bvh_traverse_Tree;
     var phi_163_: bool;
-    var phi_168_: lt_mask_LightPlace;
+    var phi_168_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_160_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_160_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_161_ = false;
         } else {
-            phi_160_ = lt_mask_LightPlace();
+            phi_160_ = lt_bvh_traverse_Tree();
             phi_161_ = true;
         }
         let _e56 = phi_160_;
@@ -124,18 +124,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_162_ = _e56;
         phi_163_ = _e58;
     } else {
-        phi_162_ = lt_mask_LightPlace();
+        phi_162_ = lt_bvh_traverse_Tree();
         phi_163_ = true;
     }
     let _e60 = phi_162_;
     let _e62 = phi_163_;
     if _e62 {
-        phi_168_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_168_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_168_ = _e60;
     }
     let _e67 = phi_168_;
-    return lt_mask_LightPlace(_e67.word, _e67.shift);
+    return lt_bvh_traverse_Tree(_e67.root, _e67.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -416,15 +416,15 @@ fn function_() {
     let _e58 = p.member.size[0u];
     let _e60 = p.member.size[1u];
     let _e61 = lt_shaders_entry_pixel_index(_e44, _e58, _e60);
-    if (bitcast<i32>(_e61.word) != 0i) {
+    if (bitcast<i32>(_e61.root) != 0i) {
         let _e68 = p.member.level_count;
-        let _e72 = samples.member[_e61.shift].normal[0u];
+        let _e72 = samples.member[_e61.first_primitive].normal[0u];
         let _e74 = global[0u];
         if (_e72 == _e74) {
-            let _e77 = samples.member[_e61.shift].normal[1u];
+            let _e77 = samples.member[_e61.first_primitive].normal[1u];
             let _e79 = global[1u];
             if (_e77 == _e79) {
-                let _e82 = samples.member[_e61.shift].normal[2u];
+                let _e82 = samples.member[_e61.first_primitive].normal[2u];
                 let _e84 = global[2u];
                 phi_409_ = (_e82 == _e84);
                 phi_410_ = false;
@@ -449,13 +449,13 @@ fn function_() {
         }
         let _e95 = phi_416_;
         if !(_e95) {
-            let _e98 = samples.member[_e61.shift].position;
+            let _e98 = samples.member[_e61.first_primitive].position;
             let _e100 = p.member.light.place;
             let _e106 = p.member.light.place[3u];
             let _e113 = (_e100.x - (_e98.x * _e106));
             let _e114 = (_e100.y - (_e98.y * _e106));
             let _e115 = (_e100.z - (_e98.z * _e106));
-            let _e117 = samples.member[_e61.shift].normal;
+            let _e117 = samples.member[_e61.first_primitive].normal;
             if ((((_e117.x * _e113) + (_e117.y * _e114)) + (_e117.z * _e115)) > 0f) {
                 let _e131 = (((_e113 * _e113) + (_e114 * _e114)) + (_e115 * _e115));
                 let _e133 = p.member.light.axis;
@@ -475,7 +475,7 @@ fn function_() {
                 }
                 let _e158 = phi_487_;
                 if _e158 {
-                    let _e160 = samples.member[_e61.shift].flags;
+                    let _e160 = samples.member[_e61.first_primitive].flags;
                     let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
                     phi_498_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, ((_e160 & 1u) == 0u));
@@ -512,7 +512,7 @@ fn function_() {
         if _e219.unnamed_1 {
             phi_1204_ = evaluate_Verdict(_e219.unnamed.visibility, _e219.unnamed.is_doubted);
         } else {
-            let _e227 = samples.member[_e61.shift].position;
+            let _e227 = samples.member[_e61.first_primitive].position;
             let _e229 = p.member.map_size;
             let _e231 = (0.5f / f32(_e229));
             let _e238 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
@@ -712,7 +712,7 @@ fn function_() {
                     }
                     let _e451 = phi_749_;
                     if _e451 {
-                        let _e453 = samples.member[_e61.shift].normal;
+                        let _e453 = samples.member[_e61.first_primitive].normal;
                         let _e455 = p.member.map_size;
                         let _e525 = ((abs(((((_e428.row_x.x * _e453.x) + (_e428.row_x.y * _e453.y)) + (_e428.row_x.z * _e453.z)) / (((_e428.row_x.x * _e428.row_x.x) + (_e428.row_x.y * _e428.row_x.y)) + (_e428.row_x.z * _e428.row_x.z)))) + abs(((((_e428.row_y.x * _e453.x) + (_e428.row_y.y * _e453.y)) + (_e428.row_y.z * _e453.z)) / (((_e428.row_y.x * _e428.row_y.x) + (_e428.row_y.y * _e428.row_y.y)) + (_e428.row_y.z * _e428.row_y.z))))) / (abs(((((_e428.row_z.x * _e453.x) + (_e428.row_z.y * _e453.y)) + (_e428.row_z.z * _e453.z)) / (((_e428.row_z.x * _e428.row_z.x) + (_e428.row_z.y * _e428.row_z.y)) + (_e428.row_z.z * _e428.row_z.z)))) * f32(_e455)));
                         if (_e525 < 0.002f) {
@@ -724,7 +724,7 @@ fn function_() {
                         phi_950_ = _e528;
                     } else {
                         let _e530 = p.member.map_size;
-                        let _e536 = samples.member[_e61.shift].position;
+                        let _e536 = samples.member[_e61.first_primitive].position;
                         let _e547 = ((((_e428.row_w.x * _e536.x) + (_e428.row_w.y * _e536.y)) + (_e428.row_w.z * _e536.z)) + _e428.row_w.w);
                         let _e560 = ((_e428.row_x.x - (_e428.row_w.x * _e417.point.uv.x)) / _e547);
                         let _e561 = ((_e428.row_x.y - (_e428.row_w.y * _e417.point.uv.x)) / _e547);
@@ -732,11 +732,11 @@ fn function_() {
                         let _e575 = ((_e428.row_y.x - (_e428.row_w.x * _e417.point.uv.y)) / _e547);
                         let _e576 = ((_e428.row_y.y - (_e428.row_w.y * _e417.point.uv.y)) / _e547);
                         let _e577 = ((_e428.row_y.z - (_e428.row_w.z * _e417.point.uv.y)) / _e547);
-                        let _e583 = samples.member[_e61.shift].normal;
+                        let _e583 = samples.member[_e61.first_primitive].normal;
                         let _e588 = ((_e576 * _e583.z) - (_e583.y * _e577));
                         let _e593 = ((_e577 * _e583.x) - (_e583.z * _e575));
                         let _e598 = ((_e575 * _e583.y) - (_e583.x * _e576));
-                        let _e600 = samples.member[_e61.shift].normal;
+                        let _e600 = samples.member[_e61.first_primitive].normal;
                         let _e605 = ((_e561 * _e600.z) - (_e600.y * _e562));
                         let _e610 = ((_e562 * _e600.x) - (_e600.z * _e560));
                         let _e615 = ((_e560 * _e600.y) - (_e600.x * _e561));
@@ -963,9 +963,9 @@ fn function_() {
             phi_1204_ = _e849;
         }
         let _e851 = phi_1204_;
-        visibility.member[_e61.shift] = _e851.visibility;
+        visibility.member[_e61.first_primitive] = _e851.visibility;
         phi_1208_ = _e851.is_doubted;
-        phi_1209_ = _e61.shift;
+        phi_1209_ = _e61.first_primitive;
     } else {
         phi_1208_ = false;
         phi_1209_ = 0u;

@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_10 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_14 {
-    member: array<u32>,
-}
-
-struct type_18 {
+struct type_24 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -94,13 +94,13 @@ struct type_55 {
 var<private> id_1: vec3<u32>;
 var<private> local_5: u32;
 @group(0) @binding(1) 
-var<storage> samples: type_10;
+var<storage> samples: type_20;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(0) 
 var<uniform> p: type_43;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_18;
+var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_55;
 @group(0) @binding(5) 
@@ -108,19 +108,19 @@ var<storage> levels: type_49;
 @group(0) @binding(2) 
 var<storage> map: type_39;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_164_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_164_: lt_bvh_traverse_Tree;
     var phi_165_: bool;
-    var phi_166_: lt_mask_LightPlace;
+    var phi_166_: lt_bvh_traverse_Tree;
     var phi_167_: bool;
-    var phi_172_: lt_mask_LightPlace;
+    var phi_172_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_164_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_164_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_165_ = false;
         } else {
-            phi_164_ = lt_mask_LightPlace();
+            phi_164_ = lt_bvh_traverse_Tree();
             phi_165_ = true;
         }
         let _e57 = phi_164_;
@@ -128,18 +128,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_166_ = _e57;
         phi_167_ = _e59;
     } else {
-        phi_166_ = lt_mask_LightPlace();
+        phi_166_ = lt_bvh_traverse_Tree();
         phi_167_ = true;
     }
     let _e61 = phi_166_;
     let _e63 = phi_167_;
     if _e63 {
-        phi_172_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_172_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_172_ = _e61;
     }
     let _e68 = phi_172_;
-    return lt_mask_LightPlace(_e68.word, _e68.shift);
+    return lt_bvh_traverse_Tree(_e68.root, _e68.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -327,15 +327,15 @@ fn function_() {
     let _e59 = p.member.size[0u];
     let _e61 = p.member.size[1u];
     let _e62 = lt_shaders_entry_pixel_index(_e45, _e59, _e61);
-    if (bitcast<i32>(_e62.word) != 0i) {
+    if (bitcast<i32>(_e62.root) != 0i) {
         let _e69 = p.member.level_count;
-        let _e73 = samples.member[_e62.shift].normal[0u];
+        let _e73 = samples.member[_e62.first_primitive].normal[0u];
         let _e75 = global[0u];
         if (_e73 == _e75) {
-            let _e78 = samples.member[_e62.shift].normal[1u];
+            let _e78 = samples.member[_e62.first_primitive].normal[1u];
             let _e80 = global[1u];
             if (_e78 == _e80) {
-                let _e83 = samples.member[_e62.shift].normal[2u];
+                let _e83 = samples.member[_e62.first_primitive].normal[2u];
                 let _e85 = global[2u];
                 phi_312_ = (_e83 == _e85);
                 phi_313_ = false;
@@ -360,13 +360,13 @@ fn function_() {
         }
         let _e96 = phi_319_;
         if !(_e96) {
-            let _e99 = samples.member[_e62.shift].position;
+            let _e99 = samples.member[_e62.first_primitive].position;
             let _e101 = p.member.light.place;
             let _e107 = p.member.light.place[3u];
             let _e114 = (_e101.x - (_e99.x * _e107));
             let _e115 = (_e101.y - (_e99.y * _e107));
             let _e116 = (_e101.z - (_e99.z * _e107));
-            let _e118 = samples.member[_e62.shift].normal;
+            let _e118 = samples.member[_e62.first_primitive].normal;
             if ((((_e118.x * _e114) + (_e118.y * _e115)) + (_e118.z * _e116)) > 0f) {
                 let _e132 = (((_e114 * _e114) + (_e115 * _e115)) + (_e116 * _e116));
                 let _e134 = p.member.light.axis;
@@ -386,7 +386,7 @@ fn function_() {
                 }
                 let _e159 = phi_390_;
                 if _e159 {
-                    let _e161 = samples.member[_e62.shift].flags;
+                    let _e161 = samples.member[_e62.first_primitive].flags;
                     let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e169.unnamed.visibility, false), _e169.unnamed_1);
                     phi_401_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e175.unnamed, ((_e161 & 1u) == 0u));
@@ -423,7 +423,7 @@ fn function_() {
         if _e220.unnamed_1 {
             phi_1151_ = evaluate_Verdict(_e220.unnamed.visibility, _e220.unnamed.is_doubted);
         } else {
-            let _e228 = samples.member[_e62.shift].position;
+            let _e228 = samples.member[_e62.first_primitive].position;
             let _e230 = p.member.map_size;
             let _e232 = (0.5f / f32(_e230));
             let _e239 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
@@ -623,7 +623,7 @@ fn function_() {
                     }
                     let _e452 = phi_652_;
                     if _e452 {
-                        let _e454 = samples.member[_e62.shift].normal;
+                        let _e454 = samples.member[_e62.first_primitive].normal;
                         let _e456 = p.member.map_size;
                         let _e526 = ((abs(((((_e429.row_x.x * _e454.x) + (_e429.row_x.y * _e454.y)) + (_e429.row_x.z * _e454.z)) / (((_e429.row_x.x * _e429.row_x.x) + (_e429.row_x.y * _e429.row_x.y)) + (_e429.row_x.z * _e429.row_x.z)))) + abs(((((_e429.row_y.x * _e454.x) + (_e429.row_y.y * _e454.y)) + (_e429.row_y.z * _e454.z)) / (((_e429.row_y.x * _e429.row_y.x) + (_e429.row_y.y * _e429.row_y.y)) + (_e429.row_y.z * _e429.row_y.z))))) / (abs(((((_e429.row_z.x * _e454.x) + (_e429.row_z.y * _e454.y)) + (_e429.row_z.z * _e454.z)) / (((_e429.row_z.x * _e429.row_z.x) + (_e429.row_z.y * _e429.row_z.y)) + (_e429.row_z.z * _e429.row_z.z)))) * f32(_e456)));
                         if (_e526 < 0.002f) {
@@ -635,7 +635,7 @@ fn function_() {
                         phi_853_ = _e529;
                     } else {
                         let _e531 = p.member.map_size;
-                        let _e537 = samples.member[_e62.shift].position;
+                        let _e537 = samples.member[_e62.first_primitive].position;
                         let _e548 = ((((_e429.row_w.x * _e537.x) + (_e429.row_w.y * _e537.y)) + (_e429.row_w.z * _e537.z)) + _e429.row_w.w);
                         let _e561 = ((_e429.row_x.x - (_e429.row_w.x * _e418.point.uv.x)) / _e548);
                         let _e562 = ((_e429.row_x.y - (_e429.row_w.y * _e418.point.uv.x)) / _e548);
@@ -643,11 +643,11 @@ fn function_() {
                         let _e576 = ((_e429.row_y.x - (_e429.row_w.x * _e418.point.uv.y)) / _e548);
                         let _e577 = ((_e429.row_y.y - (_e429.row_w.y * _e418.point.uv.y)) / _e548);
                         let _e578 = ((_e429.row_y.z - (_e429.row_w.z * _e418.point.uv.y)) / _e548);
-                        let _e584 = samples.member[_e62.shift].normal;
+                        let _e584 = samples.member[_e62.first_primitive].normal;
                         let _e589 = ((_e577 * _e584.z) - (_e584.y * _e578));
                         let _e594 = ((_e578 * _e584.x) - (_e584.z * _e576));
                         let _e599 = ((_e576 * _e584.y) - (_e584.x * _e577));
-                        let _e601 = samples.member[_e62.shift].normal;
+                        let _e601 = samples.member[_e62.first_primitive].normal;
                         let _e606 = ((_e562 * _e601.z) - (_e601.y * _e563));
                         let _e611 = ((_e563 * _e601.x) - (_e601.z * _e561));
                         let _e616 = ((_e561 * _e601.y) - (_e601.x * _e562));
@@ -878,9 +878,9 @@ fn function_() {
             phi_1151_ = _e893;
         }
         let _e895 = phi_1151_;
-        visibility.member[_e62.shift] = _e895.visibility;
+        visibility.member[_e62.first_primitive] = _e895.visibility;
         phi_1155_ = _e895.is_doubted;
-        phi_1156_ = _e62.shift;
+        phi_1156_ = _e62.first_primitive;
     } else {
         phi_1155_ = false;
         phi_1156_ = 0u;

@@ -8,6 +8,11 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,17 +22,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_15 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
+struct type_19 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -75,28 +75,28 @@ struct lt_bvh_slab_Span {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_15;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_30;
 @group(0) @binding(2) 
-var<storage> map: type_13;
+var<storage> map: type_19;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_13;
+var<storage, read_write> visibility: type_19;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_135_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_135_: lt_bvh_traverse_Tree;
     var phi_136_: bool;
-    var phi_137_: lt_mask_LightPlace;
+    var phi_137_: lt_bvh_traverse_Tree;
     var phi_138_: bool;
-    var phi_143_: lt_mask_LightPlace;
+    var phi_143_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_135_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_135_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_136_ = false;
         } else {
-            phi_135_ = lt_mask_LightPlace();
+            phi_135_ = lt_bvh_traverse_Tree();
             phi_136_ = true;
         }
         let _e51 = phi_135_;
@@ -104,18 +104,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_137_ = _e51;
         phi_138_ = _e53;
     } else {
-        phi_137_ = lt_mask_LightPlace();
+        phi_137_ = lt_bvh_traverse_Tree();
         phi_138_ = true;
     }
     let _e55 = phi_137_;
     let _e57 = phi_138_;
     if _e57 {
-        phi_143_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_143_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_143_ = _e55;
     }
     let _e62 = phi_143_;
-    return lt_mask_LightPlace(_e62.word, _e62.shift);
+    return lt_bvh_traverse_Tree(_e62.root, _e62.first_primitive);
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -867,20 +867,20 @@ fn function_() {
     let _e52 = p.member.size[0u];
     let _e54 = p.member.size[1u];
     let _e55 = lt_shaders_entry_pixel_index(_e39, _e52, _e54);
-    if (bitcast<i32>(_e55.word) != 0i) {
+    if (bitcast<i32>(_e55.root) != 0i) {
         let _e61 = p.member.projection;
-        if (_e55.shift < arrayLength((&samples.member))) {
+        if (_e55.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
         let _e65 = lt_math_OneLevel(_e61);
-        let _e69 = samples.member[(0u + _e55.shift)].normal[0u];
+        let _e69 = samples.member[(0u + _e55.first_primitive)].normal[0u];
         let _e71 = global[0u];
         if (_e69 == _e71) {
-            let _e74 = samples.member[(0u + _e55.shift)].normal[1u];
+            let _e74 = samples.member[(0u + _e55.first_primitive)].normal[1u];
             let _e76 = global[1u];
             if (_e74 == _e76) {
-                let _e79 = samples.member[(0u + _e55.shift)].normal[2u];
+                let _e79 = samples.member[(0u + _e55.first_primitive)].normal[2u];
                 let _e81 = global[2u];
                 phi_205_ = (_e79 == _e81);
                 phi_206_ = false;
@@ -905,13 +905,13 @@ fn function_() {
         }
         let _e92 = phi_212_;
         if !(_e92) {
-            let _e95 = samples.member[(0u + _e55.shift)].position;
+            let _e95 = samples.member[(0u + _e55.first_primitive)].position;
             let _e97 = p.member.light.place;
             let _e103 = p.member.light.place[3u];
             let _e110 = (_e97.x - (_e95.x * _e103));
             let _e111 = (_e97.y - (_e95.y * _e103));
             let _e112 = (_e97.z - (_e95.z * _e103));
-            let _e114 = samples.member[(0u + _e55.shift)].normal;
+            let _e114 = samples.member[(0u + _e55.first_primitive)].normal;
             if ((((_e114.x * _e110) + (_e114.y * _e111)) + (_e114.z * _e112)) > 0f) {
                 let _e128 = (((_e110 * _e110) + (_e111 * _e111)) + (_e112 * _e112));
                 let _e130 = p.member.light.axis;
@@ -931,7 +931,7 @@ fn function_() {
                 }
                 let _e155 = phi_283_;
                 if _e155 {
-                    let _e157 = samples.member[(0u + _e55.shift)].flags;
+                    let _e157 = samples.member[(0u + _e55.first_primitive)].flags;
                     let _e165 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e165.unnamed.visibility, false), _e165.unnamed_1);
                     phi_294_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e171.unnamed, ((_e157 & 1u) == 0u));
@@ -970,7 +970,7 @@ fn function_() {
             phi_712_ = evaluate_Verdict();
             phi_713_ = true;
         } else {
-            let _e224 = samples.member[(0u + _e55.shift)].position;
+            let _e224 = samples.member[(0u + _e55.first_primitive)].position;
             let _e242 = ((((_e65.projection.row_w.x * _e224.x) + (_e65.projection.row_w.y * _e224.y)) + (_e65.projection.row_w.z * _e224.z)) + (_e65.projection.row_w.w * 1f));
             let _e256 = (((((_e65.projection.row_x.x * _e224.x) + (_e65.projection.row_x.y * _e224.y)) + (_e65.projection.row_x.z * _e224.z)) + (_e65.projection.row_x.w * 1f)) / _e242);
             let _e270 = (((((_e65.projection.row_y.x * _e224.x) + (_e65.projection.row_y.y * _e224.y)) + (_e65.projection.row_y.z * _e224.z)) + (_e65.projection.row_y.w * 1f)) / _e242);
@@ -1028,7 +1028,7 @@ fn function_() {
             let _e310 = phi_410_;
             if _e310 {
                 if (0f > 0f) {
-                    let _e313 = samples.member[(0u + _e55.shift)].normal;
+                    let _e313 = samples.member[(0u + _e55.first_primitive)].normal;
                     let _e315 = p.member.map_size;
                     let _e385 = ((abs(((((_e61.row_x.x * _e313.x) + (_e61.row_x.y * _e313.y)) + (_e61.row_x.z * _e313.z)) / (((_e61.row_x.x * _e61.row_x.x) + (_e61.row_x.y * _e61.row_x.y)) + (_e61.row_x.z * _e61.row_x.z)))) + abs(((((_e61.row_y.x * _e313.x) + (_e61.row_y.y * _e313.y)) + (_e61.row_y.z * _e313.z)) / (((_e61.row_y.x * _e61.row_y.x) + (_e61.row_y.y * _e61.row_y.y)) + (_e61.row_y.z * _e61.row_y.z))))) / (abs(((((_e61.row_z.x * _e313.x) + (_e61.row_z.y * _e313.y)) + (_e61.row_z.z * _e313.z)) / (((_e61.row_z.x * _e61.row_z.x) + (_e61.row_z.y * _e61.row_z.y)) + (_e61.row_z.z * _e61.row_z.z)))) * f32(_e315)));
                     if (_e385 < 0.002f) {
@@ -1221,11 +1221,11 @@ fn function_() {
             phi_717_ = _e559;
         }
         let _e563 = phi_717_;
-        if (_e55.shift < arrayLength((&visibility.member))) {
+        if (_e55.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e55.shift)] = _e563.visibility;
+        visibility.member[(0u + _e55.first_primitive)] = _e563.visibility;
     }
     return;
 }

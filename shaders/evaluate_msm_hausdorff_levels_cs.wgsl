@@ -8,6 +8,11 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,17 +22,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_15 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
+struct type_19 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -86,30 +86,30 @@ struct lt_math_LevelPoint {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_15;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_31;
 @group(0) @binding(2) 
-var<storage> map: type_13;
+var<storage> map: type_19;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_13;
+var<storage, read_write> visibility: type_19;
 @group(0) @binding(4) 
 var<storage> levels: type_37;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_149_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_149_: lt_bvh_traverse_Tree;
     var phi_150_: bool;
-    var phi_151_: lt_mask_LightPlace;
+    var phi_151_: lt_bvh_traverse_Tree;
     var phi_152_: bool;
-    var phi_157_: lt_mask_LightPlace;
+    var phi_157_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_149_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_149_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_150_ = false;
         } else {
-            phi_149_ = lt_mask_LightPlace();
+            phi_149_ = lt_bvh_traverse_Tree();
             phi_150_ = true;
         }
         let _e57 = phi_149_;
@@ -117,18 +117,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_151_ = _e57;
         phi_152_ = _e59;
     } else {
-        phi_151_ = lt_mask_LightPlace();
+        phi_151_ = lt_bvh_traverse_Tree();
         phi_152_ = true;
     }
     let _e61 = phi_151_;
     let _e63 = phi_152_;
     if _e63 {
-        phi_157_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_157_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_157_ = _e61;
     }
     let _e68 = phi_157_;
-    return lt_mask_LightPlace(_e68.word, _e68.shift);
+    return lt_bvh_traverse_Tree(_e68.root, _e68.first_primitive);
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -911,19 +911,19 @@ fn function_() {
     let _e61 = p.member.size[0u];
     let _e63 = p.member.size[1u];
     let _e64 = lt_shaders_entry_pixel_index(_e45, _e61, _e63);
-    if (bitcast<i32>(_e64.word) != 0i) {
+    if (bitcast<i32>(_e64.root) != 0i) {
         let _e70 = p.member.level_count;
-        if (_e64.shift < arrayLength((&samples.member))) {
+        if (_e64.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e77 = samples.member[(0u + _e64.shift)].normal[0u];
+        let _e77 = samples.member[(0u + _e64.first_primitive)].normal[0u];
         let _e79 = global[0u];
         if (_e77 == _e79) {
-            let _e82 = samples.member[(0u + _e64.shift)].normal[1u];
+            let _e82 = samples.member[(0u + _e64.first_primitive)].normal[1u];
             let _e84 = global[1u];
             if (_e82 == _e84) {
-                let _e87 = samples.member[(0u + _e64.shift)].normal[2u];
+                let _e87 = samples.member[(0u + _e64.first_primitive)].normal[2u];
                 let _e89 = global[2u];
                 phi_1165_ = (_e87 == _e89);
                 phi_1166_ = false;
@@ -948,13 +948,13 @@ fn function_() {
         }
         let _e100 = phi_1172_;
         if !(_e100) {
-            let _e103 = samples.member[(0u + _e64.shift)].position;
+            let _e103 = samples.member[(0u + _e64.first_primitive)].position;
             let _e105 = p.member.light.place;
             let _e111 = p.member.light.place[3u];
             let _e118 = (_e105.x - (_e103.x * _e111));
             let _e119 = (_e105.y - (_e103.y * _e111));
             let _e120 = (_e105.z - (_e103.z * _e111));
-            let _e122 = samples.member[(0u + _e64.shift)].normal;
+            let _e122 = samples.member[(0u + _e64.first_primitive)].normal;
             if ((((_e122.x * _e118) + (_e122.y * _e119)) + (_e122.z * _e120)) > 0f) {
                 let _e136 = (((_e118 * _e118) + (_e119 * _e119)) + (_e120 * _e120));
                 let _e138 = p.member.light.axis;
@@ -974,7 +974,7 @@ fn function_() {
                 }
                 let _e163 = phi_1243_;
                 if _e163 {
-                    let _e165 = samples.member[(0u + _e64.shift)].flags;
+                    let _e165 = samples.member[(0u + _e64.first_primitive)].flags;
                     let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
                     phi_1254_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
@@ -1013,7 +1013,7 @@ fn function_() {
             phi_1919_ = evaluate_Verdict();
             phi_1920_ = true;
         } else {
-            let _e232 = samples.member[(0u + _e64.shift)].position;
+            let _e232 = samples.member[(0u + _e64.first_primitive)].position;
             let _e234 = p.member.map_size;
             let _e236 = (0.5f / f32(_e234));
             let _e243 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
@@ -1213,7 +1213,7 @@ fn function_() {
                     }
                     let _e456 = phi_1505_;
                     if _e456 {
-                        let _e458 = samples.member[(0u + _e64.shift)].normal;
+                        let _e458 = samples.member[(0u + _e64.first_primitive)].normal;
                         let _e460 = p.member.map_size;
                         let _e530 = ((abs(((((_e433.row_x.x * _e458.x) + (_e433.row_x.y * _e458.y)) + (_e433.row_x.z * _e458.z)) / (((_e433.row_x.x * _e433.row_x.x) + (_e433.row_x.y * _e433.row_x.y)) + (_e433.row_x.z * _e433.row_x.z)))) + abs(((((_e433.row_y.x * _e458.x) + (_e433.row_y.y * _e458.y)) + (_e433.row_y.z * _e458.z)) / (((_e433.row_y.x * _e433.row_y.x) + (_e433.row_y.y * _e433.row_y.y)) + (_e433.row_y.z * _e433.row_y.z))))) / (abs(((((_e433.row_z.x * _e458.x) + (_e433.row_z.y * _e458.y)) + (_e433.row_z.z * _e458.z)) / (((_e433.row_z.x * _e433.row_z.x) + (_e433.row_z.y * _e433.row_z.y)) + (_e433.row_z.z * _e433.row_z.z)))) * f32(_e460)));
                         if (_e530 < 0.002f) {
@@ -1225,7 +1225,7 @@ fn function_() {
                         phi_1706_ = _e533;
                     } else {
                         let _e535 = p.member.map_size;
-                        let _e541 = samples.member[(0u + _e64.shift)].position;
+                        let _e541 = samples.member[(0u + _e64.first_primitive)].position;
                         let _e552 = ((((_e433.row_w.x * _e541.x) + (_e433.row_w.y * _e541.y)) + (_e433.row_w.z * _e541.z)) + _e433.row_w.w);
                         let _e565 = ((_e433.row_x.x - (_e433.row_w.x * _e422.point.uv.x)) / _e552);
                         let _e566 = ((_e433.row_x.y - (_e433.row_w.y * _e422.point.uv.x)) / _e552);
@@ -1233,11 +1233,11 @@ fn function_() {
                         let _e580 = ((_e433.row_y.x - (_e433.row_w.x * _e422.point.uv.y)) / _e552);
                         let _e581 = ((_e433.row_y.y - (_e433.row_w.y * _e422.point.uv.y)) / _e552);
                         let _e582 = ((_e433.row_y.z - (_e433.row_w.z * _e422.point.uv.y)) / _e552);
-                        let _e588 = samples.member[(0u + _e64.shift)].normal;
+                        let _e588 = samples.member[(0u + _e64.first_primitive)].normal;
                         let _e593 = ((_e581 * _e588.z) - (_e588.y * _e582));
                         let _e598 = ((_e582 * _e588.x) - (_e588.z * _e580));
                         let _e603 = ((_e580 * _e588.y) - (_e588.x * _e581));
-                        let _e605 = samples.member[(0u + _e64.shift)].normal;
+                        let _e605 = samples.member[(0u + _e64.first_primitive)].normal;
                         let _e610 = ((_e566 * _e605.z) - (_e605.y * _e567));
                         let _e615 = ((_e567 * _e605.x) - (_e605.z * _e565));
                         let _e620 = ((_e565 * _e605.y) - (_e605.x * _e566));
@@ -1437,11 +1437,11 @@ fn function_() {
             phi_1924_ = _e832;
         }
         let _e836 = phi_1924_;
-        if (_e64.shift < arrayLength((&visibility.member))) {
+        if (_e64.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e64.shift)] = _e836.visibility;
+        visibility.member[(0u + _e64.first_primitive)] = _e836.visibility;
     }
     return;
 }

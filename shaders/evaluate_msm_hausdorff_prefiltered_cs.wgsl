@@ -8,6 +8,11 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,17 +22,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_15 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
+struct type_19 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -81,28 +81,28 @@ struct hankel_HankelFactors {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_15;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_35;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_13;
+var<storage, read_write> visibility: type_19;
 @group(0) @binding(2) 
 var<storage> map: type_31;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_147_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_147_: lt_bvh_traverse_Tree;
     var phi_148_: bool;
-    var phi_149_: lt_mask_LightPlace;
+    var phi_149_: lt_bvh_traverse_Tree;
     var phi_150_: bool;
-    var phi_155_: lt_mask_LightPlace;
+    var phi_155_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_147_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_147_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_148_ = false;
         } else {
-            phi_147_ = lt_mask_LightPlace();
+            phi_147_ = lt_bvh_traverse_Tree();
             phi_148_ = true;
         }
         let _e49 = phi_147_;
@@ -110,18 +110,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_149_ = _e49;
         phi_150_ = _e51;
     } else {
-        phi_149_ = lt_mask_LightPlace();
+        phi_149_ = lt_bvh_traverse_Tree();
         phi_150_ = true;
     }
     let _e53 = phi_149_;
     let _e55 = phi_150_;
     if _e55 {
-        phi_155_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_155_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_155_ = _e53;
     }
     let _e60 = phi_155_;
-    return lt_mask_LightPlace(_e60.word, _e60.shift);
+    return lt_bvh_traverse_Tree(_e60.root, _e60.first_primitive);
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -918,20 +918,20 @@ fn function_() {
     let _e50 = p.member.size[0u];
     let _e52 = p.member.size[1u];
     let _e53 = lt_shaders_entry_pixel_index(_e37, _e50, _e52);
-    if (bitcast<i32>(_e53.word) != 0i) {
+    if (bitcast<i32>(_e53.root) != 0i) {
         let _e59 = p.member.projection;
-        if (_e53.shift < arrayLength((&samples.member))) {
+        if (_e53.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
         let _e63 = lt_math_OneLevel(_e59);
-        let _e67 = samples.member[(0u + _e53.shift)].normal[0u];
+        let _e67 = samples.member[(0u + _e53.first_primitive)].normal[0u];
         let _e69 = global[0u];
         if (_e67 == _e69) {
-            let _e72 = samples.member[(0u + _e53.shift)].normal[1u];
+            let _e72 = samples.member[(0u + _e53.first_primitive)].normal[1u];
             let _e74 = global[1u];
             if (_e72 == _e74) {
-                let _e77 = samples.member[(0u + _e53.shift)].normal[2u];
+                let _e77 = samples.member[(0u + _e53.first_primitive)].normal[2u];
                 let _e79 = global[2u];
                 phi_217_ = (_e77 == _e79);
                 phi_218_ = false;
@@ -956,13 +956,13 @@ fn function_() {
         }
         let _e90 = phi_224_;
         if !(_e90) {
-            let _e93 = samples.member[(0u + _e53.shift)].position;
+            let _e93 = samples.member[(0u + _e53.first_primitive)].position;
             let _e95 = p.member.light.place;
             let _e101 = p.member.light.place[3u];
             let _e108 = (_e95.x - (_e93.x * _e101));
             let _e109 = (_e95.y - (_e93.y * _e101));
             let _e110 = (_e95.z - (_e93.z * _e101));
-            let _e112 = samples.member[(0u + _e53.shift)].normal;
+            let _e112 = samples.member[(0u + _e53.first_primitive)].normal;
             if ((((_e112.x * _e108) + (_e112.y * _e109)) + (_e112.z * _e110)) > 0f) {
                 let _e126 = (((_e108 * _e108) + (_e109 * _e109)) + (_e110 * _e110));
                 let _e128 = p.member.light.axis;
@@ -982,7 +982,7 @@ fn function_() {
                 }
                 let _e153 = phi_295_;
                 if _e153 {
-                    let _e155 = samples.member[(0u + _e53.shift)].flags;
+                    let _e155 = samples.member[(0u + _e53.first_primitive)].flags;
                     let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e163.unnamed.visibility, false), _e163.unnamed_1);
                     phi_306_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e169.unnamed, ((_e155 & 1u) == 0u));
@@ -1021,7 +1021,7 @@ fn function_() {
             phi_768_ = evaluate_Verdict();
             phi_769_ = true;
         } else {
-            let _e222 = samples.member[(0u + _e53.shift)].position;
+            let _e222 = samples.member[(0u + _e53.first_primitive)].position;
             let _e240 = ((((_e63.projection.row_w.x * _e222.x) + (_e63.projection.row_w.y * _e222.y)) + (_e63.projection.row_w.z * _e222.z)) + (_e63.projection.row_w.w * 1f));
             let _e254 = (((((_e63.projection.row_x.x * _e222.x) + (_e63.projection.row_x.y * _e222.y)) + (_e63.projection.row_x.z * _e222.z)) + (_e63.projection.row_x.w * 1f)) / _e240);
             let _e268 = (((((_e63.projection.row_y.x * _e222.x) + (_e63.projection.row_y.y * _e222.y)) + (_e63.projection.row_y.z * _e222.z)) + (_e63.projection.row_y.w * 1f)) / _e240);
@@ -1079,7 +1079,7 @@ fn function_() {
             let _e308 = phi_422_;
             if _e308 {
                 if (0f > 0f) {
-                    let _e311 = samples.member[(0u + _e53.shift)].normal;
+                    let _e311 = samples.member[(0u + _e53.first_primitive)].normal;
                     let _e313 = p.member.map_size;
                     let _e383 = ((abs(((((_e59.row_x.x * _e311.x) + (_e59.row_x.y * _e311.y)) + (_e59.row_x.z * _e311.z)) / (((_e59.row_x.x * _e59.row_x.x) + (_e59.row_x.y * _e59.row_x.y)) + (_e59.row_x.z * _e59.row_x.z)))) + abs(((((_e59.row_y.x * _e311.x) + (_e59.row_y.y * _e311.y)) + (_e59.row_y.z * _e311.z)) / (((_e59.row_y.x * _e59.row_y.x) + (_e59.row_y.y * _e59.row_y.y)) + (_e59.row_y.z * _e59.row_y.z))))) / (abs(((((_e59.row_z.x * _e311.x) + (_e59.row_z.y * _e311.y)) + (_e59.row_z.z * _e311.z)) / (((_e59.row_z.x * _e59.row_z.x) + (_e59.row_z.y * _e59.row_z.y)) + (_e59.row_z.z * _e59.row_z.z)))) * f32(_e313)));
                     if (_e383 < 0.002f) {
@@ -1276,11 +1276,11 @@ fn function_() {
             phi_773_ = _e600;
         }
         let _e604 = phi_773_;
-        if (_e53.shift < arrayLength((&visibility.member))) {
+        if (_e53.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e53.shift)] = _e604.visibility;
+        visibility.member[(0u + _e53.first_primitive)] = _e604.visibility;
     }
     return;
 }

@@ -8,6 +8,11 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,17 +22,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_15 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
+struct type_19 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -85,30 +85,30 @@ struct lt_math_LevelPoint {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_15;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_35;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_13;
+var<storage, read_write> visibility: type_19;
 @group(0) @binding(4) 
 var<storage> levels: type_41;
 @group(0) @binding(2) 
 var<storage> map: type_31;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_149_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_149_: lt_bvh_traverse_Tree;
     var phi_150_: bool;
-    var phi_151_: lt_mask_LightPlace;
+    var phi_151_: lt_bvh_traverse_Tree;
     var phi_152_: bool;
-    var phi_157_: lt_mask_LightPlace;
+    var phi_157_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_149_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_149_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_150_ = false;
         } else {
-            phi_149_ = lt_mask_LightPlace();
+            phi_149_ = lt_bvh_traverse_Tree();
             phi_150_ = true;
         }
         let _e53 = phi_149_;
@@ -116,18 +116,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_151_ = _e53;
         phi_152_ = _e55;
     } else {
-        phi_151_ = lt_mask_LightPlace();
+        phi_151_ = lt_bvh_traverse_Tree();
         phi_152_ = true;
     }
     let _e57 = phi_151_;
     let _e59 = phi_152_;
     if _e59 {
-        phi_157_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_157_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_157_ = _e57;
     }
     let _e64 = phi_157_;
-    return lt_mask_LightPlace(_e64.word, _e64.shift);
+    return lt_bvh_traverse_Tree(_e64.root, _e64.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -395,19 +395,19 @@ fn function_() {
     let _e57 = p.member.size[0u];
     let _e59 = p.member.size[1u];
     let _e60 = lt_shaders_entry_pixel_index(_e41, _e57, _e59);
-    if (bitcast<i32>(_e60.word) != 0i) {
+    if (bitcast<i32>(_e60.root) != 0i) {
         let _e66 = p.member.level_count;
-        if (_e60.shift < arrayLength((&samples.member))) {
+        if (_e60.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e73 = samples.member[(0u + _e60.shift)].normal[0u];
+        let _e73 = samples.member[(0u + _e60.first_primitive)].normal[0u];
         let _e75 = global[0u];
         if (_e73 == _e75) {
-            let _e78 = samples.member[(0u + _e60.shift)].normal[1u];
+            let _e78 = samples.member[(0u + _e60.first_primitive)].normal[1u];
             let _e80 = global[1u];
             if (_e78 == _e80) {
-                let _e83 = samples.member[(0u + _e60.shift)].normal[2u];
+                let _e83 = samples.member[(0u + _e60.first_primitive)].normal[2u];
                 let _e85 = global[2u];
                 phi_414_ = (_e83 == _e85);
                 phi_415_ = false;
@@ -432,13 +432,13 @@ fn function_() {
         }
         let _e96 = phi_421_;
         if !(_e96) {
-            let _e99 = samples.member[(0u + _e60.shift)].position;
+            let _e99 = samples.member[(0u + _e60.first_primitive)].position;
             let _e101 = p.member.light.place;
             let _e107 = p.member.light.place[3u];
             let _e114 = (_e101.x - (_e99.x * _e107));
             let _e115 = (_e101.y - (_e99.y * _e107));
             let _e116 = (_e101.z - (_e99.z * _e107));
-            let _e118 = samples.member[(0u + _e60.shift)].normal;
+            let _e118 = samples.member[(0u + _e60.first_primitive)].normal;
             if ((((_e118.x * _e114) + (_e118.y * _e115)) + (_e118.z * _e116)) > 0f) {
                 let _e132 = (((_e114 * _e114) + (_e115 * _e115)) + (_e116 * _e116));
                 let _e134 = p.member.light.axis;
@@ -458,7 +458,7 @@ fn function_() {
                 }
                 let _e159 = phi_492_;
                 if _e159 {
-                    let _e161 = samples.member[(0u + _e60.shift)].flags;
+                    let _e161 = samples.member[(0u + _e60.first_primitive)].flags;
                     let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e169.unnamed.visibility, false), _e169.unnamed_1);
                     phi_503_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e175.unnamed, ((_e161 & 1u) == 0u));
@@ -497,7 +497,7 @@ fn function_() {
             phi_1212_ = evaluate_Verdict();
             phi_1213_ = true;
         } else {
-            let _e228 = samples.member[(0u + _e60.shift)].position;
+            let _e228 = samples.member[(0u + _e60.first_primitive)].position;
             let _e230 = p.member.map_size;
             let _e232 = (0.5f / f32(_e230));
             let _e239 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
@@ -697,7 +697,7 @@ fn function_() {
                     }
                     let _e452 = phi_754_;
                     if _e452 {
-                        let _e454 = samples.member[(0u + _e60.shift)].normal;
+                        let _e454 = samples.member[(0u + _e60.first_primitive)].normal;
                         let _e456 = p.member.map_size;
                         let _e526 = ((abs(((((_e429.row_x.x * _e454.x) + (_e429.row_x.y * _e454.y)) + (_e429.row_x.z * _e454.z)) / (((_e429.row_x.x * _e429.row_x.x) + (_e429.row_x.y * _e429.row_x.y)) + (_e429.row_x.z * _e429.row_x.z)))) + abs(((((_e429.row_y.x * _e454.x) + (_e429.row_y.y * _e454.y)) + (_e429.row_y.z * _e454.z)) / (((_e429.row_y.x * _e429.row_y.x) + (_e429.row_y.y * _e429.row_y.y)) + (_e429.row_y.z * _e429.row_y.z))))) / (abs(((((_e429.row_z.x * _e454.x) + (_e429.row_z.y * _e454.y)) + (_e429.row_z.z * _e454.z)) / (((_e429.row_z.x * _e429.row_z.x) + (_e429.row_z.y * _e429.row_z.y)) + (_e429.row_z.z * _e429.row_z.z)))) * f32(_e456)));
                         if (_e526 < 0.002f) {
@@ -709,7 +709,7 @@ fn function_() {
                         phi_955_ = _e529;
                     } else {
                         let _e531 = p.member.map_size;
-                        let _e537 = samples.member[(0u + _e60.shift)].position;
+                        let _e537 = samples.member[(0u + _e60.first_primitive)].position;
                         let _e548 = ((((_e429.row_w.x * _e537.x) + (_e429.row_w.y * _e537.y)) + (_e429.row_w.z * _e537.z)) + _e429.row_w.w);
                         let _e561 = ((_e429.row_x.x - (_e429.row_w.x * _e418.point.uv.x)) / _e548);
                         let _e562 = ((_e429.row_x.y - (_e429.row_w.y * _e418.point.uv.x)) / _e548);
@@ -717,11 +717,11 @@ fn function_() {
                         let _e576 = ((_e429.row_y.x - (_e429.row_w.x * _e418.point.uv.y)) / _e548);
                         let _e577 = ((_e429.row_y.y - (_e429.row_w.y * _e418.point.uv.y)) / _e548);
                         let _e578 = ((_e429.row_y.z - (_e429.row_w.z * _e418.point.uv.y)) / _e548);
-                        let _e584 = samples.member[(0u + _e60.shift)].normal;
+                        let _e584 = samples.member[(0u + _e60.first_primitive)].normal;
                         let _e589 = ((_e577 * _e584.z) - (_e584.y * _e578));
                         let _e594 = ((_e578 * _e584.x) - (_e584.z * _e576));
                         let _e599 = ((_e576 * _e584.y) - (_e584.x * _e577));
-                        let _e601 = samples.member[(0u + _e60.shift)].normal;
+                        let _e601 = samples.member[(0u + _e60.first_primitive)].normal;
                         let _e606 = ((_e562 * _e601.z) - (_e601.y * _e563));
                         let _e611 = ((_e563 * _e601.x) - (_e601.z * _e561));
                         let _e616 = ((_e561 * _e601.y) - (_e601.x * _e562));
@@ -925,11 +925,11 @@ fn function_() {
             phi_1217_ = _e871;
         }
         let _e875 = phi_1217_;
-        if (_e60.shift < arrayLength((&visibility.member))) {
+        if (_e60.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e60.shift)] = _e875.visibility;
+        visibility.member[(0u + _e60.first_primitive)] = _e875.visibility;
     }
     return;
 }

@@ -8,6 +8,11 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,17 +22,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_15 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
+struct type_19 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -70,28 +70,28 @@ struct lt_math_OneLevel {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_15;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_30;
 @group(0) @binding(2) 
-var<storage> map: type_13;
+var<storage> map: type_19;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_13;
+var<storage, read_write> visibility: type_19;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_131_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_131_: lt_bvh_traverse_Tree;
     var phi_132_: bool;
-    var phi_133_: lt_mask_LightPlace;
+    var phi_133_: lt_bvh_traverse_Tree;
     var phi_134_: bool;
-    var phi_139_: lt_mask_LightPlace;
+    var phi_139_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_131_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_131_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_132_ = false;
         } else {
-            phi_131_ = lt_mask_LightPlace();
+            phi_131_ = lt_bvh_traverse_Tree();
             phi_132_ = true;
         }
         let _e46 = phi_131_;
@@ -99,18 +99,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_133_ = _e46;
         phi_134_ = _e48;
     } else {
-        phi_133_ = lt_mask_LightPlace();
+        phi_133_ = lt_bvh_traverse_Tree();
         phi_134_ = true;
     }
     let _e50 = phi_133_;
     let _e52 = phi_134_;
     if _e52 {
-        phi_139_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_139_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_139_ = _e50;
     }
     let _e57 = phi_139_;
-    return lt_mask_LightPlace(_e57.word, _e57.shift);
+    return lt_bvh_traverse_Tree(_e57.root, _e57.first_primitive);
 }
 
 fn _lt_math_sm_Sm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_3: ptr<function, f32>, param_4: vec4<f32>, param_5: f32) -> f32 {
@@ -296,20 +296,20 @@ fn function_() {
     let _e47 = p.member.size[0u];
     let _e49 = p.member.size[1u];
     let _e50 = lt_shaders_entry_pixel_index(_e34, _e47, _e49);
-    if (bitcast<i32>(_e50.word) != 0i) {
+    if (bitcast<i32>(_e50.root) != 0i) {
         let _e56 = p.member.projection;
-        if (_e50.shift < arrayLength((&samples.member))) {
+        if (_e50.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
         let _e60 = lt_math_OneLevel(_e56);
-        let _e64 = samples.member[(0u + _e50.shift)].normal[0u];
+        let _e64 = samples.member[(0u + _e50.first_primitive)].normal[0u];
         let _e66 = global[0u];
         if (_e64 == _e66) {
-            let _e69 = samples.member[(0u + _e50.shift)].normal[1u];
+            let _e69 = samples.member[(0u + _e50.first_primitive)].normal[1u];
             let _e71 = global[1u];
             if (_e69 == _e71) {
-                let _e74 = samples.member[(0u + _e50.shift)].normal[2u];
+                let _e74 = samples.member[(0u + _e50.first_primitive)].normal[2u];
                 let _e76 = global[2u];
                 phi_198_ = (_e74 == _e76);
                 phi_199_ = false;
@@ -334,13 +334,13 @@ fn function_() {
         }
         let _e87 = phi_205_;
         if !(_e87) {
-            let _e90 = samples.member[(0u + _e50.shift)].position;
+            let _e90 = samples.member[(0u + _e50.first_primitive)].position;
             let _e92 = p.member.light.place;
             let _e98 = p.member.light.place[3u];
             let _e105 = (_e92.x - (_e90.x * _e98));
             let _e106 = (_e92.y - (_e90.y * _e98));
             let _e107 = (_e92.z - (_e90.z * _e98));
-            let _e109 = samples.member[(0u + _e50.shift)].normal;
+            let _e109 = samples.member[(0u + _e50.first_primitive)].normal;
             if ((((_e109.x * _e105) + (_e109.y * _e106)) + (_e109.z * _e107)) > 0f) {
                 let _e123 = (((_e105 * _e105) + (_e106 * _e106)) + (_e107 * _e107));
                 let _e125 = p.member.light.axis;
@@ -360,7 +360,7 @@ fn function_() {
                 }
                 let _e150 = phi_276_;
                 if _e150 {
-                    let _e152 = samples.member[(0u + _e50.shift)].flags;
+                    let _e152 = samples.member[(0u + _e50.first_primitive)].flags;
                     let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
                     phi_287_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, ((_e152 & 1u) == 0u));
@@ -399,7 +399,7 @@ fn function_() {
             phi_705_ = evaluate_Verdict();
             phi_706_ = true;
         } else {
-            let _e219 = samples.member[(0u + _e50.shift)].position;
+            let _e219 = samples.member[(0u + _e50.first_primitive)].position;
             let _e237 = ((((_e60.projection.row_w.x * _e219.x) + (_e60.projection.row_w.y * _e219.y)) + (_e60.projection.row_w.z * _e219.z)) + (_e60.projection.row_w.w * 1f));
             let _e251 = (((((_e60.projection.row_x.x * _e219.x) + (_e60.projection.row_x.y * _e219.y)) + (_e60.projection.row_x.z * _e219.z)) + (_e60.projection.row_x.w * 1f)) / _e237);
             let _e265 = (((((_e60.projection.row_y.x * _e219.x) + (_e60.projection.row_y.y * _e219.y)) + (_e60.projection.row_y.z * _e219.z)) + (_e60.projection.row_y.w * 1f)) / _e237);
@@ -457,7 +457,7 @@ fn function_() {
             let _e305 = phi_403_;
             if _e305 {
                 if (0.5f > 0f) {
-                    let _e308 = samples.member[(0u + _e50.shift)].normal;
+                    let _e308 = samples.member[(0u + _e50.first_primitive)].normal;
                     let _e310 = p.member.map_size;
                     let _e380 = ((abs(((((_e56.row_x.x * _e308.x) + (_e56.row_x.y * _e308.y)) + (_e56.row_x.z * _e308.z)) / (((_e56.row_x.x * _e56.row_x.x) + (_e56.row_x.y * _e56.row_x.y)) + (_e56.row_x.z * _e56.row_x.z)))) + abs(((((_e56.row_y.x * _e308.x) + (_e56.row_y.y * _e308.y)) + (_e56.row_y.z * _e308.z)) / (((_e56.row_y.x * _e56.row_y.x) + (_e56.row_y.y * _e56.row_y.y)) + (_e56.row_y.z * _e56.row_y.z))))) / (abs(((((_e56.row_z.x * _e308.x) + (_e56.row_z.y * _e308.y)) + (_e56.row_z.z * _e308.z)) / (((_e56.row_z.x * _e56.row_z.x) + (_e56.row_z.y * _e56.row_z.y)) + (_e56.row_z.z * _e56.row_z.z)))) * f32(_e310)));
                     if (_e380 < 0.002f) {
@@ -650,11 +650,11 @@ fn function_() {
             phi_710_ = _e554;
         }
         let _e558 = phi_710_;
-        if (_e50.shift < arrayLength((&visibility.member))) {
+        if (_e50.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e50.shift)] = _e558.visibility;
+        visibility.member[(0u + _e50.first_primitive)] = _e558.visibility;
     }
     return;
 }

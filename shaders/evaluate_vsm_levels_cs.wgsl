@@ -8,6 +8,11 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,17 +22,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_15 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
+struct type_19 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -81,30 +81,30 @@ struct lt_math_LevelPoint {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_15;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_31;
 @group(0) @binding(2) 
-var<storage> map: type_13;
+var<storage> map: type_19;
 @group(0) @binding(3) 
-var<storage, read_write> visibility: type_13;
+var<storage, read_write> visibility: type_19;
 @group(0) @binding(4) 
 var<storage> levels: type_37;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_143_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_143_: lt_bvh_traverse_Tree;
     var phi_144_: bool;
-    var phi_145_: lt_mask_LightPlace;
+    var phi_145_: lt_bvh_traverse_Tree;
     var phi_146_: bool;
-    var phi_151_: lt_mask_LightPlace;
+    var phi_151_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_143_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_143_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_144_ = false;
         } else {
-            phi_143_ = lt_mask_LightPlace();
+            phi_143_ = lt_bvh_traverse_Tree();
             phi_144_ = true;
         }
         let _e52 = phi_143_;
@@ -112,18 +112,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_145_ = _e52;
         phi_146_ = _e54;
     } else {
-        phi_145_ = lt_mask_LightPlace();
+        phi_145_ = lt_bvh_traverse_Tree();
         phi_146_ = true;
     }
     let _e56 = phi_145_;
     let _e58 = phi_146_;
     if _e58 {
-        phi_151_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_151_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_151_ = _e56;
     }
     let _e63 = phi_151_;
-    return lt_mask_LightPlace(_e63.word, _e63.shift);
+    return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -398,19 +398,19 @@ fn function_() {
     let _e56 = p.member.size[0u];
     let _e58 = p.member.size[1u];
     let _e59 = lt_shaders_entry_pixel_index(_e40, _e56, _e58);
-    if (bitcast<i32>(_e59.word) != 0i) {
+    if (bitcast<i32>(_e59.root) != 0i) {
         let _e65 = p.member.level_count;
-        if (_e59.shift < arrayLength((&samples.member))) {
+        if (_e59.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e72 = samples.member[(0u + _e59.shift)].normal[0u];
+        let _e72 = samples.member[(0u + _e59.first_primitive)].normal[0u];
         let _e74 = global[0u];
         if (_e72 == _e74) {
-            let _e77 = samples.member[(0u + _e59.shift)].normal[1u];
+            let _e77 = samples.member[(0u + _e59.first_primitive)].normal[1u];
             let _e79 = global[1u];
             if (_e77 == _e79) {
-                let _e82 = samples.member[(0u + _e59.shift)].normal[2u];
+                let _e82 = samples.member[(0u + _e59.first_primitive)].normal[2u];
                 let _e84 = global[2u];
                 phi_397_ = (_e82 == _e84);
                 phi_398_ = false;
@@ -435,13 +435,13 @@ fn function_() {
         }
         let _e95 = phi_404_;
         if !(_e95) {
-            let _e98 = samples.member[(0u + _e59.shift)].position;
+            let _e98 = samples.member[(0u + _e59.first_primitive)].position;
             let _e100 = p.member.light.place;
             let _e106 = p.member.light.place[3u];
             let _e113 = (_e100.x - (_e98.x * _e106));
             let _e114 = (_e100.y - (_e98.y * _e106));
             let _e115 = (_e100.z - (_e98.z * _e106));
-            let _e117 = samples.member[(0u + _e59.shift)].normal;
+            let _e117 = samples.member[(0u + _e59.first_primitive)].normal;
             if ((((_e117.x * _e113) + (_e117.y * _e114)) + (_e117.z * _e115)) > 0f) {
                 let _e131 = (((_e113 * _e113) + (_e114 * _e114)) + (_e115 * _e115));
                 let _e133 = p.member.light.axis;
@@ -461,7 +461,7 @@ fn function_() {
                 }
                 let _e158 = phi_475_;
                 if _e158 {
-                    let _e160 = samples.member[(0u + _e59.shift)].flags;
+                    let _e160 = samples.member[(0u + _e59.first_primitive)].flags;
                     let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                     let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
                     phi_486_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, ((_e160 & 1u) == 0u));
@@ -500,7 +500,7 @@ fn function_() {
             phi_1151_ = evaluate_Verdict();
             phi_1152_ = true;
         } else {
-            let _e227 = samples.member[(0u + _e59.shift)].position;
+            let _e227 = samples.member[(0u + _e59.first_primitive)].position;
             let _e229 = p.member.map_size;
             let _e231 = (0.5f / f32(_e229));
             let _e238 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
@@ -700,7 +700,7 @@ fn function_() {
                     }
                     let _e451 = phi_737_;
                     if _e451 {
-                        let _e453 = samples.member[(0u + _e59.shift)].normal;
+                        let _e453 = samples.member[(0u + _e59.first_primitive)].normal;
                         let _e455 = p.member.map_size;
                         let _e525 = ((abs(((((_e428.row_x.x * _e453.x) + (_e428.row_x.y * _e453.y)) + (_e428.row_x.z * _e453.z)) / (((_e428.row_x.x * _e428.row_x.x) + (_e428.row_x.y * _e428.row_x.y)) + (_e428.row_x.z * _e428.row_x.z)))) + abs(((((_e428.row_y.x * _e453.x) + (_e428.row_y.y * _e453.y)) + (_e428.row_y.z * _e453.z)) / (((_e428.row_y.x * _e428.row_y.x) + (_e428.row_y.y * _e428.row_y.y)) + (_e428.row_y.z * _e428.row_y.z))))) / (abs(((((_e428.row_z.x * _e453.x) + (_e428.row_z.y * _e453.y)) + (_e428.row_z.z * _e453.z)) / (((_e428.row_z.x * _e428.row_z.x) + (_e428.row_z.y * _e428.row_z.y)) + (_e428.row_z.z * _e428.row_z.z)))) * f32(_e455)));
                         if (_e525 < 0.002f) {
@@ -712,7 +712,7 @@ fn function_() {
                         phi_938_ = _e528;
                     } else {
                         let _e530 = p.member.map_size;
-                        let _e536 = samples.member[(0u + _e59.shift)].position;
+                        let _e536 = samples.member[(0u + _e59.first_primitive)].position;
                         let _e547 = ((((_e428.row_w.x * _e536.x) + (_e428.row_w.y * _e536.y)) + (_e428.row_w.z * _e536.z)) + _e428.row_w.w);
                         let _e560 = ((_e428.row_x.x - (_e428.row_w.x * _e417.point.uv.x)) / _e547);
                         let _e561 = ((_e428.row_x.y - (_e428.row_w.y * _e417.point.uv.x)) / _e547);
@@ -720,11 +720,11 @@ fn function_() {
                         let _e575 = ((_e428.row_y.x - (_e428.row_w.x * _e417.point.uv.y)) / _e547);
                         let _e576 = ((_e428.row_y.y - (_e428.row_w.y * _e417.point.uv.y)) / _e547);
                         let _e577 = ((_e428.row_y.z - (_e428.row_w.z * _e417.point.uv.y)) / _e547);
-                        let _e583 = samples.member[(0u + _e59.shift)].normal;
+                        let _e583 = samples.member[(0u + _e59.first_primitive)].normal;
                         let _e588 = ((_e576 * _e583.z) - (_e583.y * _e577));
                         let _e593 = ((_e577 * _e583.x) - (_e583.z * _e575));
                         let _e598 = ((_e575 * _e583.y) - (_e583.x * _e576));
-                        let _e600 = samples.member[(0u + _e59.shift)].normal;
+                        let _e600 = samples.member[(0u + _e59.first_primitive)].normal;
                         let _e605 = ((_e561 * _e600.z) - (_e600.y * _e562));
                         let _e610 = ((_e562 * _e600.x) - (_e600.z * _e560));
                         let _e615 = ((_e560 * _e600.y) - (_e600.x * _e561));
@@ -924,11 +924,11 @@ fn function_() {
             phi_1156_ = _e827;
         }
         let _e831 = phi_1156_;
-        if (_e59.shift < arrayLength((&visibility.member))) {
+        if (_e59.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e59.shift)] = _e831.visibility;
+        visibility.member[(0u + _e59.first_primitive)] = _e831.visibility;
     }
     return;
 }

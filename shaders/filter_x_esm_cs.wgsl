@@ -1,10 +1,10 @@
-struct type_8 {
-    member: array<f32>,
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
 }
 
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
+struct type_11 {
+    member: array<f32>,
 }
 
 struct type_18 {
@@ -26,23 +26,23 @@ var<private> id_1: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> p: type_22;
 @group(0) @binding(1) 
-var<storage> depths: type_8;
+var<storage> depths: type_11;
 @group(0) @binding(2) 
 var<storage, read_write> rows: type_18;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_111_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_111_: lt_bvh_traverse_Tree;
     var phi_112_: bool;
-    var phi_113_: lt_mask_LightPlace;
+    var phi_113_: lt_bvh_traverse_Tree;
     var phi_114_: bool;
-    var phi_119_: lt_mask_LightPlace;
+    var phi_119_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_111_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_111_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_112_ = false;
         } else {
-            phi_111_ = lt_mask_LightPlace();
+            phi_111_ = lt_bvh_traverse_Tree();
             phi_112_ = true;
         }
         let _e56 = phi_111_;
@@ -50,18 +50,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_113_ = _e56;
         phi_114_ = _e58;
     } else {
-        phi_113_ = lt_mask_LightPlace();
+        phi_113_ = lt_bvh_traverse_Tree();
         phi_114_ = true;
     }
     let _e60 = phi_113_;
     let _e62 = phi_114_;
     if _e62 {
-        phi_119_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_119_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_119_ = _e60;
     }
     let _e67 = phi_119_;
-    return lt_mask_LightPlace(_e67.word, _e67.shift);
+    return lt_bvh_traverse_Tree(_e67.root, _e67.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_3: ptr<function, f32>, param_4: f32) -> vec4<f32> {
@@ -203,7 +203,7 @@ fn function_() {
     let _e44 = id_1;
     let _e53 = p.member.map_size;
     let _e54 = lt_shaders_entry_pixel_index(_e44, _e53, _e53);
-    if (bitcast<i32>(_e54.word) != 0i) {
+    if (bitcast<i32>(_e54.root) != 0i) {
         let _e62 = p.member.test;
         let _e63 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e62);
         local = _e63;
@@ -343,11 +343,11 @@ fn function_() {
         let _e229 = local_3;
         let _e231 = local_4;
         let _e234 = local_5;
-        if (_e54.shift < arrayLength((&rows.member))) {
+        if (_e54.first_primitive < arrayLength((&rows.member))) {
         } else {
             return;
         }
-        rows.member[(0u + _e54.shift)] = (_e234 / vec4<f32>(_e225, _e227, _e229, _e231));
+        rows.member[(0u + _e54.first_primitive)] = (_e234 / vec4<f32>(_e225, _e227, _e229, _e231));
     }
     return;
 }

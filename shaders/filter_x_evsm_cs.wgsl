@@ -1,10 +1,10 @@
-struct type_8 {
-    member: array<f32>,
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
 }
 
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
+struct type_11 {
+    member: array<f32>,
 }
 
 struct type_18 {
@@ -32,23 +32,23 @@ var<private> id_1: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> p: type_22;
 @group(0) @binding(1) 
-var<storage> depths: type_8;
+var<storage> depths: type_11;
 @group(0) @binding(2) 
 var<storage, read_write> rows: type_18;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_114_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_114_: lt_bvh_traverse_Tree;
     var phi_115_: bool;
-    var phi_116_: lt_mask_LightPlace;
+    var phi_116_: lt_bvh_traverse_Tree;
     var phi_117_: bool;
-    var phi_122_: lt_mask_LightPlace;
+    var phi_122_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_114_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_114_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_115_ = false;
         } else {
-            phi_114_ = lt_mask_LightPlace();
+            phi_114_ = lt_bvh_traverse_Tree();
             phi_115_ = true;
         }
         let _e56 = phi_114_;
@@ -56,18 +56,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_116_ = _e56;
         phi_117_ = _e58;
     } else {
-        phi_116_ = lt_mask_LightPlace();
+        phi_116_ = lt_bvh_traverse_Tree();
         phi_117_ = true;
     }
     let _e60 = phi_116_;
     let _e62 = phi_117_;
     if _e62 {
-        phi_122_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_122_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_122_ = _e60;
     }
     let _e67 = phi_122_;
-    return lt_mask_LightPlace(_e67.word, _e67.shift);
+    return lt_bvh_traverse_Tree(_e67.root, _e67.first_primitive);
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_3: ptr<function, lt_math_Evsm>, param_4: f32) -> vec4<f32> {
@@ -289,7 +289,7 @@ fn function_() {
     let _e44 = id_1;
     let _e53 = p.member.map_size;
     let _e54 = lt_shaders_entry_pixel_index(_e44, _e53, _e53);
-    if (bitcast<i32>(_e54.word) != 0i) {
+    if (bitcast<i32>(_e54.root) != 0i) {
         let _e62 = p.member.test;
         let _e63 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e62);
         local = lt_math_Evsm(_e63.positive_exponent, _e63.negative_exponent, _e63.min_variance);
@@ -429,11 +429,11 @@ fn function_() {
         let _e233 = local_3;
         let _e235 = local_4;
         let _e238 = local_5;
-        if (_e54.shift < arrayLength((&rows.member))) {
+        if (_e54.first_primitive < arrayLength((&rows.member))) {
         } else {
             return;
         }
-        rows.member[(0u + _e54.shift)] = (_e238 / vec4<f32>(_e229, _e231, _e233, _e235));
+        rows.member[(0u + _e54.first_primitive)] = (_e238 / vec4<f32>(_e229, _e231, _e233, _e235));
     }
     return;
 }

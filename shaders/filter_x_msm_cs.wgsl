@@ -1,10 +1,10 @@
-struct type_8 {
-    member: array<f32>,
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
 }
 
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
+struct type_11 {
+    member: array<f32>,
 }
 
 struct type_18 {
@@ -26,23 +26,23 @@ var<private> id_1: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> p: type_22;
 @group(0) @binding(1) 
-var<storage> depths: type_8;
+var<storage> depths: type_11;
 @group(0) @binding(2) 
 var<storage, read_write> rows: type_18;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_109_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_109_: lt_bvh_traverse_Tree;
     var phi_110_: bool;
-    var phi_111_: lt_mask_LightPlace;
+    var phi_111_: lt_bvh_traverse_Tree;
     var phi_112_: bool;
-    var phi_117_: lt_mask_LightPlace;
+    var phi_117_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_109_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_109_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_110_ = false;
         } else {
-            phi_109_ = lt_mask_LightPlace();
+            phi_109_ = lt_bvh_traverse_Tree();
             phi_110_ = true;
         }
         let _e55 = phi_109_;
@@ -50,18 +50,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_111_ = _e55;
         phi_112_ = _e57;
     } else {
-        phi_111_ = lt_mask_LightPlace();
+        phi_111_ = lt_bvh_traverse_Tree();
         phi_112_ = true;
     }
     let _e59 = phi_111_;
     let _e61 = phi_112_;
     if _e61 {
-        phi_117_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_117_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_117_ = _e59;
     }
     let _e66 = phi_117_;
-    return lt_mask_LightPlace(_e66.word, _e66.shift);
+    return lt_bvh_traverse_Tree(_e66.root, _e66.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_3: f32) -> vec4<f32> {
@@ -124,7 +124,7 @@ fn function_() {
     let _e42 = id_1;
     let _e51 = p.member.map_size;
     let _e52 = lt_shaders_entry_pixel_index(_e42, _e51, _e51);
-    if (bitcast<i32>(_e52.word) != 0i) {
+    if (bitcast<i32>(_e52.root) != 0i) {
         let _e60 = p.member.test;
         let _e61 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e60);
         phi_144_ = vec4<f32>(0f, 0f, 0f, 0f);
@@ -263,11 +263,11 @@ fn function_() {
         let _e227 = local_2;
         let _e229 = local_3;
         let _e232 = local_4;
-        if (_e52.shift < arrayLength((&rows.member))) {
+        if (_e52.first_primitive < arrayLength((&rows.member))) {
         } else {
             return;
         }
-        rows.member[(0u + _e52.shift)] = (_e232 / vec4<f32>(_e223, _e225, _e227, _e229));
+        rows.member[(0u + _e52.first_primitive)] = (_e232 / vec4<f32>(_e223, _e225, _e227, _e229));
     }
     return;
 }

@@ -1,6 +1,6 @@
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
 }
 
 struct type_12 {
@@ -26,19 +26,19 @@ var<storage> rows: type_12;
 @group(0) @binding(2) 
 var<storage, read_write> vectors: type_12;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_97_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_97_: lt_bvh_traverse_Tree;
     var phi_98_: bool;
-    var phi_99_: lt_mask_LightPlace;
+    var phi_99_: lt_bvh_traverse_Tree;
     var phi_100_: bool;
-    var phi_105_: lt_mask_LightPlace;
+    var phi_105_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_97_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_97_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_98_ = false;
         } else {
-            phi_97_ = lt_mask_LightPlace();
+            phi_97_ = lt_bvh_traverse_Tree();
             phi_98_ = true;
         }
         let _e55 = phi_97_;
@@ -46,18 +46,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_99_ = _e55;
         phi_100_ = _e57;
     } else {
-        phi_99_ = lt_mask_LightPlace();
+        phi_99_ = lt_bvh_traverse_Tree();
         phi_100_ = true;
     }
     let _e59 = phi_99_;
     let _e61 = phi_100_;
     if _e61 {
-        phi_105_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_105_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_105_ = _e59;
     }
     let _e66 = phi_105_;
-    return lt_mask_LightPlace(_e66.word, _e66.shift);
+    return lt_bvh_traverse_Tree(_e66.root, _e66.first_primitive);
 }
 
 fn function_() {
@@ -89,7 +89,7 @@ fn function_() {
     let _e42 = id_1;
     let _e51 = p.member.map_size;
     let _e52 = lt_shaders_entry_pixel_index(_e42, _e51, _e51);
-    if (bitcast<i32>(_e52.word) != 0i) {
+    if (bitcast<i32>(_e52.root) != 0i) {
         phi_129_ = vec4<f32>(0f, 0f, 0f, 0f);
         phi_132_ = -2i;
         phi_134_ = 0f;
@@ -225,11 +225,11 @@ fn function_() {
         let _e223 = local_2;
         let _e225 = local_3;
         let _e228 = local_4;
-        if (_e52.shift < arrayLength((&vectors.member))) {
+        if (_e52.first_primitive < arrayLength((&vectors.member))) {
         } else {
             return;
         }
-        vectors.member[(0u + _e52.shift)] = (_e228 / vec4<f32>(_e219, _e221, _e223, _e225));
+        vectors.member[(0u + _e52.first_primitive)] = (_e228 / vec4<f32>(_e219, _e221, _e223, _e225));
     }
     return;
 }

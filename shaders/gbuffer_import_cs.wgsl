@@ -11,6 +11,11 @@ struct abi_CameraParams {
     grid: vec2<u32>,
 }
 
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -20,13 +25,8 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_13 {
     member: array<abi_Sample>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct type_19 {
@@ -38,25 +38,25 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_19;
 @group(0) @binding(3) 
-var<storage, read_write> samples: type_9;
+var<storage, read_write> samples: type_13;
 @group(0) @binding(1) 
 var positions: texture_2d<f32>;
 @group(0) @binding(2) 
 var normals: texture_2d<f32>;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_84_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_84_: lt_bvh_traverse_Tree;
     var phi_85_: bool;
-    var phi_86_: lt_mask_LightPlace;
+    var phi_86_: lt_bvh_traverse_Tree;
     var phi_87_: bool;
-    var phi_92_: lt_mask_LightPlace;
+    var phi_92_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_84_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_84_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_85_ = false;
         } else {
-            phi_84_ = lt_mask_LightPlace();
+            phi_84_ = lt_bvh_traverse_Tree();
             phi_85_ = true;
         }
         let _e33 = phi_84_;
@@ -64,18 +64,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_86_ = _e33;
         phi_87_ = _e35;
     } else {
-        phi_86_ = lt_mask_LightPlace();
+        phi_86_ = lt_bvh_traverse_Tree();
         phi_87_ = true;
     }
     let _e37 = phi_86_;
     let _e39 = phi_87_;
     if _e39 {
-        phi_92_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_92_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_92_ = _e37;
     }
     let _e44 = phi_92_;
-    return lt_mask_LightPlace(_e44.word, _e44.shift);
+    return lt_bvh_traverse_Tree(_e44.root, _e44.first_primitive);
 }
 
 fn _glam_f32_vec3_Vec3_max_element_u007b_closure_u0023_0_u007d(param_3: f32, param_4: f32) -> f32 {
@@ -107,7 +107,7 @@ fn function_() {
     let _e27 = p.member.size[0u];
     let _e29 = p.member.size[1u];
     let _e30 = lt_shaders_entry_pixel_index(_e20, _e27, _e29);
-    if (bitcast<i32>(_e30.word) != 0i) {
+    if (bitcast<i32>(_e30.root) != 0i) {
         let _e38 = textureLoad(positions, vec2<u32>(_e20.x, _e20.y), 0u);
         let _e39 = _glam_f32_scalar_vec4_Vec4_u0020_as_u0020_spirv_std_vector_VectorTruncateInto_glam_f32_scalar_vec4_Vec4_truncate_into(_e38);
         let _e43 = textureLoad(normals, vec2<u32>(_e20.x, _e20.y), 0u);
@@ -153,11 +153,11 @@ fn function_() {
             phi_187_ = vec3<f32>(_e44.x, _e44.y, _e44.z);
         }
         let _e90 = phi_187_;
-        if (_e30.shift < arrayLength((&samples.member))) {
+        if (_e30.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e30.shift)] = abi_Sample(vec3<f32>(_e39.x, _e39.y, _e39.z), _e58, vec3<f32>(_e44.x, _e44.y, _e44.z), 1u, _e90, 16777215u);
+        samples.member[(0u + _e30.first_primitive)] = abi_Sample(vec3<f32>(_e39.x, _e39.y, _e39.z), _e58, vec3<f32>(_e44.x, _e44.y, _e44.z), 1u, _e90, 16777215u);
     }
     return;
 }

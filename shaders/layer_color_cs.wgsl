@@ -21,6 +21,11 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -30,13 +35,8 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_14 {
     member: array<abi_Sample>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct type_27 {
@@ -64,7 +64,7 @@ struct type_35 {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_14;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_31;
@@ -75,19 +75,19 @@ var<storage> sights: type_35;
 @group(0) @binding(4) 
 var<storage, read_write> colors: type_27;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_132_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_132_: lt_bvh_traverse_Tree;
     var phi_133_: bool;
-    var phi_134_: lt_mask_LightPlace;
+    var phi_134_: lt_bvh_traverse_Tree;
     var phi_135_: bool;
-    var phi_140_: lt_mask_LightPlace;
+    var phi_140_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_132_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_132_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_133_ = false;
         } else {
-            phi_132_ = lt_mask_LightPlace();
+            phi_132_ = lt_bvh_traverse_Tree();
             phi_133_ = true;
         }
         let _e60 = phi_132_;
@@ -95,18 +95,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_134_ = _e60;
         phi_135_ = _e62;
     } else {
-        phi_134_ = lt_mask_LightPlace();
+        phi_134_ = lt_bvh_traverse_Tree();
         phi_135_ = true;
     }
     let _e64 = phi_134_;
     let _e66 = phi_135_;
     if _e66 {
-        phi_140_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_140_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_140_ = _e64;
     }
     let _e71 = phi_140_;
-    return lt_mask_LightPlace(_e71.word, _e71.shift);
+    return lt_bvh_traverse_Tree(_e71.root, _e71.first_primitive);
 }
 
 fn function_() {
@@ -128,31 +128,31 @@ fn function_() {
     let _e64 = p.member.camera.size[0u];
     let _e66 = p.member.camera.size[1u];
     let _e67 = lt_shaders_entry_pixel_index(_e47, _e64, _e66);
-    if (bitcast<i32>(_e67.word) != 0i) {
-        if (_e67.shift < arrayLength((&colors.member))) {
+    if (bitcast<i32>(_e67.root) != 0i) {
+        if (_e67.first_primitive < arrayLength((&colors.member))) {
         } else {
             return;
         }
-        if (_e67.shift < arrayLength((&samples.member))) {
+        if (_e67.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        if (_e67.shift < arrayLength((&sights.member))) {
+        if (_e67.first_primitive < arrayLength((&sights.member))) {
         } else {
             return;
         }
-        if (_e67.shift < arrayLength((&light.member))) {
+        if (_e67.first_primitive < arrayLength((&light.member))) {
         } else {
             return;
         }
-        let _e86 = light.member[(0u + _e67.shift)];
-        let _e92 = samples.member[(0u + _e67.shift)].normal[0u];
+        let _e86 = light.member[(0u + _e67.first_primitive)];
+        let _e92 = samples.member[(0u + _e67.first_primitive)].normal[0u];
         let _e94 = global[0u];
         if (_e92 == _e94) {
-            let _e97 = samples.member[(0u + _e67.shift)].normal[1u];
+            let _e97 = samples.member[(0u + _e67.first_primitive)].normal[1u];
             let _e99 = global[1u];
             if (_e97 == _e99) {
-                let _e102 = samples.member[(0u + _e67.shift)].normal[2u];
+                let _e102 = samples.member[(0u + _e67.first_primitive)].normal[2u];
                 let _e104 = global[2u];
                 phi_220_ = (_e102 == _e104);
                 phi_221_ = false;
@@ -177,13 +177,13 @@ fn function_() {
         }
         let _e115 = phi_227_;
         if !(_e115) {
-            let _e118 = samples.member[(0u + _e67.shift)].flags;
+            let _e118 = samples.member[(0u + _e67.first_primitive)].flags;
             phi_237_ = (f32((_e118 >> bitcast<u32>(16u))) / 65535f);
         } else {
             phi_237_ = 1f;
         }
         let _e124 = phi_237_;
-        let _e126 = sights.member[(0u + _e67.shift)].kept;
+        let _e126 = sights.member[(0u + _e67.first_primitive)].kept;
         let _e139 = p.member.camera.grid[0u];
         let _e141 = p.member.camera.grid[1u];
         let _e160 = p.member.camera.size[0u];
@@ -198,13 +198,13 @@ fn function_() {
         let _e198 = ((_e173.z + (_e175.z * _e164)) + (_e189.z * _e171));
         let _e205 = (1f / sqrt((((_e196 * _e196) + (_e197 * _e197)) + (_e198 * _e198))));
         let _e207 = (_e197 * _e205);
-        let _e211 = samples.member[(0u + _e67.shift)].normal[0u];
+        let _e211 = samples.member[(0u + _e67.first_primitive)].normal[0u];
         let _e213 = global[0u];
         if (_e211 == _e213) {
-            let _e216 = samples.member[(0u + _e67.shift)].normal[1u];
+            let _e216 = samples.member[(0u + _e67.first_primitive)].normal[1u];
             let _e218 = global[1u];
             if (_e216 == _e218) {
-                let _e221 = samples.member[(0u + _e67.shift)].normal[2u];
+                let _e221 = samples.member[(0u + _e67.first_primitive)].normal[2u];
                 let _e223 = global[2u];
                 phi_344_ = (_e221 == _e223);
                 phi_345_ = false;
@@ -229,17 +229,17 @@ fn function_() {
         }
         let _e234 = phi_351_;
         if !(_e234) {
-            let _e237 = samples.member[(0u + _e67.shift)].shading_normal;
+            let _e237 = samples.member[(0u + _e67.first_primitive)].shading_normal;
             let _e240 = (0.5f + (0.5f * _e237.y));
             let _e241 = (1f - 0.4f);
             let _e260 = (1f - _e240);
             let _e286 = (0.8f + (0.2f * abs((((_e237.x * -((_e196 * _e205))) + (_e237.y * -(_e207))) + (_e237.z * -((_e198 * _e205)))))));
-            let _e288 = samples.member[(0u + _e67.shift)].albedo;
+            let _e288 = samples.member[(0u + _e67.first_primitive)].albedo;
             let _e299 = (1f / 255f);
             let _e300 = (f32((_e288 & 255u)) * _e299);
             let _e301 = (f32(((_e288 >> bitcast<u32>(8i)) & 255u)) * _e299);
             let _e302 = (f32(((_e288 >> bitcast<u32>(16i)) & 255u)) * _e299);
-            let _e316 = samples.member[(0u + _e67.shift)].position;
+            let _e316 = samples.member[(0u + _e67.first_primitive)].position;
             let _e319 = p.member.camera.eye;
             let _e322 = (_e316.x - _e319.x);
             let _e325 = (_e316.y - _e319.y);
@@ -260,14 +260,14 @@ fn function_() {
             phi_499_ = vec3<f32>(((vec3<f32>(0.72f, 0.8f, 0.9f).x * _e363) + (vec3<f32>(0.22f, 0.42f, 0.78f).x * _e362)), ((vec3<f32>(0.72f, 0.8f, 0.9f).y * _e363) + (vec3<f32>(0.22f, 0.42f, 0.78f).y * _e362)), ((vec3<f32>(0.72f, 0.8f, 0.9f).z * _e363) + (vec3<f32>(0.22f, 0.42f, 0.78f).z * _e362)));
         }
         let _e381 = phi_499_;
-        let _e392 = colors.member[(0u + _e67.shift)][0u];
-        colors.member[(0u + _e67.shift)][0u] = (_e392 + ((vec3<f32>(1f, 1f, 1f).x - _e126.x) * (_e381.x * _e124)));
-        let _e395 = colors.member[(0u + _e67.shift)][1u];
-        colors.member[(0u + _e67.shift)][1u] = (_e395 + ((vec3<f32>(1f, 1f, 1f).y - _e126.y) * (_e381.y * _e124)));
-        let _e398 = colors.member[(0u + _e67.shift)][2u];
-        colors.member[(0u + _e67.shift)][2u] = (_e398 + ((vec3<f32>(1f, 1f, 1f).z - _e126.z) * (_e381.z * _e124)));
-        let _e401 = colors.member[(0u + _e67.shift)][3u];
-        colors.member[(0u + _e67.shift)][3u] = (_e401 + 0f);
+        let _e392 = colors.member[(0u + _e67.first_primitive)][0u];
+        colors.member[(0u + _e67.first_primitive)][0u] = (_e392 + ((vec3<f32>(1f, 1f, 1f).x - _e126.x) * (_e381.x * _e124)));
+        let _e395 = colors.member[(0u + _e67.first_primitive)][1u];
+        colors.member[(0u + _e67.first_primitive)][1u] = (_e395 + ((vec3<f32>(1f, 1f, 1f).y - _e126.y) * (_e381.y * _e124)));
+        let _e398 = colors.member[(0u + _e67.first_primitive)][2u];
+        colors.member[(0u + _e67.first_primitive)][2u] = (_e398 + ((vec3<f32>(1f, 1f, 1f).z - _e126.z) * (_e381.z * _e124)));
+        let _e401 = colors.member[(0u + _e67.first_primitive)][3u];
+        colors.member[(0u + _e67.first_primitive)][3u] = (_e401 + 0f);
     }
     return;
 }

@@ -11,6 +11,15 @@ struct abi_CameraParams {
     grid: vec2<u32>,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -20,17 +29,8 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_20 {
     member: array<abi_Sample>,
-}
-
-struct type_13 {
-    member: array<u32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct texture_TextureView {
@@ -55,7 +55,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_29 {
+struct type_31 {
     member: array<lt_bvh_Node>,
 }
 
@@ -68,7 +68,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_33 {
+struct type_35 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -80,7 +80,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_37 {
+struct type_39 {
     member: array<abi_Vertex>,
 }
 
@@ -96,13 +96,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_41 {
+struct type_43 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -158,37 +158,37 @@ struct u0028_abi_Sample_u0020_abi_Sight_u0029_ {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_37;
+var<storage> vertices: type_39;
 @group(0) @binding(4) 
-var<storage> materials: type_41;
+var<storage> materials: type_43;
 @group(0) @binding(0) 
 var<uniform> p: type_56;
 @group(0) @binding(1) 
-var<storage> nodes: type_29;
+var<storage> nodes: type_31;
 @group(0) @binding(2) 
-var<storage> triangles: type_33;
+var<storage> triangles: type_35;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_9;
+var<storage, read_write> samples: type_20;
 @group(0) @binding(6) 
-var<storage> alpha_texels: type_13;
+var<storage> alpha_texels: type_9;
 @group(0) @binding(7) 
-var<storage> color_texels: type_13;
+var<storage> color_texels: type_9;
 @group(0) @binding(8) 
 var<storage, read_write> sights: type_53;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_230_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_230_: lt_bvh_traverse_Tree;
     var phi_231_: bool;
-    var phi_232_: lt_mask_LightPlace;
+    var phi_232_: lt_bvh_traverse_Tree;
     var phi_233_: bool;
-    var phi_238_: lt_mask_LightPlace;
+    var phi_238_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_230_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_230_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_231_ = false;
         } else {
-            phi_230_ = lt_mask_LightPlace();
+            phi_230_ = lt_bvh_traverse_Tree();
             phi_231_ = true;
         }
         let _e88 = phi_230_;
@@ -196,18 +196,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_232_ = _e88;
         phi_233_ = _e90;
     } else {
-        phi_232_ = lt_mask_LightPlace();
+        phi_232_ = lt_bvh_traverse_Tree();
         phi_233_ = true;
     }
     let _e92 = phi_232_;
     let _e94 = phi_233_;
     if _e94 {
-        phi_238_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_238_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_238_ = _e92;
     }
     let _e99 = phi_238_;
-    return lt_mask_LightPlace(_e99.word, _e99.shift);
+    return lt_bvh_traverse_Tree(_e99.root, _e99.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -880,12 +880,12 @@ fn function_() {
     let _e109 = p.member.size[0u];
     let _e111 = p.member.size[1u];
     let _e112 = lt_shaders_entry_pixel_index(_e81, _e109, _e111);
-    if (bitcast<i32>(_e112.word) != 0i) {
-        if (_e112.shift < _e106) {
+    if (bitcast<i32>(_e112.root) != 0i) {
+        if (_e112.first_primitive < _e106) {
         } else {
             return;
         }
-        let _e120 = sights.member[(0u + _e112.shift)];
+        let _e120 = sights.member[(0u + _e112.first_primitive)];
         if (_e120.kept.x < 1f) {
             phi_732_ = bool();
             phi_733_ = true;
@@ -1245,41 +1245,41 @@ fn function_() {
                             let _e665 = ((bitcast<f32>(_e655) - _e206.origin.z) * _e372);
                             let _e673 = nodes.member[(0u + _e609)].x;
                             if (_e350 < 0f) {
-                                let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e673.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e684.unnamed.word, _e673.w), _e684.unnamed_1);
-                                let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_mask_LightPlace(_e673.x, _e690.unnamed_1.shift));
-                                phi_1360_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_mask_LightPlace(_e696.unnamed_1.word, _e673.y));
+                                let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e673.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e684.unnamed.root, _e673.w), _e684.unnamed_1);
+                                let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_bvh_traverse_Tree(_e673.x, _e690.unnamed_1.first_primitive));
+                                phi_1360_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_bvh_traverse_Tree(_e696.unnamed_1.root, _e673.y));
                             } else {
-                                let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e673.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e712.unnamed.word, _e673.y), _e712.unnamed_1);
-                                let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_mask_LightPlace(_e673.z, _e718.unnamed_1.shift));
-                                phi_1360_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_mask_LightPlace(_e724.unnamed_1.word, _e673.w));
+                                let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e673.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e712.unnamed.root, _e673.y), _e712.unnamed_1);
+                                let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_bvh_traverse_Tree(_e673.z, _e718.unnamed_1.first_primitive));
+                                phi_1360_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_bvh_traverse_Tree(_e724.unnamed_1.root, _e673.w));
                             }
                             let _e732 = phi_1360_;
                             let _e742 = nodes.member[(0u + _e609)].y;
                             if (_e361 < 0f) {
-                                let _e753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e742.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e753.unnamed.word, _e742.w), _e753.unnamed_1);
-                                let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e759.unnamed, lt_mask_LightPlace(_e742.x, _e759.unnamed_1.shift));
-                                phi_1387_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e765.unnamed, lt_mask_LightPlace(_e765.unnamed_1.word, _e742.y));
+                                let _e753 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e742.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e759 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e753.unnamed.root, _e742.w), _e753.unnamed_1);
+                                let _e765 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e759.unnamed, lt_bvh_traverse_Tree(_e742.x, _e759.unnamed_1.first_primitive));
+                                phi_1387_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e765.unnamed, lt_bvh_traverse_Tree(_e765.unnamed_1.root, _e742.y));
                             } else {
-                                let _e781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e742.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e781.unnamed.word, _e742.y), _e781.unnamed_1);
-                                let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e787.unnamed, lt_mask_LightPlace(_e742.z, _e787.unnamed_1.shift));
-                                phi_1387_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_mask_LightPlace(_e793.unnamed_1.word, _e742.w));
+                                let _e781 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e742.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e787 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e781.unnamed.root, _e742.y), _e781.unnamed_1);
+                                let _e793 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e787.unnamed, lt_bvh_traverse_Tree(_e742.z, _e787.unnamed_1.first_primitive));
+                                phi_1387_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e793.unnamed, lt_bvh_traverse_Tree(_e793.unnamed_1.root, _e742.w));
                             }
                             let _e801 = phi_1387_;
                             let _e811 = nodes.member[(0u + _e609)].z;
                             if (_e372 < 0f) {
-                                let _e822 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e811.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e828 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e822.unnamed.word, _e811.w), _e822.unnamed_1);
-                                let _e834 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e828.unnamed, lt_mask_LightPlace(_e811.x, _e828.unnamed_1.shift));
-                                phi_1414_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e834.unnamed, lt_mask_LightPlace(_e834.unnamed_1.word, _e811.y));
+                                let _e822 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e811.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e828 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e822.unnamed.root, _e811.w), _e822.unnamed_1);
+                                let _e834 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e828.unnamed, lt_bvh_traverse_Tree(_e811.x, _e828.unnamed_1.first_primitive));
+                                phi_1414_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e834.unnamed, lt_bvh_traverse_Tree(_e834.unnamed_1.root, _e811.y));
                             } else {
-                                let _e850 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e811.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e856 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e850.unnamed.word, _e811.y), _e850.unnamed_1);
-                                let _e862 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e856.unnamed, lt_mask_LightPlace(_e811.z, _e856.unnamed_1.shift));
-                                phi_1414_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e862.unnamed, lt_mask_LightPlace(_e862.unnamed_1.word, _e811.w));
+                                let _e850 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e811.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e856 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e850.unnamed.root, _e811.y), _e850.unnamed_1);
+                                let _e862 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e856.unnamed, lt_bvh_traverse_Tree(_e811.z, _e856.unnamed_1.first_primitive));
+                                phi_1414_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e862.unnamed, lt_bvh_traverse_Tree(_e862.unnamed_1.root, _e811.w));
                             }
                             let _e870 = phi_1414_;
                             phi_1420_ = 0u;
@@ -1295,41 +1295,41 @@ fn function_() {
                                     let _e885 = (_e880 >> bitcast<u32>(2i));
                                     let _e886 = (_e880 & 3u);
                                     if (_e885 == 0u) {
-                                        phi_1437_ = _e732.unnamed.word;
+                                        phi_1437_ = _e732.unnamed.root;
                                     } else {
-                                        phi_1437_ = _e732.unnamed.shift;
+                                        phi_1437_ = _e732.unnamed.first_primitive;
                                     }
                                     let _e889 = phi_1437_;
                                     if (_e885 == 0u) {
-                                        phi_1447_ = _e801.unnamed.word;
+                                        phi_1447_ = _e801.unnamed.root;
                                     } else {
-                                        phi_1447_ = _e801.unnamed.shift;
+                                        phi_1447_ = _e801.unnamed.first_primitive;
                                     }
                                     let _e898 = phi_1447_;
                                     if (_e885 == 0u) {
-                                        phi_1457_ = _e870.unnamed.word;
+                                        phi_1457_ = _e870.unnamed.root;
                                     } else {
-                                        phi_1457_ = _e870.unnamed.shift;
+                                        phi_1457_ = _e870.unnamed.first_primitive;
                                     }
                                     let _e907 = phi_1457_;
                                     let _e920 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e889 >> bitcast<u32>(((_e886 * 8u) & 31u))) & 255u)) * _e642) + (_e663 - _e410)), ((f32(((_e898 >> bitcast<u32>(((_e886 * 8u) & 31u))) & 255u)) * _e643) + (_e664 - _e411)));
                                     let _e921 = core_intrinsics_maximum_number_nsz_f32_(_e920, ((f32(((_e907 >> bitcast<u32>(((_e886 * 8u) & 31u))) & 255u)) * _e644) + (_e665 - _e412)));
                                     if (_e885 == 0u) {
-                                        phi_1475_ = _e732.unnamed_1.word;
+                                        phi_1475_ = _e732.unnamed_1.root;
                                     } else {
-                                        phi_1475_ = _e732.unnamed_1.shift;
+                                        phi_1475_ = _e732.unnamed_1.first_primitive;
                                     }
                                     let _e924 = phi_1475_;
                                     if (_e885 == 0u) {
-                                        phi_1485_ = _e801.unnamed_1.word;
+                                        phi_1485_ = _e801.unnamed_1.root;
                                     } else {
-                                        phi_1485_ = _e801.unnamed_1.shift;
+                                        phi_1485_ = _e801.unnamed_1.first_primitive;
                                     }
                                     let _e933 = phi_1485_;
                                     if (_e885 == 0u) {
-                                        phi_1495_ = _e870.unnamed_1.word;
+                                        phi_1495_ = _e870.unnamed_1.root;
                                     } else {
-                                        phi_1495_ = _e870.unnamed_1.shift;
+                                        phi_1495_ = _e870.unnamed_1.first_primitive;
                                     }
                                     let _e942 = phi_1495_;
                                     let _e955 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e924 >> bitcast<u32>(((_e886 * 8u) & 31u))) & 255u)) * _e642) + (_e663 + _e410)), ((f32(((_e933 >> bitcast<u32>(((_e886 * 8u) & 31u))) & 255u)) * _e643) + (_e664 + _e411)));
@@ -2741,16 +2741,16 @@ fn function_() {
             phi_3958_ = _e3188;
         }
         let _e3192 = phi_3958_;
-        if (_e112.shift < arrayLength((&samples.member))) {
+        if (_e112.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e112.shift)] = _e3192.unnamed;
-        if (_e112.shift < _e106) {
+        samples.member[(0u + _e112.first_primitive)] = _e3192.unnamed;
+        if (_e112.first_primitive < _e106) {
         } else {
             return;
         }
-        sights.member[(0u + _e112.shift)] = _e3192.unnamed_1;
+        sights.member[(0u + _e112.first_primitive)] = _e3192.unnamed_1;
     }
     return;
 }

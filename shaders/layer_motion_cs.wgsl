@@ -11,6 +11,15 @@ struct abi_CameraParams {
     grid: vec2<u32>,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -20,20 +29,11 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
-    member: array<u32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
-}
-
-struct type_26 {
+struct type_28 {
     member: array<vec4<f32>>,
 }
 
@@ -59,7 +59,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_34 {
+struct type_36 {
     member: array<lt_bvh_Node>,
 }
 
@@ -72,7 +72,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_38 {
+struct type_40 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -84,7 +84,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_42 {
+struct type_44 {
     member: array<abi_Vertex>,
 }
 
@@ -100,13 +100,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_46 {
+struct type_48 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -162,41 +162,41 @@ struct u0028_abi_Sample_u0020_abi_Sight_u0029_ {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(3) 
-var<storage> vertices: type_42;
+var<storage> vertices: type_44;
 @group(0) @binding(4) 
-var<storage> materials: type_46;
+var<storage> materials: type_48;
 @group(0) @binding(0) 
 var<uniform> p: type_61;
 @group(0) @binding(1) 
-var<storage> nodes: type_34;
+var<storage> nodes: type_36;
 @group(0) @binding(2) 
-var<storage> triangles: type_38;
+var<storage> triangles: type_40;
 @group(0) @binding(5) 
-var<storage, read_write> samples: type_9;
+var<storage, read_write> samples: type_20;
 @group(0) @binding(6) 
-var<storage> alpha_texels: type_13;
+var<storage> alpha_texels: type_9;
 @group(0) @binding(7) 
-var<storage> color_texels: type_13;
+var<storage> color_texels: type_9;
 @group(0) @binding(9) 
-var<storage> before: type_26;
+var<storage> before: type_28;
 @group(0) @binding(10) 
-var<storage, read_write> past: type_26;
+var<storage, read_write> past: type_28;
 @group(0) @binding(8) 
 var<storage, read_write> sights: type_58;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_238_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_238_: lt_bvh_traverse_Tree;
     var phi_239_: bool;
-    var phi_240_: lt_mask_LightPlace;
+    var phi_240_: lt_bvh_traverse_Tree;
     var phi_241_: bool;
-    var phi_246_: lt_mask_LightPlace;
+    var phi_246_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_238_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_238_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_239_ = false;
         } else {
-            phi_238_ = lt_mask_LightPlace();
+            phi_238_ = lt_bvh_traverse_Tree();
             phi_239_ = true;
         }
         let _e90 = phi_238_;
@@ -204,18 +204,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_240_ = _e90;
         phi_241_ = _e92;
     } else {
-        phi_240_ = lt_mask_LightPlace();
+        phi_240_ = lt_bvh_traverse_Tree();
         phi_241_ = true;
     }
     let _e94 = phi_240_;
     let _e96 = phi_241_;
     if _e96 {
-        phi_246_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_246_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_246_ = _e94;
     }
     let _e101 = phi_246_;
-    return lt_mask_LightPlace(_e101.word, _e101.shift);
+    return lt_bvh_traverse_Tree(_e101.root, _e101.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -894,12 +894,12 @@ fn function_() {
     let _e117 = p.member.size[0u];
     let _e119 = p.member.size[1u];
     let _e120 = lt_shaders_entry_pixel_index(_e83, _e117, _e119);
-    if (bitcast<i32>(_e120.word) != 0i) {
-        if (_e120.shift < _e108) {
+    if (bitcast<i32>(_e120.root) != 0i) {
+        if (_e120.first_primitive < _e108) {
         } else {
             return;
         }
-        let _e128 = sights.member[(0u + _e120.shift)];
+        let _e128 = sights.member[(0u + _e120.first_primitive)];
         if (_e128.kept.x < 1f) {
             phi_746_ = bool();
             phi_747_ = true;
@@ -1259,41 +1259,41 @@ fn function_() {
                             let _e673 = ((bitcast<f32>(_e663) - _e214.origin.z) * _e380);
                             let _e681 = nodes.member[(0u + _e617)].x;
                             if (_e358 < 0f) {
-                                let _e692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e681.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e692.unnamed.word, _e681.w), _e692.unnamed_1);
-                                let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e698.unnamed, lt_mask_LightPlace(_e681.x, _e698.unnamed_1.shift));
-                                phi_1374_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e704.unnamed, lt_mask_LightPlace(_e704.unnamed_1.word, _e681.y));
+                                let _e692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e681.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e692.unnamed.root, _e681.w), _e692.unnamed_1);
+                                let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e698.unnamed, lt_bvh_traverse_Tree(_e681.x, _e698.unnamed_1.first_primitive));
+                                phi_1374_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e704.unnamed, lt_bvh_traverse_Tree(_e704.unnamed_1.root, _e681.y));
                             } else {
-                                let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e681.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e720.unnamed.word, _e681.y), _e720.unnamed_1);
-                                let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e726.unnamed, lt_mask_LightPlace(_e681.z, _e726.unnamed_1.shift));
-                                phi_1374_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_mask_LightPlace(_e732.unnamed_1.word, _e681.w));
+                                let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e681.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e720.unnamed.root, _e681.y), _e720.unnamed_1);
+                                let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e726.unnamed, lt_bvh_traverse_Tree(_e681.z, _e726.unnamed_1.first_primitive));
+                                phi_1374_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_bvh_traverse_Tree(_e732.unnamed_1.root, _e681.w));
                             }
                             let _e740 = phi_1374_;
                             let _e750 = nodes.member[(0u + _e617)].y;
                             if (_e369 < 0f) {
-                                let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e750.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e761.unnamed.word, _e750.w), _e761.unnamed_1);
-                                let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e767.unnamed, lt_mask_LightPlace(_e750.x, _e767.unnamed_1.shift));
-                                phi_1401_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e773.unnamed, lt_mask_LightPlace(_e773.unnamed_1.word, _e750.y));
+                                let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e750.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e761.unnamed.root, _e750.w), _e761.unnamed_1);
+                                let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e767.unnamed, lt_bvh_traverse_Tree(_e750.x, _e767.unnamed_1.first_primitive));
+                                phi_1401_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e773.unnamed, lt_bvh_traverse_Tree(_e773.unnamed_1.root, _e750.y));
                             } else {
-                                let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e750.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e789.unnamed.word, _e750.y), _e789.unnamed_1);
-                                let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e795.unnamed, lt_mask_LightPlace(_e750.z, _e795.unnamed_1.shift));
-                                phi_1401_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_mask_LightPlace(_e801.unnamed_1.word, _e750.w));
+                                let _e789 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e750.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e789.unnamed.root, _e750.y), _e789.unnamed_1);
+                                let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e795.unnamed, lt_bvh_traverse_Tree(_e750.z, _e795.unnamed_1.first_primitive));
+                                phi_1401_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_bvh_traverse_Tree(_e801.unnamed_1.root, _e750.w));
                             }
                             let _e809 = phi_1401_;
                             let _e819 = nodes.member[(0u + _e617)].z;
                             if (_e380 < 0f) {
-                                let _e830 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e819.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e836 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e830.unnamed.word, _e819.w), _e830.unnamed_1);
-                                let _e842 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e836.unnamed, lt_mask_LightPlace(_e819.x, _e836.unnamed_1.shift));
-                                phi_1428_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e842.unnamed, lt_mask_LightPlace(_e842.unnamed_1.word, _e819.y));
+                                let _e830 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e819.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e836 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e830.unnamed.root, _e819.w), _e830.unnamed_1);
+                                let _e842 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e836.unnamed, lt_bvh_traverse_Tree(_e819.x, _e836.unnamed_1.first_primitive));
+                                phi_1428_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e842.unnamed, lt_bvh_traverse_Tree(_e842.unnamed_1.root, _e819.y));
                             } else {
-                                let _e858 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e819.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e864 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e858.unnamed.word, _e819.y), _e858.unnamed_1);
-                                let _e870 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e864.unnamed, lt_mask_LightPlace(_e819.z, _e864.unnamed_1.shift));
-                                phi_1428_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e870.unnamed, lt_mask_LightPlace(_e870.unnamed_1.word, _e819.w));
+                                let _e858 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e819.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e864 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e858.unnamed.root, _e819.y), _e858.unnamed_1);
+                                let _e870 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e864.unnamed, lt_bvh_traverse_Tree(_e819.z, _e864.unnamed_1.first_primitive));
+                                phi_1428_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e870.unnamed, lt_bvh_traverse_Tree(_e870.unnamed_1.root, _e819.w));
                             }
                             let _e878 = phi_1428_;
                             phi_1434_ = 0u;
@@ -1309,41 +1309,41 @@ fn function_() {
                                     let _e893 = (_e888 >> bitcast<u32>(2i));
                                     let _e894 = (_e888 & 3u);
                                     if (_e893 == 0u) {
-                                        phi_1451_ = _e740.unnamed.word;
+                                        phi_1451_ = _e740.unnamed.root;
                                     } else {
-                                        phi_1451_ = _e740.unnamed.shift;
+                                        phi_1451_ = _e740.unnamed.first_primitive;
                                     }
                                     let _e897 = phi_1451_;
                                     if (_e893 == 0u) {
-                                        phi_1461_ = _e809.unnamed.word;
+                                        phi_1461_ = _e809.unnamed.root;
                                     } else {
-                                        phi_1461_ = _e809.unnamed.shift;
+                                        phi_1461_ = _e809.unnamed.first_primitive;
                                     }
                                     let _e906 = phi_1461_;
                                     if (_e893 == 0u) {
-                                        phi_1471_ = _e878.unnamed.word;
+                                        phi_1471_ = _e878.unnamed.root;
                                     } else {
-                                        phi_1471_ = _e878.unnamed.shift;
+                                        phi_1471_ = _e878.unnamed.first_primitive;
                                     }
                                     let _e915 = phi_1471_;
                                     let _e928 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e897 >> bitcast<u32>(((_e894 * 8u) & 31u))) & 255u)) * _e650) + (_e671 - _e418)), ((f32(((_e906 >> bitcast<u32>(((_e894 * 8u) & 31u))) & 255u)) * _e651) + (_e672 - _e419)));
                                     let _e929 = core_intrinsics_maximum_number_nsz_f32_(_e928, ((f32(((_e915 >> bitcast<u32>(((_e894 * 8u) & 31u))) & 255u)) * _e652) + (_e673 - _e420)));
                                     if (_e893 == 0u) {
-                                        phi_1489_ = _e740.unnamed_1.word;
+                                        phi_1489_ = _e740.unnamed_1.root;
                                     } else {
-                                        phi_1489_ = _e740.unnamed_1.shift;
+                                        phi_1489_ = _e740.unnamed_1.first_primitive;
                                     }
                                     let _e932 = phi_1489_;
                                     if (_e893 == 0u) {
-                                        phi_1499_ = _e809.unnamed_1.word;
+                                        phi_1499_ = _e809.unnamed_1.root;
                                     } else {
-                                        phi_1499_ = _e809.unnamed_1.shift;
+                                        phi_1499_ = _e809.unnamed_1.first_primitive;
                                     }
                                     let _e941 = phi_1499_;
                                     if (_e893 == 0u) {
-                                        phi_1509_ = _e878.unnamed_1.word;
+                                        phi_1509_ = _e878.unnamed_1.root;
                                     } else {
-                                        phi_1509_ = _e878.unnamed_1.shift;
+                                        phi_1509_ = _e878.unnamed_1.first_primitive;
                                     }
                                     let _e950 = phi_1509_;
                                     let _e963 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e932 >> bitcast<u32>(((_e894 * 8u) & 31u))) & 255u)) * _e650) + (_e671 + _e418)), ((f32(((_e941 >> bitcast<u32>(((_e894 * 8u) & 31u))) & 255u)) * _e651) + (_e672 + _e419)));
@@ -2755,16 +2755,16 @@ fn function_() {
             phi_3972_ = _e3196;
         }
         let _e3200 = phi_3972_;
-        if (_e120.shift < arrayLength((&samples.member))) {
+        if (_e120.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e120.shift)] = _e3200.unnamed;
-        if (_e120.shift < _e108) {
+        samples.member[(0u + _e120.first_primitive)] = _e3200.unnamed;
+        if (_e120.first_primitive < _e108) {
         } else {
             return;
         }
-        sights.member[(0u + _e120.shift)] = _e3200.unnamed_1;
+        sights.member[(0u + _e120.first_primitive)] = _e3200.unnamed_1;
         if (_e1852.triangle != 4294967295u) {
             let _e3214 = ((1f - _e1852.u) - _e1852.v);
             if (_e1852.triangle < _e90) {
@@ -2796,11 +2796,11 @@ fn function_() {
             phi_4071_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e3277 = phi_4071_;
-        if (_e120.shift < arrayLength((&past.member))) {
+        if (_e120.first_primitive < arrayLength((&past.member))) {
         } else {
             return;
         }
-        past.member[(0u + _e120.shift)] = vec4<f32>(_e3277.x, _e3277.y, _e3277.z, 1f);
+        past.member[(0u + _e120.first_primitive)] = vec4<f32>(_e3277.x, _e3277.y, _e3277.z, 1f);
     }
     return;
 }

@@ -21,6 +21,11 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -30,17 +35,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_14 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
+struct type_18 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct type_28 {
@@ -59,27 +59,27 @@ struct type_32 {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_14;
 @group(0) @binding(0) 
 var<uniform> p: type_32;
 @group(0) @binding(2) 
-var<storage> visibility: type_13;
+var<storage> visibility: type_18;
 @group(0) @binding(3) 
 var<storage, read_write> light: type_28;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_93_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_93_: lt_bvh_traverse_Tree;
     var phi_94_: bool;
-    var phi_95_: lt_mask_LightPlace;
+    var phi_95_: lt_bvh_traverse_Tree;
     var phi_96_: bool;
-    var phi_101_: lt_mask_LightPlace;
+    var phi_101_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_93_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_93_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_94_ = false;
         } else {
-            phi_93_ = lt_mask_LightPlace();
+            phi_93_ = lt_bvh_traverse_Tree();
             phi_94_ = true;
         }
         let _e31 = phi_93_;
@@ -87,18 +87,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_95_ = _e31;
         phi_96_ = _e33;
     } else {
-        phi_95_ = lt_mask_LightPlace();
+        phi_95_ = lt_bvh_traverse_Tree();
         phi_96_ = true;
     }
     let _e35 = phi_95_;
     let _e37 = phi_96_;
     if _e37 {
-        phi_101_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_101_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_101_ = _e35;
     }
     let _e42 = phi_101_;
-    return lt_mask_LightPlace(_e42.word, _e42.shift);
+    return lt_bvh_traverse_Tree(_e42.root, _e42.first_primitive);
 }
 
 fn function_() {
@@ -113,27 +113,27 @@ fn function_() {
     let _e32 = p.member.camera.size[0u];
     let _e34 = p.member.camera.size[1u];
     let _e35 = lt_shaders_entry_pixel_index(_e18, _e32, _e34);
-    if (bitcast<i32>(_e35.word) != 0i) {
-        if (_e35.shift < arrayLength((&light.member))) {
+    if (bitcast<i32>(_e35.root) != 0i) {
+        if (_e35.first_primitive < arrayLength((&light.member))) {
         } else {
             return;
         }
-        if (_e35.shift < arrayLength((&samples.member))) {
+        if (_e35.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        if (_e35.shift < arrayLength((&visibility.member))) {
+        if (_e35.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        let _e49 = visibility.member[(0u + _e35.shift)];
-        let _e51 = samples.member[(0u + _e35.shift)].position;
+        let _e49 = visibility.member[(0u + _e35.first_primitive)];
+        let _e51 = samples.member[(0u + _e35.first_primitive)].position;
         let _e54 = p.member.light.place;
         let _e60 = p.member.light.place[3u];
         let _e67 = (_e54.x - (_e51.x * _e60));
         let _e68 = (_e54.y - (_e51.y * _e60));
         let _e69 = (_e54.z - (_e51.z * _e60));
-        let _e71 = samples.member[(0u + _e35.shift)].shading_normal;
+        let _e71 = samples.member[(0u + _e35.first_primitive)].shading_normal;
         let _e78 = (1f / sqrt((((_e67 * _e67) + (_e68 * _e68)) + (_e69 * _e69))));
         let _e89 = (((_e71.x * (_e67 * _e78)) + (_e71.y * (_e68 * _e78))) + (_e71.z * (_e69 * _e78)));
         if (_e89 > 0f) {
@@ -181,14 +181,14 @@ fn function_() {
             phi_259_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e153 = phi_259_;
-        let _e158 = light.member[(0u + _e35.shift)][0u];
-        light.member[(0u + _e35.shift)][0u] = (_e158 + _e153.x);
-        let _e161 = light.member[(0u + _e35.shift)][1u];
-        light.member[(0u + _e35.shift)][1u] = (_e161 + _e153.y);
-        let _e164 = light.member[(0u + _e35.shift)][2u];
-        light.member[(0u + _e35.shift)][2u] = (_e164 + _e153.z);
-        let _e167 = light.member[(0u + _e35.shift)][3u];
-        light.member[(0u + _e35.shift)][3u] = (_e167 + 0f);
+        let _e158 = light.member[(0u + _e35.first_primitive)][0u];
+        light.member[(0u + _e35.first_primitive)][0u] = (_e158 + _e153.x);
+        let _e161 = light.member[(0u + _e35.first_primitive)][1u];
+        light.member[(0u + _e35.first_primitive)][1u] = (_e161 + _e153.y);
+        let _e164 = light.member[(0u + _e35.first_primitive)][2u];
+        light.member[(0u + _e35.first_primitive)][2u] = (_e164 + _e153.z);
+        let _e167 = light.member[(0u + _e35.first_primitive)][3u];
+        light.member[(0u + _e35.first_primitive)][3u] = (_e167 + 0f);
     }
     return;
 }

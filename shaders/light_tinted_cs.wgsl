@@ -21,6 +21,11 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -30,17 +35,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_14 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
+struct type_18 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct type_28 {
@@ -59,29 +59,29 @@ struct type_32 {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_14;
 @group(0) @binding(0) 
 var<uniform> p: type_32;
 @group(0) @binding(2) 
-var<storage> visibility: type_13;
+var<storage> visibility: type_18;
 @group(0) @binding(3) 
 var<storage, read_write> light: type_28;
 @group(0) @binding(4) 
 var<storage> tints: type_28;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_94_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_94_: lt_bvh_traverse_Tree;
     var phi_95_: bool;
-    var phi_96_: lt_mask_LightPlace;
+    var phi_96_: lt_bvh_traverse_Tree;
     var phi_97_: bool;
-    var phi_102_: lt_mask_LightPlace;
+    var phi_102_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_94_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_94_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_95_ = false;
         } else {
-            phi_94_ = lt_mask_LightPlace();
+            phi_94_ = lt_bvh_traverse_Tree();
             phi_95_ = true;
         }
         let _e32 = phi_94_;
@@ -89,18 +89,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_96_ = _e32;
         phi_97_ = _e34;
     } else {
-        phi_96_ = lt_mask_LightPlace();
+        phi_96_ = lt_bvh_traverse_Tree();
         phi_97_ = true;
     }
     let _e36 = phi_96_;
     let _e38 = phi_97_;
     if _e38 {
-        phi_102_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_102_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_102_ = _e36;
     }
     let _e43 = phi_102_;
-    return lt_mask_LightPlace(_e43.word, _e43.shift);
+    return lt_bvh_traverse_Tree(_e43.root, _e43.first_primitive);
 }
 
 fn function_() {
@@ -115,32 +115,32 @@ fn function_() {
     let _e36 = p.member.camera.size[0u];
     let _e38 = p.member.camera.size[1u];
     let _e39 = lt_shaders_entry_pixel_index(_e19, _e36, _e38);
-    if (bitcast<i32>(_e39.word) != 0i) {
-        if (_e39.shift < arrayLength((&light.member))) {
+    if (bitcast<i32>(_e39.root) != 0i) {
+        if (_e39.first_primitive < arrayLength((&light.member))) {
         } else {
             return;
         }
-        if (_e39.shift < arrayLength((&samples.member))) {
+        if (_e39.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        if (_e39.shift < arrayLength((&tints.member))) {
+        if (_e39.first_primitive < arrayLength((&tints.member))) {
         } else {
             return;
         }
-        let _e53 = tints.member[(0u + _e39.shift)];
-        if (_e39.shift < arrayLength((&visibility.member))) {
+        let _e53 = tints.member[(0u + _e39.first_primitive)];
+        if (_e39.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        let _e60 = visibility.member[(0u + _e39.shift)];
-        let _e65 = samples.member[(0u + _e39.shift)].position;
+        let _e60 = visibility.member[(0u + _e39.first_primitive)];
+        let _e65 = samples.member[(0u + _e39.first_primitive)].position;
         let _e68 = p.member.light.place;
         let _e74 = p.member.light.place[3u];
         let _e81 = (_e68.x - (_e65.x * _e74));
         let _e82 = (_e68.y - (_e65.y * _e74));
         let _e83 = (_e68.z - (_e65.z * _e74));
-        let _e85 = samples.member[(0u + _e39.shift)].shading_normal;
+        let _e85 = samples.member[(0u + _e39.first_primitive)].shading_normal;
         let _e92 = (1f / sqrt((((_e81 * _e81) + (_e82 * _e82)) + (_e83 * _e83))));
         let _e103 = (((_e85.x * (_e81 * _e92)) + (_e85.y * (_e82 * _e92))) + (_e85.z * (_e83 * _e92)));
         if (_e103 > 0f) {
@@ -188,14 +188,14 @@ fn function_() {
             phi_275_ = vec3<f32>(0f, 0f, 0f);
         }
         let _e167 = phi_275_;
-        let _e172 = light.member[(0u + _e39.shift)][0u];
-        light.member[(0u + _e39.shift)][0u] = (_e172 + _e167.x);
-        let _e175 = light.member[(0u + _e39.shift)][1u];
-        light.member[(0u + _e39.shift)][1u] = (_e175 + _e167.y);
-        let _e178 = light.member[(0u + _e39.shift)][2u];
-        light.member[(0u + _e39.shift)][2u] = (_e178 + _e167.z);
-        let _e181 = light.member[(0u + _e39.shift)][3u];
-        light.member[(0u + _e39.shift)][3u] = (_e181 + 0f);
+        let _e172 = light.member[(0u + _e39.first_primitive)][0u];
+        light.member[(0u + _e39.first_primitive)][0u] = (_e172 + _e167.x);
+        let _e175 = light.member[(0u + _e39.first_primitive)][1u];
+        light.member[(0u + _e39.first_primitive)][1u] = (_e175 + _e167.y);
+        let _e178 = light.member[(0u + _e39.first_primitive)][2u];
+        light.member[(0u + _e39.first_primitive)][2u] = (_e178 + _e167.z);
+        let _e181 = light.member[(0u + _e39.first_primitive)][3u];
+        light.member[(0u + _e39.first_primitive)][3u] = (_e181 + 0f);
     }
     return;
 }

@@ -25,18 +25,29 @@ struct abi_MaskParams {
     current: abi_CameraParams,
     previous: abi_CameraParams,
     light: abi_LightParams,
+    still: vec2<u32>,
+    moving: vec2<u32>,
     frame: u32,
-    still_pattern: u32,
-    moving_pattern: u32,
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
     expansion: u32,
     pad0_: u32,
+    pad1_: u32,
+    pad2_: u32,
 }
 
-struct type_9 {
+struct type_8 {
     member: abi_MaskParams,
+}
+
+struct type_12 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
 }
 
 struct abi_Sample {
@@ -48,26 +59,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_13 {
+struct type_23 {
     member: array<abi_Sample>,
 }
 
-struct type_17 {
-    member: array<u32>,
-}
-
-struct type_21 {
+struct type_27 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
-}
-
-struct mask_BitsPlace {
-    light: lt_mask_LightPlace,
-    words: u32,
 }
 
 struct evaluate_Verdict {
@@ -91,1179 +88,703 @@ struct lt_mask_Neighbourhood {
     all_remove: bool,
 }
 
-struct type_44 {
+struct type_43 {
     member: array<atomic<u32>>,
 }
 
 var<private> id_1: vec3<u32>;
-var<private> local_2: u32;
 @group(0) @binding(0) 
-var<uniform> p: type_9;
+var<uniform> p: type_8;
+var<private> local_1: u32;
 @group(0) @binding(1) 
-var<storage> samples: type_13;
+var<storage> samples: type_23;
 @group(0) @binding(2) 
-var<storage> last_bits: type_17;
+var<storage> heard: type_12;
 @group(0) @binding(3) 
-var<storage, read_write> bits: type_17;
+var<storage, read_write> bits: type_12;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_21;
+var<storage, read_write> visibility: type_27;
 @group(0) @binding(5) 
-var<storage, read_write> list: type_44;
+var<storage, read_write> list: type_43;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(6) 
-var<storage> last_depths: type_21;
+var<storage> last_depths: type_27;
 @group(0) @binding(7) 
-var<storage, read_write> depths: type_21;
+var<storage, read_write> depths: type_27;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_164_: lt_mask_LightPlace;
-    var phi_165_: bool;
-    var phi_166_: lt_mask_LightPlace;
-    var phi_167_: bool;
-    var phi_172_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_151_: lt_bvh_traverse_Tree;
+    var phi_152_: bool;
+    var phi_153_: lt_bvh_traverse_Tree;
+    var phi_154_: bool;
+    var phi_159_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_164_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_165_ = false;
+            phi_151_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_152_ = false;
         } else {
-            phi_164_ = lt_mask_LightPlace();
-            phi_165_ = true;
+            phi_151_ = lt_bvh_traverse_Tree();
+            phi_152_ = true;
         }
-        let _e60 = phi_164_;
-        let _e62 = phi_165_;
-        phi_166_ = _e60;
-        phi_167_ = _e62;
+        let _e52 = phi_151_;
+        let _e54 = phi_152_;
+        phi_153_ = _e52;
+        phi_154_ = _e54;
     } else {
-        phi_166_ = lt_mask_LightPlace();
-        phi_167_ = true;
+        phi_153_ = lt_bvh_traverse_Tree();
+        phi_154_ = true;
     }
-    let _e64 = phi_166_;
-    let _e66 = phi_167_;
-    if _e66 {
-        phi_172_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e56 = phi_153_;
+    let _e58 = phi_154_;
+    if _e58 {
+        phi_159_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_172_ = _e64;
+        phi_159_ = _e56;
     }
-    let _e71 = phi_172_;
-    return lt_mask_LightPlace(_e71.word, _e71.shift);
-}
-
-fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_190_: vec2<i32>;
-
-    switch bitcast<i32>((param_3 % 5u)) {
-        case 0: {
-            phi_190_ = vec2(0i);
-            break;
-        }
-        case 1: {
-            phi_190_ = vec2<i32>(0i, -1i);
-            break;
-        }
-        case 2: {
-            phi_190_ = vec2<i32>(-1i, 0i);
-            break;
-        }
-        case 3: {
-            phi_190_ = vec2<i32>(1i, 0i);
-            break;
-        }
-        default: {
-            phi_190_ = vec2<i32>(0i, 1i);
-            break;
-        }
-    }
-    let _e56 = phi_190_;
-    return vec2<i32>(_e56.x, _e56.y);
-}
-
-fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_208_: vec2<i32>;
-
-    switch bitcast<i32>((param_4 % 5u)) {
-        case 0: {
-            phi_208_ = vec2(0i);
-            break;
-        }
-        case 1: {
-            phi_208_ = vec2(-1i);
-            break;
-        }
-        case 2: {
-            phi_208_ = vec2<i32>(1i, -1i);
-            break;
-        }
-        case 3: {
-            phi_208_ = vec2<i32>(-1i, 1i);
-            break;
-        }
-        default: {
-            phi_208_ = vec2(1i);
-            break;
-        }
-    }
-    let _e56 = phi_208_;
-    return vec2<i32>(_e56.x, _e56.y);
-}
-
-fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_227_: vec2<i32>;
-
-    if (param_6 == 0u) {
-        let _e50 = lt_mask_pattern_plus(param_5);
-        phi_227_ = vec2<i32>(_e50.x, _e50.y);
-    } else {
-        let _e54 = lt_mask_pattern_cross(param_5);
-        phi_227_ = vec2<i32>(_e54.x, _e54.y);
-    }
-    let _e59 = phi_227_;
-    return vec2<i32>(_e59.x, _e59.y);
-}
-
-fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_252_: vec2<i32>;
-
-    let _e48 = (param_7 % 13u);
-    switch bitcast<i32>(_e48) {
-        case 9: {
-            phi_252_ = vec2<i32>(0i, -2i);
-            break;
-        }
-        case 10: {
-            phi_252_ = vec2<i32>(-2i, 0i);
-            break;
-        }
-        case 11: {
-            phi_252_ = vec2<i32>(2i, 0i);
-            break;
-        }
-        case 12: {
-            phi_252_ = vec2<i32>(0i, 2i);
-            break;
-        }
-        default: {
-            phi_252_ = vec2<i32>((bitcast<i32>((_e48 % 3u)) - 1i), (bitcast<i32>(((_e48 / 3u) % 3u)) - 1i));
-            break;
-        }
-    }
-    let _e63 = phi_252_;
-    return vec2<i32>(_e63.x, _e63.y);
-}
-
-fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_273_: u32;
-    var phi_274_: u32;
-
-    let _e51 = (bitcast<i32>(param_8) + param_9);
-    if (_e51 < 0i) {
-        phi_274_ = 0u;
-    } else {
-        if (_e51 >= bitcast<i32>(param_10)) {
-            phi_273_ = (param_10 - 1u);
-        } else {
-            phi_273_ = bitcast<u32>(_e51);
-        }
-        let _e58 = phi_273_;
-        phi_274_ = _e58;
-    }
-    let _e60 = phi_274_;
-    return _e60;
+    let _e63 = phi_159_;
+    return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
 }
 
 fn function_() {
-    var phi_351_: bool;
-    var phi_352_: bool;
-    var phi_353_: bool;
-    var phi_354_: bool;
-    var phi_358_: bool;
-    var phi_428_: bool;
-    var phi_429_: bool;
-    var phi_440_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_441_: bool;
-    var phi_442_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_443_: bool;
-    var phi_450_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_454_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_467_: bool;
-    var phi_523_: bool;
-    var phi_527_: f32;
-    var phi_538_: bool;
-    var phi_580_: u32;
-    var phi_599_: u32;
-    var phi_607_: u32;
-    var phi_608_: u32;
-    var phi_609_: bool;
-    var phi_610_: u32;
-    var phi_611_: bool;
-    var phi_612_: bool;
-    var phi_613_: u32;
-    var phi_614_: bool;
-    var phi_615_: bool;
-    var phi_619_: bool;
-    var phi_623_: u32;
-    var phi_628_: bool;
-    var phi_649_: u32;
-    var phi_651_: u32;
-    var phi_654_: lt_mask_Neighbourhood;
-    var phi_666_: bool;
-    var phi_667_: bool;
-    var phi_676_: u32;
-    var phi_677_: u32;
-    var phi_737_: vec2<i32>;
-    var phi_757_: vec2<i32>;
-    var phi_784_: u32;
-    var phi_803_: u32;
-    var phi_811_: u32;
+    var phi_227_: bool;
+    var phi_228_: bool;
+    var phi_229_: bool;
+    var phi_230_: bool;
+    var phi_234_: bool;
+    var phi_304_: bool;
+    var phi_305_: bool;
+    var phi_316_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_317_: bool;
+    var phi_318_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_319_: bool;
+    var phi_326_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_330_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_343_: bool;
+    var phi_399_: bool;
+    var phi_403_: f32;
+    var phi_414_: bool;
+    var phi_451_: u32;
+    var phi_500_: u32;
+    var phi_505_: u32;
+    var phi_506_: u32;
+    var phi_507_: u32;
+    var phi_508_: bool;
+    var phi_509_: u32;
+    var phi_510_: bool;
+    var phi_511_: bool;
+    var phi_512_: u32;
+    var phi_513_: bool;
+    var phi_514_: bool;
+    var phi_518_: bool;
+    var phi_522_: u32;
+    var phi_527_: bool;
+    var phi_558_: u32;
+    var phi_587_: lt_mask_Neighbourhood;
+    var phi_588_: lt_mask_Neighbourhood;
+    var phi_589_: lt_mask_Neighbourhood;
+    var phi_621_: bool;
+    var phi_622_: bool;
+    var phi_644_: bool;
+    var phi_645_: bool;
+    var phi_646_: bool;
+    var phi_650_: bool;
+    var phi_672_: bool;
+    var phi_673_: bool;
+    var phi_686_: bool;
+    var phi_687_: bool;
+    var phi_688_: bool;
+    var phi_695_: u32;
+    var phi_696_: u32;
+    var phi_697_: u32;
+    var phi_698_: u32;
+    var phi_699_: u32;
+    var phi_700_: u32;
+    var phi_701_: u32;
+    var phi_713_: bool;
+    var phi_714_: bool;
+    var phi_715_: bool;
+    var phi_716_: bool;
+    var phi_720_: bool;
+    var phi_726_: bool;
+    var phi_734_: u32;
+    var phi_739_: u32;
+    var phi_748_: u32;
+    var phi_753_: u32;
+    var phi_757_: u32;
+    var phi_758_: u32;
+    var phi_759_: u32;
+    var phi_763_: f32;
+    var phi_765_: mask_Masked;
     var phi_837_: bool;
     var phi_838_: bool;
     var phi_839_: bool;
     var phi_840_: bool;
-    var phi_841_: bool;
-    var phi_842_: bool;
-    var phi_843_: bool;
-    var phi_848_: bool;
-    var phi_849_: bool;
-    var phi_850_: bool;
-    var phi_851_: bool;
-    var phi_852_: bool;
-    var phi_853_: bool;
-    var phi_854_: bool;
-    var phi_855_: bool;
-    var phi_856_: bool;
-    var phi_871_: bool;
-    var phi_872_: bool;
-    var phi_879_: bool;
-    var phi_880_: bool;
-    var phi_881_: bool;
-    var phi_882_: bool;
-    var phi_883_: bool;
-    var phi_887_: bool;
-    var phi_888_: bool;
-    var phi_889_: bool;
-    var phi_893_: bool;
-    var phi_894_: bool;
-    var phi_898_: bool;
-    var phi_899_: bool;
-    var phi_917_: bool;
-    var phi_918_: bool;
-    var phi_919_: bool;
-    var phi_652_: u32;
-    var phi_655_: lt_mask_Neighbourhood;
-    var phi_922_: lt_mask_Neighbourhood;
-    var phi_923_: lt_mask_Neighbourhood;
-    var phi_924_: lt_mask_Neighbourhood;
-    var phi_956_: bool;
-    var phi_957_: bool;
-    var phi_979_: bool;
-    var phi_980_: bool;
-    var phi_981_: bool;
-    var phi_985_: bool;
-    var phi_1007_: bool;
-    var phi_1008_: bool;
-    var phi_1021_: bool;
-    var phi_1022_: bool;
-    var phi_1023_: bool;
-    var phi_1030_: u32;
-    var phi_1031_: u32;
-    var phi_1032_: u32;
-    var phi_1033_: u32;
-    var phi_1034_: u32;
-    var phi_1035_: u32;
-    var phi_1036_: u32;
-    var phi_1048_: bool;
-    var phi_1049_: bool;
-    var phi_1050_: bool;
-    var phi_1051_: bool;
-    var phi_1055_: bool;
-    var phi_1061_: bool;
-    var phi_1069_: u32;
-    var phi_1074_: u32;
-    var phi_1083_: u32;
-    var phi_1088_: u32;
-    var phi_1092_: u32;
-    var phi_1093_: u32;
-    var phi_1094_: u32;
-    var phi_1098_: f32;
-    var phi_1100_: mask_Masked;
-    var phi_1172_: bool;
-    var phi_1173_: bool;
-    var phi_1174_: bool;
-    var phi_1175_: bool;
-    var phi_1179_: bool;
-    var phi_1207_: f32;
-    var phi_1210_: bool;
-    var phi_1211_: u32;
-    var phi_1222_: u32;
-    var local_1: lt_mask_Neighbourhood;
+    var phi_844_: bool;
+    var phi_872_: f32;
+    var phi_875_: bool;
+    var phi_876_: u32;
+    var phi_887_: u32;
 
-    let _e47 = id_1;
-    let _e48 = local_2;
-    let _e53 = arrayLength((&last_bits.member));
-    let _e64 = p.member.current.size[0u];
-    let _e66 = p.member.current.size[1u];
-    let _e67 = lt_shaders_entry_pixel_index(_e47, _e64, _e66);
-    if (bitcast<i32>(_e67.word) != 0i) {
-        let _e74 = p.member.light.number;
-        let _e75 = (_e74 * 3u);
-        let _e79 = p.member.light.mask_words;
-        let _e85 = mask_BitsPlace(lt_mask_LightPlace((_e75 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
-        let _e91 = mask_BitsPlace(lt_mask_LightPlace(_e85.light.word, (_e75 % 32u)), _e85.words);
-        let _e94 = mask_BitsPlace(_e91.light, _e79);
-        let _e98 = p.member.current.size[0u];
-        let _e101 = samples.member[_e67.shift].position;
-        let _e103 = visibility.member[_e67.shift];
-        let _e109 = samples.member[_e67.shift].normal[0u];
-        let _e111 = global[0u];
-        if (_e109 == _e111) {
-            let _e114 = samples.member[_e67.shift].normal[1u];
-            let _e116 = global[1u];
-            if (_e114 == _e116) {
-                let _e119 = samples.member[_e67.shift].normal[2u];
-                let _e121 = global[2u];
-                phi_351_ = (_e119 == _e121);
-                phi_352_ = false;
+    let _e39 = id_1;
+    let _e40 = local_1;
+    let _e45 = arrayLength((&heard.member));
+    let _e56 = p.member.current.size[0u];
+    let _e58 = p.member.current.size[1u];
+    let _e59 = lt_shaders_entry_pixel_index(_e39, _e56, _e58);
+    if (bitcast<i32>(_e59.root) != 0i) {
+        let _e67 = p.member.current.size[0u];
+        let _e70 = samples.member[_e59.first_primitive].position;
+        let _e72 = visibility.member[_e59.first_primitive];
+        let _e78 = samples.member[_e59.first_primitive].normal[0u];
+        let _e80 = global[0u];
+        if (_e78 == _e80) {
+            let _e83 = samples.member[_e59.first_primitive].normal[1u];
+            let _e85 = global[1u];
+            if (_e83 == _e85) {
+                let _e88 = samples.member[_e59.first_primitive].normal[2u];
+                let _e90 = global[2u];
+                phi_227_ = (_e88 == _e90);
+                phi_228_ = false;
             } else {
-                phi_351_ = bool();
-                phi_352_ = true;
+                phi_227_ = bool();
+                phi_228_ = true;
             }
-            let _e124 = phi_351_;
-            let _e126 = phi_352_;
-            phi_353_ = _e124;
-            phi_354_ = _e126;
+            let _e93 = phi_227_;
+            let _e95 = phi_228_;
+            phi_229_ = _e93;
+            phi_230_ = _e95;
         } else {
-            phi_353_ = bool();
-            phi_354_ = true;
+            phi_229_ = bool();
+            phi_230_ = true;
         }
-        let _e128 = phi_353_;
-        let _e130 = phi_354_;
-        if _e130 {
-            phi_358_ = false;
+        let _e97 = phi_229_;
+        let _e99 = phi_230_;
+        if _e99 {
+            phi_234_ = false;
         } else {
-            phi_358_ = _e128;
+            phi_234_ = _e97;
         }
-        let _e132 = phi_358_;
-        if !(_e132) {
-            let _e135 = samples.member[_e67.shift].position;
-            let _e137 = p.member.light.place;
-            let _e143 = p.member.light.place[3u];
-            let _e150 = (_e137.x - (_e135.x * _e143));
-            let _e151 = (_e137.y - (_e135.y * _e143));
-            let _e152 = (_e137.z - (_e135.z * _e143));
-            let _e154 = samples.member[_e67.shift].normal;
-            if ((((_e154.x * _e150) + (_e154.y * _e151)) + (_e154.z * _e152)) > 0f) {
-                let _e168 = (((_e150 * _e150) + (_e151 * _e151)) + (_e152 * _e152));
-                let _e170 = p.member.light.axis;
-                let _e182 = p.member.light.place[3u];
-                if (_e182 == 0f) {
-                    phi_429_ = true;
+        let _e101 = phi_234_;
+        if !(_e101) {
+            let _e104 = samples.member[_e59.first_primitive].position;
+            let _e106 = p.member.light.place;
+            let _e112 = p.member.light.place[3u];
+            let _e119 = (_e106.x - (_e104.x * _e112));
+            let _e120 = (_e106.y - (_e104.y * _e112));
+            let _e121 = (_e106.z - (_e104.z * _e112));
+            let _e123 = samples.member[_e59.first_primitive].normal;
+            if ((((_e123.x * _e119) + (_e123.y * _e120)) + (_e123.z * _e121)) > 0f) {
+                let _e137 = (((_e119 * _e119) + (_e120 * _e120)) + (_e121 * _e121));
+                let _e139 = p.member.light.axis;
+                let _e151 = p.member.light.place[3u];
+                if (_e151 == 0f) {
+                    phi_305_ = true;
                 } else {
-                    let _e185 = p.member.light.range_squared;
-                    if (_e168 <= _e185) {
-                        let _e188 = p.member.light.cos_outer;
-                        phi_428_ = (-((((_e150 * _e170.x) + (_e151 * _e170.y)) + (_e152 * _e170.z))) >= (_e188 * sqrt(_e168)));
+                    let _e154 = p.member.light.range_squared;
+                    if (_e137 <= _e154) {
+                        let _e157 = p.member.light.cos_outer;
+                        phi_304_ = (-((((_e119 * _e139.x) + (_e120 * _e139.y)) + (_e121 * _e139.z))) >= (_e157 * sqrt(_e137)));
                     } else {
-                        phi_428_ = false;
+                        phi_304_ = false;
                     }
-                    let _e193 = phi_428_;
-                    phi_429_ = _e193;
+                    let _e162 = phi_304_;
+                    phi_305_ = _e162;
                 }
-                let _e195 = phi_429_;
-                if _e195 {
-                    let _e197 = samples.member[_e67.shift].flags;
-                    let _e205 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e205.unnamed.visibility, false), _e205.unnamed_1);
-                    phi_440_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e211.unnamed, ((_e197 & 1u) == 0u));
-                    phi_441_ = false;
+                let _e164 = phi_305_;
+                if _e164 {
+                    let _e166 = samples.member[_e59.first_primitive].flags;
+                    let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e180 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e174.unnamed.visibility, false), _e174.unnamed_1);
+                    phi_316_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e180.unnamed, ((_e166 & 1u) == 0u));
+                    phi_317_ = false;
                 } else {
-                    phi_440_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_441_ = true;
+                    phi_316_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_317_ = true;
                 }
-                let _e216 = phi_440_;
-                let _e218 = phi_441_;
-                phi_442_ = _e216;
-                phi_443_ = _e218;
+                let _e185 = phi_316_;
+                let _e187 = phi_317_;
+                phi_318_ = _e185;
+                phi_319_ = _e187;
             } else {
-                phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_443_ = true;
+                phi_318_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_319_ = true;
             }
-            let _e220 = phi_442_;
-            let _e222 = phi_443_;
-            if _e222 {
-                let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e234 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e228.unnamed.visibility, false), _e228.unnamed_1);
-                phi_450_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e234.unnamed, true);
+            let _e189 = phi_318_;
+            let _e191 = phi_319_;
+            if _e191 {
+                let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e203 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e197.unnamed.visibility, false), _e197.unnamed_1);
+                phi_326_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e203.unnamed, true);
             } else {
-                phi_450_ = _e220;
+                phi_326_ = _e189;
             }
-            let _e239 = phi_450_;
-            phi_454_ = _e239;
+            let _e208 = phi_326_;
+            phi_330_ = _e208;
         } else {
-            let _e245 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e251 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e245.unnamed.visibility, false), _e245.unnamed_1);
-            phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e251.unnamed, true);
+            let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e220 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e214.unnamed.visibility, false), _e214.unnamed_1);
+            phi_330_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e220.unnamed, true);
         }
-        let _e256 = phi_454_;
-        if _e256.unnamed_1 {
-            phi_1100_ = mask_Masked(_e256.unnamed.visibility, 0u, false);
+        let _e225 = phi_330_;
+        if _e225.unnamed_1 {
+            phi_765_ = mask_Masked(_e225.unnamed.visibility, 0u, false);
         } else {
-            let _e261 = (_e103 < 0.5f);
-            if (_e103 > 0f) {
-                phi_467_ = (_e103 < 1f);
+            let _e230 = (_e72 < 0.5f);
+            if (_e72 > 0f) {
+                phi_343_ = (_e72 < 1f);
             } else {
-                phi_467_ = false;
+                phi_343_ = false;
             }
-            let _e265 = phi_467_;
-            let _e268 = p.member.previous.eye;
-            let _e279 = p.member.previous.forward;
-            let _e287 = ((((_e101.x - _e268.x) * _e279.x) + ((_e101.y - _e268.y) * _e279.y)) + ((_e101.z - _e268.z) * _e279.z));
-            let _e289 = ((_e47.y * _e98) + _e47.x);
-            if (_e289 < arrayLength((&last_depths.member))) {
+            let _e234 = phi_343_;
+            let _e237 = p.member.previous.eye;
+            let _e248 = p.member.previous.forward;
+            let _e256 = ((((_e70.x - _e237.x) * _e248.x) + ((_e70.y - _e237.y) * _e248.y)) + ((_e70.z - _e237.z) * _e248.z));
+            let _e258 = ((_e39.y * _e67) + _e39.x);
+            if (_e258 < arrayLength((&last_depths.member))) {
             } else {
                 return;
             }
-            let _e293 = last_depths.member[(0u + _e289)];
-            let _e295 = p.member.depth_tolerance;
-            let _e298 = abs(_e287);
-            let _e299 = abs(_e293);
-            if ((bitcast<u32>(_e299) & 2147483647u) > 2139095040u) {
-                phi_523_ = true;
+            let _e262 = last_depths.member[(0u + _e258)];
+            let _e264 = p.member.depth_tolerance;
+            let _e267 = abs(_e256);
+            let _e268 = abs(_e262);
+            if ((bitcast<u32>(_e268) & 2147483647u) > 2139095040u) {
+                phi_399_ = true;
             } else {
-                let _e303 = (_e299 > _e298);
-                if _e303 {
+                let _e272 = (_e268 > _e267);
+                if _e272 {
                 }
-                phi_523_ = _e303;
+                phi_399_ = _e272;
             }
-            let _e305 = phi_523_;
-            if _e305 {
-                phi_527_ = _e299;
+            let _e274 = phi_399_;
+            if _e274 {
+                phi_403_ = _e268;
             } else {
-                phi_527_ = _e298;
+                phi_403_ = _e267;
             }
-            let _e307 = phi_527_;
-            if (abs((_e287 - _e293)) <= (_e295 * _e307)) {
-                let _e311 = p.member.flags;
-                phi_538_ = ((_e311 & 1u) != 0u);
+            let _e276 = phi_403_;
+            if (abs((_e256 - _e262)) <= (_e264 * _e276)) {
+                let _e280 = p.member.flags;
+                phi_414_ = ((_e280 & 1u) != 0u);
             } else {
-                phi_538_ = false;
+                phi_414_ = false;
             }
-            let _e315 = phi_538_;
-            let _e317 = p.member.flags;
-            let _e319 = ((_e317 & 2u) != 0u);
-            let _e321 = p.member.flags;
-            if ((_e321 & 4u) == 0u) {
-                phi_613_ = u32();
-                phi_614_ = true;
-                phi_615_ = false;
+            let _e284 = phi_414_;
+            let _e286 = p.member.flags;
+            let _e288 = ((_e286 & 2u) != 0u);
+            let _e290 = p.member.flags;
+            if ((_e290 & 4u) == 0u) {
+                phi_512_ = u32();
+                phi_513_ = true;
+                phi_514_ = false;
             } else {
-                if _e315 {
+                if _e284 {
                     if !(false) {
-                        let _e331 = ((((_e47.y * _e98) + _e47.x) * _e94.words) + _e94.light.word);
-                        if (_e94.light.shift > 29u) {
-                            let _e335 = (_e331 + 1u);
-                            if (_e335 < _e53) {
-                            } else {
-                                return;
-                            }
-                            let _e339 = last_bits.member[(0u + _e335)];
-                            phi_580_ = _e339;
-                        } else {
-                            phi_580_ = 0u;
+                        if (32u == 0u) {
+                            return;
                         }
-                        let _e341 = phi_580_;
-                        if (_e331 < _e53) {
+                        let _e295 = (_e67 / 32u);
+                        if (32u == 0u) {
+                            return;
+                        }
+                        if ((_e67 % 32u) > 0u) {
+                            phi_451_ = (_e295 + 1u);
+                        } else {
+                            phi_451_ = _e295;
+                        }
+                        let _e301 = phi_451_;
+                        let _e306 = ((((_e39.y * _e301) + (_e39.x / 32u)) * 6u) + 4u);
+                        if (_e306 < _e45) {
                         } else {
                             return;
                         }
-                        let _e347 = last_bits.member[(0u + _e331)];
-                        let _e350 = (_e347 >> bitcast<u32>((_e94.light.shift & 31u)));
-                        if (_e94.light.shift > 29u) {
-                            phi_599_ = (_e350 | (_e341 << bitcast<u32>(((32u - _e94.light.shift) & 31u))));
+                        let _e310 = heard.member[(0u + _e306)];
+                        if (((_e310 >> bitcast<u32>(((_e39.x % 32u) & 31u))) & 1u) != 0u) {
+                            let _e321 = ((((_e39.y * _e301) + (_e39.x / 32u)) * 6u) + 5u);
+                            if (_e321 < _e45) {
+                            } else {
+                                return;
+                            }
+                            let _e325 = heard.member[(0u + _e321)];
+                            if false {
+                                phi_500_ = (2u | 1u);
+                            } else {
+                                phi_500_ = 2u;
+                            }
+                            let _e334 = phi_500_;
+                            if (((_e325 >> bitcast<u32>(((_e39.x % 32u) & 31u))) & 1u) != 0u) {
+                                phi_505_ = (_e334 | 4u);
+                            } else {
+                                phi_505_ = _e334;
+                            }
+                            let _e337 = phi_505_;
+                            phi_506_ = _e337;
                         } else {
-                            phi_599_ = _e350;
+                            phi_506_ = 0u;
                         }
-                        let _e358 = phi_599_;
-                        if ((_e358 & 2u) == 0u) {
-                            phi_607_ = (_e358 & 1u);
-                        } else {
-                            phi_607_ = (_e358 & 7u);
-                        }
-                        let _e364 = phi_607_;
-                        phi_608_ = _e364;
-                        phi_609_ = false;
+                        let _e339 = phi_506_;
+                        phi_507_ = _e339;
+                        phi_508_ = false;
                     } else {
-                        phi_608_ = u32();
-                        phi_609_ = true;
+                        phi_507_ = u32();
+                        phi_508_ = true;
                     }
-                    let _e366 = phi_608_;
-                    let _e368 = phi_609_;
-                    phi_610_ = _e366;
-                    phi_611_ = false;
-                    phi_612_ = _e368;
+                    let _e341 = phi_507_;
+                    let _e343 = phi_508_;
+                    phi_509_ = _e341;
+                    phi_510_ = false;
+                    phi_511_ = _e343;
                 } else {
-                    phi_610_ = u32();
-                    phi_611_ = true;
-                    phi_612_ = false;
+                    phi_509_ = u32();
+                    phi_510_ = true;
+                    phi_511_ = false;
                 }
-                let _e370 = phi_610_;
-                let _e372 = phi_611_;
-                let _e374 = phi_612_;
-                phi_613_ = _e370;
-                phi_614_ = _e372;
-                phi_615_ = _e374;
+                let _e345 = phi_509_;
+                let _e347 = phi_510_;
+                let _e349 = phi_511_;
+                phi_512_ = _e345;
+                phi_513_ = _e347;
+                phi_514_ = _e349;
             }
-            let _e376 = phi_613_;
-            let _e378 = phi_614_;
-            let _e380 = phi_615_;
-            if _e378 {
-                phi_619_ = true;
+            let _e351 = phi_512_;
+            let _e353 = phi_513_;
+            let _e355 = phi_514_;
+            if _e353 {
+                phi_518_ = true;
             } else {
-                phi_619_ = _e380;
+                phi_518_ = _e355;
             }
-            let _e382 = phi_619_;
-            if _e382 {
-                phi_623_ = 0u;
+            let _e357 = phi_518_;
+            if _e357 {
+                phi_522_ = 0u;
             } else {
-                phi_623_ = _e376;
+                phi_522_ = _e351;
             }
-            let _e384 = phi_623_;
-            let _e385 = lt_mask_Neighbourhood(false, true);
-            if _e265 {
-                phi_628_ = _e319;
+            let _e359 = phi_522_;
+            let _e360 = lt_mask_Neighbourhood(false, true);
+            if _e234 {
+                phi_527_ = _e288;
             } else {
-                phi_628_ = true;
+                phi_527_ = true;
             }
-            let _e387 = phi_628_;
-            if _e387 {
-                if _e315 {
-                    if ((_e384 & 2u) != 0u) {
-                        phi_922_ = _e385;
+            let _e362 = phi_527_;
+            if _e362 {
+                if _e284 {
+                    if ((_e359 & 2u) != 0u) {
+                        phi_587_ = _e360;
                     } else {
-                        let _e391 = p.member.expansion;
-                        if false {
-                            let _e393 = p.member.moving_pattern;
-                            phi_649_ = _e393;
+                        if (32u == 0u) {
+                            return;
+                        }
+                        let _e366 = (_e67 / 32u);
+                        if (32u == 0u) {
+                            return;
+                        }
+                        if ((_e67 % 32u) > 0u) {
+                            phi_558_ = (_e366 + 1u);
                         } else {
-                            let _e395 = p.member.still_pattern;
-                            phi_649_ = _e395;
+                            phi_558_ = _e366;
                         }
-                        let _e397 = phi_649_;
-                        phi_651_ = 0u;
-                        phi_654_ = _e385;
-                        loop {
-                            let _e399 = phi_651_;
-                            let _e401 = phi_654_;
-                            local_1 = _e401;
-                            if (1u <= _e397) {
-                                if (_e397 <= 4u) {
-                                    phi_666_ = false;
-                                } else {
-                                    phi_666_ = true;
-                                }
-                                let _e405 = phi_666_;
-                                phi_667_ = _e405;
-                            } else {
-                                phi_667_ = true;
-                            }
-                            let _e407 = phi_667_;
-                            if _e407 {
-                                switch bitcast<i32>(_e397) {
-                                    case 5: {
-                                        phi_676_ = 4u;
-                                        break;
-                                    }
-                                    case 6: {
-                                        phi_676_ = 25u;
-                                        break;
-                                    }
-                                    case 7: {
-                                        phi_676_ = 13u;
-                                        break;
-                                    }
-                                    default: {
-                                        phi_676_ = 9u;
-                                        break;
-                                    }
-                                }
-                                let _e410 = phi_676_;
-                                phi_677_ = _e410;
-                            } else {
-                                phi_677_ = 5u;
-                            }
-                            let _e412 = phi_677_;
-                            let _e413 = (_e399 < _e412);
-                            if _e413 {
-                                let _e415 = p.member.frame;
-                                let _e419 = p.member.current.size[0u];
-                                let _e421 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e397) {
-                                    case 1: {
-                                        let _e431 = lt_mask_pattern_plus(_e399);
-                                        phi_757_ = vec2<i32>(_e431.x, _e431.y);
-                                        break;
-                                    }
-                                    case 2: {
-                                        let _e435 = lt_mask_pattern_cross(_e399);
-                                        phi_757_ = vec2<i32>(_e435.x, _e435.y);
-                                        break;
-                                    }
-                                    case 3: {
-                                        let _e441 = lt_mask_pattern_plus_or_cross(_e399, ((_e47.x + _e47.y) & 1u));
-                                        phi_757_ = vec2<i32>(_e441.x, _e441.y);
-                                        break;
-                                    }
-                                    case 4: {
-                                        let _e446 = lt_mask_pattern_plus_or_cross(_e399, (_e415 & 1u));
-                                        phi_757_ = vec2<i32>(_e446.x, _e446.y);
-                                        break;
-                                    }
-                                    case 5: {
-                                        switch bitcast<i32>((_e415 & 3u)) {
-                                            case 0: {
-                                                phi_737_ = vec2(-1i);
-                                                break;
-                                            }
-                                            case 1: {
-                                                phi_737_ = vec2(0i);
-                                                break;
-                                            }
-                                            case 2: {
-                                                phi_737_ = vec2<i32>(0i, -1i);
-                                                break;
-                                            }
-                                            default: {
-                                                phi_737_ = vec2<i32>(-1i, 0i);
-                                                break;
-                                            }
-                                        }
-                                        let _e457 = phi_737_;
-                                        phi_757_ = (_e457 + vec2<i32>(bitcast<i32>((_e399 & 1u)), bitcast<i32>(((_e399 >> bitcast<u32>(1i)) & 1u))));
-                                        break;
-                                    }
-                                    case 6: {
-                                        phi_757_ = vec2<i32>((bitcast<i32>((_e399 % 5u)) - 2i), (bitcast<i32>(((_e399 / 5u) % 5u)) - 2i));
-                                        break;
-                                    }
-                                    case 7: {
-                                        let _e474 = lt_mask_pattern_diamond(_e399);
-                                        phi_757_ = vec2<i32>(_e474.x, _e474.y);
-                                        break;
-                                    }
-                                    default: {
-                                        phi_757_ = vec2<i32>((bitcast<i32>((_e399 % 3u)) - 1i), (bitcast<i32>(((_e399 / 3u) % 3u)) - 1i));
-                                        break;
-                                    }
-                                }
-                                let _e479 = phi_757_;
-                                let _e482 = lt_mask_pattern_step_clamped(_e47.x, _e479.x, _e419);
-                                let _e483 = lt_mask_pattern_step_clamped(_e47.y, _e479.y, _e421);
-                                let _e490 = ((((_e483 * _e98) + _e482) * _e94.words) + _e94.light.word);
-                                if (_e94.light.shift > 29u) {
-                                    let _e494 = (_e490 + 1u);
-                                    if (_e494 < _e53) {
-                                    } else {
-                                        return;
-                                    }
-                                    let _e498 = last_bits.member[(0u + _e494)];
-                                    phi_784_ = _e498;
-                                } else {
-                                    phi_784_ = 0u;
-                                }
-                                let _e500 = phi_784_;
-                                if (_e490 < _e53) {
-                                } else {
-                                    return;
-                                }
-                                let _e506 = last_bits.member[(0u + _e490)];
-                                let _e509 = (_e506 >> bitcast<u32>((_e94.light.shift & 31u)));
-                                if (_e94.light.shift > 29u) {
-                                    phi_803_ = (_e509 | (_e500 << bitcast<u32>(((32u - _e94.light.shift) & 31u))));
-                                } else {
-                                    phi_803_ = _e509;
-                                }
-                                let _e517 = phi_803_;
-                                if ((_e517 & 2u) == 0u) {
-                                    phi_811_ = (_e517 & 1u);
-                                } else {
-                                    phi_811_ = (_e517 & 7u);
-                                }
-                                let _e523 = phi_811_;
-                                if _e401.any_expands {
-                                    phi_899_ = true;
-                                } else {
-                                    if ((_e523 & 2u) != 0u) {
-                                        let _e530 = (((_e523 & 4u) != 0u) != _e261);
-                                        switch bitcast<i32>(_e391) {
-                                            case 1: {
-                                                phi_839_ = bool();
-                                                phi_840_ = false;
-                                                phi_841_ = true;
-                                                phi_842_ = false;
-                                                phi_843_ = false;
-                                                break;
-                                            }
-                                            case 2: {
-                                                if _e530 {
-                                                    phi_837_ = (((_e523 & 4u) != 0u) != ((_e523 & 1u) != 0u));
-                                                    phi_838_ = false;
-                                                } else {
-                                                    phi_837_ = bool();
-                                                    phi_838_ = true;
-                                                }
-                                                let _e538 = phi_837_;
-                                                let _e540 = phi_838_;
-                                                phi_839_ = _e538;
-                                                phi_840_ = false;
-                                                phi_841_ = false;
-                                                phi_842_ = _e540;
-                                                phi_843_ = _e530;
-                                                break;
-                                            }
-                                            default: {
-                                                phi_839_ = bool();
-                                                phi_840_ = true;
-                                                phi_841_ = false;
-                                                phi_842_ = false;
-                                                phi_843_ = false;
-                                                break;
-                                            }
-                                        }
-                                        let _e542 = phi_839_;
-                                        let _e544 = phi_840_;
-                                        let _e546 = phi_841_;
-                                        let _e548 = phi_842_;
-                                        let _e550 = phi_843_;
-                                        phi_851_ = _e530;
-                                        phi_852_ = _e542;
-                                        phi_853_ = _e544;
-                                        phi_854_ = _e546;
-                                        phi_855_ = _e548;
-                                        phi_856_ = _e550;
-                                    } else {
-                                        switch bitcast<i32>(_e391) {
-                                            case 1: {
-                                                phi_848_ = false;
-                                                phi_849_ = true;
-                                                phi_850_ = false;
-                                                break;
-                                            }
-                                            case 2: {
-                                                phi_848_ = false;
-                                                phi_849_ = false;
-                                                phi_850_ = true;
-                                                break;
-                                            }
-                                            default: {
-                                                phi_848_ = true;
-                                                phi_849_ = false;
-                                                phi_850_ = false;
-                                                break;
-                                            }
-                                        }
-                                        let _e553 = phi_848_;
-                                        let _e555 = phi_849_;
-                                        let _e557 = phi_850_;
-                                        phi_851_ = false;
-                                        phi_852_ = bool();
-                                        phi_853_ = _e553;
-                                        phi_854_ = _e555;
-                                        phi_855_ = _e557;
-                                        phi_856_ = false;
-                                    }
-                                    let _e559 = phi_851_;
-                                    let _e561 = phi_852_;
-                                    let _e563 = phi_853_;
-                                    let _e565 = phi_854_;
-                                    let _e567 = phi_855_;
-                                    let _e569 = phi_856_;
-                                    if _e563 {
-                                        if ((_e523 & 2u) != 0u) {
-                                            if (((_e523 & 4u) != 0u) != _e261) {
-                                                phi_871_ = false;
-                                            } else {
-                                                phi_871_ = true;
-                                            }
-                                            let _e576 = phi_871_;
-                                            phi_872_ = _e576;
-                                        } else {
-                                            phi_872_ = true;
-                                        }
-                                        let _e578 = phi_872_;
-                                        if _e578 {
-                                            phi_879_ = (((_e523 & 1u) != 0u) != _e261);
-                                        } else {
-                                            phi_879_ = true;
-                                        }
-                                        let _e583 = phi_879_;
-                                        phi_880_ = _e583;
-                                        phi_881_ = false;
-                                        phi_882_ = false;
-                                        phi_883_ = false;
-                                    } else {
-                                        phi_880_ = bool();
-                                        phi_881_ = _e565;
-                                        phi_882_ = _e567;
-                                        phi_883_ = _e569;
-                                    }
-                                    let _e585 = phi_880_;
-                                    let _e587 = phi_881_;
-                                    let _e589 = phi_882_;
-                                    let _e591 = phi_883_;
-                                    if _e587 {
-                                        phi_887_ = _e559;
-                                        phi_888_ = false;
-                                        phi_889_ = false;
-                                    } else {
-                                        phi_887_ = _e585;
-                                        phi_888_ = _e589;
-                                        phi_889_ = _e591;
-                                    }
-                                    let _e593 = phi_887_;
-                                    let _e595 = phi_888_;
-                                    let _e597 = phi_889_;
-                                    if _e595 {
-                                        phi_893_ = false;
-                                        phi_894_ = true;
-                                    } else {
-                                        phi_893_ = _e561;
-                                        phi_894_ = _e597;
-                                    }
-                                    let _e599 = phi_893_;
-                                    let _e601 = phi_894_;
-                                    if _e601 {
-                                        phi_898_ = _e599;
-                                    } else {
-                                        phi_898_ = _e593;
-                                    }
-                                    let _e603 = phi_898_;
-                                    phi_899_ = _e603;
-                                }
-                                let _e605 = phi_899_;
-                                if _e401.all_remove {
-                                    if (((_e523 & 1u) != 0u) == _e261) {
-                                        if ((_e523 & 2u) != 0u) {
-                                            phi_917_ = (((_e523 & 4u) != 0u) == _e261);
-                                        } else {
-                                            phi_917_ = true;
-                                        }
-                                        let _e615 = phi_917_;
-                                        phi_918_ = _e615;
-                                    } else {
-                                        phi_918_ = false;
-                                    }
-                                    let _e617 = phi_918_;
-                                    phi_919_ = _e617;
-                                } else {
-                                    phi_919_ = false;
-                                }
-                                let _e619 = phi_919_;
-                                phi_652_ = (_e399 + 1u);
-                                phi_655_ = lt_mask_Neighbourhood(_e605, _e619);
-                            } else {
-                                phi_652_ = u32();
-                                phi_655_ = lt_mask_Neighbourhood();
-                            }
-                            let _e623 = phi_652_;
-                            let _e625 = phi_655_;
-                            continue;
-                            continuing {
-                                phi_651_ = _e623;
-                                phi_654_ = _e625;
-                                break if !(_e413);
-                            }
+                        let _e372 = phi_558_;
+                        let _e382 = ((((_e39.y * _e372) + (_e39.x / 32u)) * 6u) + (select(0u, 1u, _e230) | (select(0u, 1u, false) << bitcast<u32>(1i))));
+                        if (_e382 < _e45) {
+                        } else {
+                            return;
                         }
-                        let _e933 = local_1;
-                        phi_922_ = _e933;
+                        let _e386 = heard.member[(0u + _e382)];
+                        let _e392 = (((_e386 >> bitcast<u32>(((_e39.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_587_ = lt_mask_Neighbourhood(_e392, !(_e392));
                     }
-                    let _e628 = phi_922_;
-                    phi_923_ = _e628;
+                    let _e396 = phi_587_;
+                    phi_588_ = _e396;
                 } else {
-                    phi_923_ = _e385;
+                    phi_588_ = _e360;
                 }
-                let _e630 = phi_923_;
-                phi_924_ = _e630;
+                let _e398 = phi_588_;
+                phi_589_ = _e398;
             } else {
-                phi_924_ = _e385;
+                phi_589_ = _e360;
             }
-            let _e632 = phi_924_;
-            let _e635 = p.member.frame;
-            let _e637 = p.member.refresh;
-            if (_e637 == 0u) {
-                phi_957_ = false;
+            let _e400 = phi_589_;
+            let _e403 = p.member.frame;
+            let _e405 = p.member.refresh;
+            if (_e405 == 0u) {
+                phi_622_ = false;
             } else {
-                if (_e637 == 0u) {
+                if (_e405 == 0u) {
                     return;
                 }
-                let _e646 = ((_e47.x + (_e47.y * (((_e637 * 5u) / 8u) | 1u))) + (_e635 % _e637));
-                if (_e637 == 0u) {
-                    phi_956_ = (_e646 == 0u);
+                let _e414 = ((_e39.x + (_e39.y * (((_e405 * 5u) / 8u) | 1u))) + (_e403 % _e405));
+                if (_e405 == 0u) {
+                    phi_621_ = (_e414 == 0u);
                 } else {
-                    if (_e637 == 0u) {
+                    if (_e405 == 0u) {
                         return;
                     }
-                    phi_956_ = ((_e646 % _e637) == 0u);
+                    phi_621_ = ((_e414 % _e405) == 0u);
                 }
-                let _e653 = phi_956_;
-                phi_957_ = _e653;
+                let _e421 = phi_621_;
+                phi_622_ = _e421;
             }
-            let _e655 = phi_957_;
-            if _e315 {
-                if _e655 {
-                    phi_979_ = bool();
+            let _e423 = phi_622_;
+            if _e284 {
+                if _e423 {
+                    phi_644_ = bool();
                 } else {
-                    phi_979_ = ((_e384 & 2u) != 0u);
+                    phi_644_ = ((_e359 & 2u) != 0u);
                 }
-                let _e661 = phi_979_;
-                phi_980_ = _e661;
-                phi_981_ = _e655;
+                let _e429 = phi_644_;
+                phi_645_ = _e429;
+                phi_646_ = _e423;
             } else {
-                phi_980_ = bool();
-                phi_981_ = true;
+                phi_645_ = bool();
+                phi_646_ = true;
             }
-            let _e663 = phi_980_;
-            let _e665 = phi_981_;
-            if _e665 {
-                phi_985_ = false;
+            let _e431 = phi_645_;
+            let _e433 = phi_646_;
+            if _e433 {
+                phi_650_ = false;
             } else {
-                phi_985_ = _e663;
+                phi_650_ = _e431;
             }
-            let _e667 = phi_985_;
-            if _e667 {
-                phi_1036_ = 7u;
+            let _e435 = phi_650_;
+            if _e435 {
+                phi_701_ = 7u;
             } else {
-                if (_e103 != 0.5f) {
-                    if _e315 {
-                        if _e655 {
-                            phi_1033_ = 6u;
+                if (_e72 != 0.5f) {
+                    if _e284 {
+                        if _e423 {
+                            phi_698_ = 6u;
                         } else {
-                            if _e265 {
-                                phi_1008_ = true;
+                            if _e234 {
+                                phi_673_ = true;
                             } else {
-                                if _e632.any_expands {
-                                    phi_1007_ = false;
+                                if _e400.any_expands {
+                                    phi_672_ = false;
                                 } else {
-                                    phi_1007_ = true;
+                                    phi_672_ = true;
                                 }
-                                let _e669 = phi_1007_;
-                                phi_1008_ = _e669;
+                                let _e437 = phi_672_;
+                                phi_673_ = _e437;
                             }
-                            let _e671 = phi_1008_;
-                            if _e671 {
-                                if _e265 {
-                                    if _e319 {
-                                        if _e632.all_remove {
-                                            phi_1021_ = false;
+                            let _e439 = phi_673_;
+                            if _e439 {
+                                if _e234 {
+                                    if _e288 {
+                                        if _e400.all_remove {
+                                            phi_686_ = false;
                                         } else {
-                                            phi_1021_ = true;
+                                            phi_686_ = true;
                                         }
-                                        let _e673 = phi_1021_;
-                                        phi_1022_ = _e673;
+                                        let _e441 = phi_686_;
+                                        phi_687_ = _e441;
                                     } else {
-                                        phi_1022_ = true;
+                                        phi_687_ = true;
                                     }
-                                    let _e675 = phi_1022_;
-                                    phi_1023_ = _e675;
+                                    let _e443 = phi_687_;
+                                    phi_688_ = _e443;
                                 } else {
-                                    phi_1023_ = true;
+                                    phi_688_ = true;
                                 }
-                                let _e677 = phi_1023_;
-                                if _e677 {
-                                    if _e265 {
-                                        phi_1030_ = 1u;
+                                let _e445 = phi_688_;
+                                if _e445 {
+                                    if _e234 {
+                                        phi_695_ = 1u;
                                     } else {
-                                        phi_1030_ = 0u;
+                                        phi_695_ = 0u;
                                     }
-                                    let _e679 = phi_1030_;
-                                    phi_1031_ = _e679;
+                                    let _e447 = phi_695_;
+                                    phi_696_ = _e447;
                                 } else {
-                                    phi_1031_ = 5u;
+                                    phi_696_ = 5u;
                                 }
-                                let _e681 = phi_1031_;
-                                phi_1032_ = _e681;
+                                let _e449 = phi_696_;
+                                phi_697_ = _e449;
                             } else {
-                                phi_1032_ = 4u;
+                                phi_697_ = 4u;
                             }
-                            let _e683 = phi_1032_;
-                            phi_1033_ = _e683;
+                            let _e451 = phi_697_;
+                            phi_698_ = _e451;
                         }
-                        let _e685 = phi_1033_;
-                        phi_1034_ = _e685;
+                        let _e453 = phi_698_;
+                        phi_699_ = _e453;
                     } else {
-                        phi_1034_ = 3u;
+                        phi_699_ = 3u;
                     }
-                    let _e687 = phi_1034_;
-                    phi_1035_ = _e687;
+                    let _e455 = phi_699_;
+                    phi_700_ = _e455;
                 } else {
-                    phi_1035_ = 2u;
+                    phi_700_ = 2u;
                 }
-                let _e689 = phi_1035_;
-                phi_1036_ = _e689;
+                let _e457 = phi_700_;
+                phi_701_ = _e457;
             }
-            let _e691 = phi_1036_;
-            if !((_e691 == 0u)) {
-                if !((_e691 == 5u)) {
-                    phi_1048_ = !(_e667);
-                    phi_1049_ = false;
+            let _e459 = phi_701_;
+            if !((_e459 == 0u)) {
+                if !((_e459 == 5u)) {
+                    phi_713_ = !(_e435);
+                    phi_714_ = false;
                 } else {
-                    phi_1048_ = bool();
-                    phi_1049_ = true;
+                    phi_713_ = bool();
+                    phi_714_ = true;
                 }
-                let _e698 = phi_1048_;
-                let _e700 = phi_1049_;
-                phi_1050_ = _e698;
-                phi_1051_ = _e700;
+                let _e466 = phi_713_;
+                let _e468 = phi_714_;
+                phi_715_ = _e466;
+                phi_716_ = _e468;
             } else {
-                phi_1050_ = bool();
-                phi_1051_ = true;
+                phi_715_ = bool();
+                phi_716_ = true;
             }
-            let _e702 = phi_1050_;
-            let _e704 = phi_1051_;
-            if _e704 {
-                phi_1055_ = false;
+            let _e470 = phi_715_;
+            let _e472 = phi_716_;
+            if _e472 {
+                phi_720_ = false;
             } else {
-                phi_1055_ = _e702;
+                phi_720_ = _e470;
             }
-            let _e706 = phi_1055_;
-            if _e667 {
-                phi_1061_ = ((_e384 & 4u) != 0u);
+            let _e474 = phi_720_;
+            if _e435 {
+                phi_726_ = ((_e359 & 4u) != 0u);
             } else {
-                phi_1061_ = _e261;
+                phi_726_ = _e230;
             }
-            let _e710 = phi_1061_;
-            if _e706 {
-                if _e261 {
-                    phi_1069_ = (2u | 1u);
+            let _e478 = phi_726_;
+            if _e474 {
+                if _e230 {
+                    phi_734_ = (2u | 1u);
                 } else {
-                    phi_1069_ = 2u;
+                    phi_734_ = 2u;
                 }
-                let _e713 = phi_1069_;
+                let _e481 = phi_734_;
                 if false {
-                    phi_1074_ = (_e713 | 4u);
+                    phi_739_ = (_e481 | 4u);
                 } else {
-                    phi_1074_ = _e713;
+                    phi_739_ = _e481;
                 }
-                let _e716 = phi_1074_;
-                phi_1094_ = _e716;
+                let _e484 = phi_739_;
+                phi_759_ = _e484;
             } else {
-                if (_e691 == 7u) {
-                    if _e261 {
-                        phi_1083_ = (2u | 1u);
+                if (_e459 == 7u) {
+                    if _e230 {
+                        phi_748_ = (2u | 1u);
                     } else {
-                        phi_1083_ = 2u;
+                        phi_748_ = 2u;
                     }
-                    let _e720 = phi_1083_;
-                    if _e710 {
-                        phi_1088_ = (_e720 | 4u);
+                    let _e488 = phi_748_;
+                    if _e478 {
+                        phi_753_ = (_e488 | 4u);
                     } else {
-                        phi_1088_ = _e720;
+                        phi_753_ = _e488;
                     }
-                    let _e723 = phi_1088_;
-                    phi_1093_ = _e723;
+                    let _e491 = phi_753_;
+                    phi_758_ = _e491;
                 } else {
-                    if _e261 {
-                        phi_1092_ = 1u;
+                    if _e230 {
+                        phi_757_ = 1u;
                     } else {
-                        phi_1092_ = 0u;
+                        phi_757_ = 0u;
                     }
-                    let _e725 = phi_1092_;
-                    phi_1093_ = _e725;
+                    let _e493 = phi_757_;
+                    phi_758_ = _e493;
                 }
-                let _e727 = phi_1093_;
-                phi_1094_ = _e727;
+                let _e495 = phi_758_;
+                phi_759_ = _e495;
             }
-            let _e729 = phi_1094_;
-            if _e710 {
-                phi_1098_ = 0f;
+            let _e497 = phi_759_;
+            if _e478 {
+                phi_763_ = 0f;
             } else {
-                phi_1098_ = 1f;
+                phi_763_ = 1f;
             }
-            let _e731 = phi_1098_;
-            phi_1100_ = mask_Masked(_e731, _e729, _e706);
+            let _e499 = phi_763_;
+            phi_765_ = mask_Masked(_e499, _e497, _e474);
         }
-        let _e734 = phi_1100_;
-        visibility.member[_e67.shift] = _e734.visibility;
-        let _e739 = p.member.light.number;
-        let _e740 = (_e739 * 3u);
-        let _e742 = (_e740 % 32u);
-        let _e744 = p.member.light.mask_words;
-        let _e746 = ((_e67.shift * _e744) + (_e740 / 32u));
-        let _e748 = bits.member[_e746];
-        bits.member[_e746] = ((_e748 & ~((7u << bitcast<u32>((_e742 & 31u))))) | (_e734.bits << bitcast<u32>((_e742 & 31u))));
-        if (_e742 > 29u) {
-            let _e763 = bits.member[(_e746 + 1u)];
-            let _e765 = (32u - _e742);
-            bits.member[(_e746 + 1u)] = ((_e763 & ~((7u >> bitcast<u32>((_e765 & 31u))))) | (_e734.bits >> bitcast<u32>((_e765 & 31u))));
+        let _e502 = phi_765_;
+        visibility.member[_e59.first_primitive] = _e502.visibility;
+        let _e507 = p.member.light.number;
+        let _e508 = (_e507 * 3u);
+        let _e510 = (_e508 % 32u);
+        let _e512 = p.member.light.mask_words;
+        let _e514 = ((_e59.first_primitive * _e512) + (_e508 / 32u));
+        let _e516 = bits.member[_e514];
+        bits.member[_e514] = ((_e516 & ~((7u << bitcast<u32>((_e510 & 31u))))) | (_e502.bits << bitcast<u32>((_e510 & 31u))));
+        if (_e510 > 29u) {
+            let _e531 = bits.member[(_e514 + 1u)];
+            let _e533 = (32u - _e510);
+            bits.member[(_e514 + 1u)] = ((_e531 & ~((7u >> bitcast<u32>((_e533 & 31u))))) | (_e502.bits >> bitcast<u32>((_e533 & 31u))));
         }
-        let _e780 = samples.member[_e67.shift].normal[0u];
-        let _e782 = global[0u];
-        if (_e780 == _e782) {
-            let _e785 = samples.member[_e67.shift].normal[1u];
-            let _e787 = global[1u];
-            if (_e785 == _e787) {
-                let _e790 = samples.member[_e67.shift].normal[2u];
-                let _e792 = global[2u];
-                phi_1172_ = (_e790 == _e792);
-                phi_1173_ = false;
+        let _e548 = samples.member[_e59.first_primitive].normal[0u];
+        let _e550 = global[0u];
+        if (_e548 == _e550) {
+            let _e553 = samples.member[_e59.first_primitive].normal[1u];
+            let _e555 = global[1u];
+            if (_e553 == _e555) {
+                let _e558 = samples.member[_e59.first_primitive].normal[2u];
+                let _e560 = global[2u];
+                phi_837_ = (_e558 == _e560);
+                phi_838_ = false;
             } else {
-                phi_1172_ = bool();
-                phi_1173_ = true;
+                phi_837_ = bool();
+                phi_838_ = true;
             }
-            let _e795 = phi_1172_;
-            let _e797 = phi_1173_;
-            phi_1174_ = _e795;
-            phi_1175_ = _e797;
+            let _e563 = phi_837_;
+            let _e565 = phi_838_;
+            phi_839_ = _e563;
+            phi_840_ = _e565;
         } else {
-            phi_1174_ = bool();
-            phi_1175_ = true;
+            phi_839_ = bool();
+            phi_840_ = true;
         }
-        let _e799 = phi_1174_;
-        let _e801 = phi_1175_;
-        if _e801 {
-            phi_1179_ = false;
+        let _e567 = phi_839_;
+        let _e569 = phi_840_;
+        if _e569 {
+            phi_844_ = false;
         } else {
-            phi_1179_ = _e799;
+            phi_844_ = _e567;
         }
-        let _e803 = phi_1179_;
-        if !(_e803) {
-            let _e806 = samples.member[_e67.shift].position;
-            let _e808 = p.member.current.eye;
-            let _e819 = p.member.current.forward;
-            phi_1207_ = ((((_e806.x - _e808.x) * _e819.x) + ((_e806.y - _e808.y) * _e819.y)) + ((_e806.z - _e808.z) * _e819.z));
+        let _e571 = phi_844_;
+        if !(_e571) {
+            let _e574 = samples.member[_e59.first_primitive].position;
+            let _e576 = p.member.current.eye;
+            let _e587 = p.member.current.forward;
+            phi_872_ = ((((_e574.x - _e576.x) * _e587.x) + ((_e574.y - _e576.y) * _e587.y)) + ((_e574.z - _e576.z) * _e587.z));
         } else {
-            phi_1207_ = 0f;
+            phi_872_ = 0f;
         }
-        let _e829 = phi_1207_;
-        depths.member[_e67.shift] = _e829;
-        phi_1210_ = _e734.needs_ray;
-        phi_1211_ = _e67.shift;
+        let _e597 = phi_872_;
+        depths.member[_e59.first_primitive] = _e597;
+        phi_875_ = _e502.needs_ray;
+        phi_876_ = _e59.first_primitive;
     } else {
-        phi_1210_ = false;
-        phi_1211_ = 0u;
+        phi_875_ = false;
+        phi_876_ = 0u;
     }
-    let _e833 = phi_1210_;
-    let _e835 = phi_1211_;
-    if (_e48 == 0u) {
+    let _e601 = phi_875_;
+    let _e603 = phi_876_;
+    if (_e40 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e833 {
-        let _e839 = atomicAdd((&shared_[0u]), 1u);
-        phi_1222_ = _e839;
+    if _e601 {
+        let _e607 = atomicAdd((&shared_[0u]), 1u);
+        phi_887_ = _e607;
     } else {
-        phi_1222_ = 0u;
+        phi_887_ = 0u;
     }
-    let _e841 = phi_1222_;
+    let _e609 = phi_887_;
     workgroupBarrier();
-    if (_e48 == 0u) {
-        let _e845 = atomicLoad((&shared_[0u]));
-        let _e846 = atomicAdd((&list.member[3u]), _e845);
-        atomicStore((&shared_[1u]), _e846);
+    if (_e40 == 0u) {
+        let _e613 = atomicLoad((&shared_[0u]));
+        let _e614 = atomicAdd((&list.member[3u]), _e613);
+        atomicStore((&shared_[1u]), _e614);
     }
     workgroupBarrier();
-    if _e833 {
-        let _e849 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e849) + _e841)]), _e835);
+    if _e601 {
+        let _e617 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e617) + _e609)]), _e603);
     }
     return;
 }
@@ -1271,6 +792,6 @@ fn function_() {
 @compute @workgroup_size(8, 8, 1) 
 fn entry_mask_mask_depth_cs(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     id_1 = id;
-    local_2 = local;
+    local_1 = local;
     function_();
 }

@@ -25,18 +25,29 @@ struct abi_MaskParams {
     current: abi_CameraParams,
     previous: abi_CameraParams,
     light: abi_LightParams,
+    still: vec2<u32>,
+    moving: vec2<u32>,
     frame: u32,
-    still_pattern: u32,
-    moving_pattern: u32,
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
     expansion: u32,
     pad0_: u32,
+    pad1_: u32,
+    pad2_: u32,
 }
 
-struct type_9 {
+struct type_8 {
     member: abi_MaskParams,
+}
+
+struct type_12 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
 }
 
 struct abi_Sample {
@@ -48,26 +59,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_13 {
+struct type_23 {
     member: array<abi_Sample>,
 }
 
-struct type_17 {
-    member: array<u32>,
-}
-
-struct type_21 {
+struct type_27 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
-}
-
-struct mask_BitsPlace {
-    light: lt_mask_LightPlace,
-    words: u32,
 }
 
 struct evaluate_Verdict {
@@ -91,1087 +88,597 @@ struct lt_mask_Neighbourhood {
     all_remove: bool,
 }
 
-struct type_44 {
+struct type_43 {
     member: array<atomic<u32>>,
 }
 
 var<private> id_1: vec3<u32>;
-var<private> local_2: u32;
 @group(0) @binding(0) 
-var<uniform> p: type_9;
+var<uniform> p: type_8;
+var<private> local_1: u32;
 @group(0) @binding(1) 
-var<storage> samples: type_13;
+var<storage> samples: type_23;
 @group(0) @binding(2) 
-var<storage> last_bits: type_17;
+var<storage> heard: type_12;
 @group(0) @binding(3) 
-var<storage, read_write> bits: type_17;
+var<storage, read_write> bits: type_12;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_21;
+var<storage, read_write> visibility: type_27;
 @group(0) @binding(5) 
-var<storage, read_write> list: type_44;
+var<storage, read_write> list: type_43;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(6) 
-var<storage> last_depths: type_21;
+var<storage> last_depths: type_27;
 @group(0) @binding(7) 
-var<storage, read_write> depths: type_21;
+var<storage, read_write> depths: type_27;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_164_: lt_mask_LightPlace;
-    var phi_165_: bool;
-    var phi_166_: lt_mask_LightPlace;
-    var phi_167_: bool;
-    var phi_172_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_150_: lt_bvh_traverse_Tree;
+    var phi_151_: bool;
+    var phi_152_: lt_bvh_traverse_Tree;
+    var phi_153_: bool;
+    var phi_158_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_164_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_165_ = false;
+            phi_150_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_151_ = false;
         } else {
-            phi_164_ = lt_mask_LightPlace();
-            phi_165_ = true;
+            phi_150_ = lt_bvh_traverse_Tree();
+            phi_151_ = true;
         }
-        let _e60 = phi_164_;
-        let _e62 = phi_165_;
-        phi_166_ = _e60;
-        phi_167_ = _e62;
+        let _e51 = phi_150_;
+        let _e53 = phi_151_;
+        phi_152_ = _e51;
+        phi_153_ = _e53;
     } else {
-        phi_166_ = lt_mask_LightPlace();
-        phi_167_ = true;
+        phi_152_ = lt_bvh_traverse_Tree();
+        phi_153_ = true;
     }
-    let _e64 = phi_166_;
-    let _e66 = phi_167_;
-    if _e66 {
-        phi_172_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e55 = phi_152_;
+    let _e57 = phi_153_;
+    if _e57 {
+        phi_158_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_172_ = _e64;
+        phi_158_ = _e55;
     }
-    let _e71 = phi_172_;
-    return lt_mask_LightPlace(_e71.word, _e71.shift);
-}
-
-fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_190_: vec2<i32>;
-
-    switch bitcast<i32>((param_3 % 5u)) {
-        case 0: {
-            phi_190_ = vec2(0i);
-            break;
-        }
-        case 1: {
-            phi_190_ = vec2<i32>(0i, -1i);
-            break;
-        }
-        case 2: {
-            phi_190_ = vec2<i32>(-1i, 0i);
-            break;
-        }
-        case 3: {
-            phi_190_ = vec2<i32>(1i, 0i);
-            break;
-        }
-        default: {
-            phi_190_ = vec2<i32>(0i, 1i);
-            break;
-        }
-    }
-    let _e56 = phi_190_;
-    return vec2<i32>(_e56.x, _e56.y);
-}
-
-fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_208_: vec2<i32>;
-
-    switch bitcast<i32>((param_4 % 5u)) {
-        case 0: {
-            phi_208_ = vec2(0i);
-            break;
-        }
-        case 1: {
-            phi_208_ = vec2(-1i);
-            break;
-        }
-        case 2: {
-            phi_208_ = vec2<i32>(1i, -1i);
-            break;
-        }
-        case 3: {
-            phi_208_ = vec2<i32>(-1i, 1i);
-            break;
-        }
-        default: {
-            phi_208_ = vec2(1i);
-            break;
-        }
-    }
-    let _e56 = phi_208_;
-    return vec2<i32>(_e56.x, _e56.y);
-}
-
-fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_227_: vec2<i32>;
-
-    if (param_6 == 0u) {
-        let _e50 = lt_mask_pattern_plus(param_5);
-        phi_227_ = vec2<i32>(_e50.x, _e50.y);
-    } else {
-        let _e54 = lt_mask_pattern_cross(param_5);
-        phi_227_ = vec2<i32>(_e54.x, _e54.y);
-    }
-    let _e59 = phi_227_;
-    return vec2<i32>(_e59.x, _e59.y);
-}
-
-fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_252_: vec2<i32>;
-
-    let _e48 = (param_7 % 13u);
-    switch bitcast<i32>(_e48) {
-        case 9: {
-            phi_252_ = vec2<i32>(0i, -2i);
-            break;
-        }
-        case 10: {
-            phi_252_ = vec2<i32>(-2i, 0i);
-            break;
-        }
-        case 11: {
-            phi_252_ = vec2<i32>(2i, 0i);
-            break;
-        }
-        case 12: {
-            phi_252_ = vec2<i32>(0i, 2i);
-            break;
-        }
-        default: {
-            phi_252_ = vec2<i32>((bitcast<i32>((_e48 % 3u)) - 1i), (bitcast<i32>(((_e48 / 3u) % 3u)) - 1i));
-            break;
-        }
-    }
-    let _e63 = phi_252_;
-    return vec2<i32>(_e63.x, _e63.y);
-}
-
-fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_273_: u32;
-    var phi_274_: u32;
-
-    let _e51 = (bitcast<i32>(param_8) + param_9);
-    if (_e51 < 0i) {
-        phi_274_ = 0u;
-    } else {
-        if (_e51 >= bitcast<i32>(param_10)) {
-            phi_273_ = (param_10 - 1u);
-        } else {
-            phi_273_ = bitcast<u32>(_e51);
-        }
-        let _e58 = phi_273_;
-        phi_274_ = _e58;
-    }
-    let _e60 = phi_274_;
-    return _e60;
+    let _e62 = phi_158_;
+    return lt_bvh_traverse_Tree(_e62.root, _e62.first_primitive);
 }
 
 fn function_() {
-    var phi_351_: bool;
-    var phi_352_: bool;
-    var phi_353_: bool;
-    var phi_354_: bool;
-    var phi_358_: bool;
-    var phi_428_: bool;
-    var phi_429_: bool;
-    var phi_440_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_441_: bool;
-    var phi_442_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_443_: bool;
-    var phi_450_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_454_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_467_: bool;
-    var phi_523_: bool;
-    var phi_527_: f32;
+    var phi_226_: bool;
+    var phi_227_: bool;
+    var phi_228_: bool;
+    var phi_229_: bool;
+    var phi_233_: bool;
+    var phi_303_: bool;
+    var phi_304_: bool;
+    var phi_315_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_316_: bool;
+    var phi_317_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_318_: bool;
+    var phi_325_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_329_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_342_: bool;
+    var phi_398_: bool;
+    var phi_402_: f32;
+    var phi_413_: bool;
+    var phi_419_: bool;
+    var phi_450_: u32;
+    var phi_479_: lt_mask_Neighbourhood;
+    var phi_480_: lt_mask_Neighbourhood;
+    var phi_481_: lt_mask_Neighbourhood;
+    var phi_513_: bool;
+    var phi_514_: bool;
+    var phi_536_: bool;
+    var phi_537_: bool;
     var phi_538_: bool;
-    var phi_544_: bool;
-    var phi_565_: u32;
-    var phi_567_: u32;
-    var phi_570_: lt_mask_Neighbourhood;
-    var phi_582_: bool;
-    var phi_583_: bool;
+    var phi_542_: bool;
+    var phi_564_: bool;
+    var phi_565_: bool;
+    var phi_578_: bool;
+    var phi_579_: bool;
+    var phi_580_: bool;
+    var phi_587_: u32;
+    var phi_588_: u32;
+    var phi_589_: u32;
+    var phi_590_: u32;
+    var phi_591_: u32;
     var phi_592_: u32;
     var phi_593_: u32;
-    var phi_653_: vec2<i32>;
-    var phi_673_: vec2<i32>;
-    var phi_700_: u32;
-    var phi_719_: u32;
-    var phi_727_: u32;
-    var phi_753_: bool;
-    var phi_754_: bool;
-    var phi_755_: bool;
-    var phi_756_: bool;
-    var phi_757_: bool;
-    var phi_758_: bool;
-    var phi_759_: bool;
-    var phi_764_: bool;
-    var phi_765_: bool;
-    var phi_766_: bool;
+    var phi_605_: bool;
+    var phi_606_: bool;
+    var phi_607_: bool;
+    var phi_608_: bool;
+    var phi_612_: bool;
+    var phi_618_: bool;
+    var phi_626_: u32;
+    var phi_631_: u32;
+    var phi_640_: u32;
+    var phi_645_: u32;
+    var phi_649_: u32;
+    var phi_650_: u32;
+    var phi_651_: u32;
+    var phi_655_: f32;
+    var phi_657_: mask_Masked;
+    var phi_729_: bool;
+    var phi_730_: bool;
+    var phi_731_: bool;
+    var phi_732_: bool;
+    var phi_736_: bool;
+    var phi_764_: f32;
     var phi_767_: bool;
-    var phi_768_: bool;
-    var phi_769_: bool;
-    var phi_770_: bool;
-    var phi_771_: bool;
-    var phi_772_: bool;
-    var phi_787_: bool;
-    var phi_788_: bool;
-    var phi_795_: bool;
-    var phi_796_: bool;
-    var phi_797_: bool;
-    var phi_798_: bool;
-    var phi_799_: bool;
-    var phi_803_: bool;
-    var phi_804_: bool;
-    var phi_805_: bool;
-    var phi_809_: bool;
-    var phi_810_: bool;
-    var phi_814_: bool;
-    var phi_815_: bool;
-    var phi_833_: bool;
-    var phi_834_: bool;
-    var phi_835_: bool;
-    var phi_568_: u32;
-    var phi_571_: lt_mask_Neighbourhood;
-    var phi_838_: lt_mask_Neighbourhood;
-    var phi_839_: lt_mask_Neighbourhood;
-    var phi_840_: lt_mask_Neighbourhood;
-    var phi_872_: bool;
-    var phi_873_: bool;
-    var phi_895_: bool;
-    var phi_896_: bool;
-    var phi_897_: bool;
-    var phi_901_: bool;
-    var phi_923_: bool;
-    var phi_924_: bool;
-    var phi_937_: bool;
-    var phi_938_: bool;
-    var phi_939_: bool;
-    var phi_946_: u32;
-    var phi_947_: u32;
-    var phi_948_: u32;
-    var phi_949_: u32;
-    var phi_950_: u32;
-    var phi_951_: u32;
-    var phi_952_: u32;
-    var phi_964_: bool;
-    var phi_965_: bool;
-    var phi_966_: bool;
-    var phi_967_: bool;
-    var phi_971_: bool;
-    var phi_977_: bool;
-    var phi_985_: u32;
-    var phi_990_: u32;
-    var phi_999_: u32;
-    var phi_1004_: u32;
-    var phi_1008_: u32;
-    var phi_1009_: u32;
-    var phi_1010_: u32;
-    var phi_1014_: f32;
-    var phi_1016_: mask_Masked;
-    var phi_1088_: bool;
-    var phi_1089_: bool;
-    var phi_1090_: bool;
-    var phi_1091_: bool;
-    var phi_1095_: bool;
-    var phi_1123_: f32;
-    var phi_1126_: bool;
-    var phi_1127_: u32;
-    var phi_1138_: u32;
-    var local_1: lt_mask_Neighbourhood;
+    var phi_768_: u32;
+    var phi_779_: u32;
 
-    let _e47 = id_1;
-    let _e48 = local_2;
-    let _e53 = arrayLength((&last_bits.member));
-    let _e64 = p.member.current.size[0u];
-    let _e66 = p.member.current.size[1u];
-    let _e67 = lt_shaders_entry_pixel_index(_e47, _e64, _e66);
-    if (bitcast<i32>(_e67.word) != 0i) {
-        let _e74 = p.member.light.number;
-        let _e75 = (_e74 * 3u);
-        let _e79 = p.member.light.mask_words;
-        let _e85 = mask_BitsPlace(lt_mask_LightPlace((_e75 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
-        let _e91 = mask_BitsPlace(lt_mask_LightPlace(_e85.light.word, (_e75 % 32u)), _e85.words);
-        let _e94 = mask_BitsPlace(_e91.light, _e79);
-        let _e98 = p.member.current.size[0u];
-        let _e101 = samples.member[_e67.shift].position;
-        let _e103 = visibility.member[_e67.shift];
-        let _e109 = samples.member[_e67.shift].normal[0u];
-        let _e111 = global[0u];
-        if (_e109 == _e111) {
-            let _e114 = samples.member[_e67.shift].normal[1u];
-            let _e116 = global[1u];
-            if (_e114 == _e116) {
-                let _e119 = samples.member[_e67.shift].normal[2u];
-                let _e121 = global[2u];
-                phi_351_ = (_e119 == _e121);
-                phi_352_ = false;
+    let _e38 = id_1;
+    let _e39 = local_1;
+    let _e55 = p.member.current.size[0u];
+    let _e57 = p.member.current.size[1u];
+    let _e58 = lt_shaders_entry_pixel_index(_e38, _e55, _e57);
+    if (bitcast<i32>(_e58.root) != 0i) {
+        let _e66 = p.member.current.size[0u];
+        let _e69 = samples.member[_e58.first_primitive].position;
+        let _e71 = visibility.member[_e58.first_primitive];
+        let _e77 = samples.member[_e58.first_primitive].normal[0u];
+        let _e79 = global[0u];
+        if (_e77 == _e79) {
+            let _e82 = samples.member[_e58.first_primitive].normal[1u];
+            let _e84 = global[1u];
+            if (_e82 == _e84) {
+                let _e87 = samples.member[_e58.first_primitive].normal[2u];
+                let _e89 = global[2u];
+                phi_226_ = (_e87 == _e89);
+                phi_227_ = false;
             } else {
-                phi_351_ = bool();
-                phi_352_ = true;
+                phi_226_ = bool();
+                phi_227_ = true;
             }
-            let _e124 = phi_351_;
-            let _e126 = phi_352_;
-            phi_353_ = _e124;
-            phi_354_ = _e126;
+            let _e92 = phi_226_;
+            let _e94 = phi_227_;
+            phi_228_ = _e92;
+            phi_229_ = _e94;
         } else {
-            phi_353_ = bool();
-            phi_354_ = true;
+            phi_228_ = bool();
+            phi_229_ = true;
         }
-        let _e128 = phi_353_;
-        let _e130 = phi_354_;
-        if _e130 {
-            phi_358_ = false;
+        let _e96 = phi_228_;
+        let _e98 = phi_229_;
+        if _e98 {
+            phi_233_ = false;
         } else {
-            phi_358_ = _e128;
+            phi_233_ = _e96;
         }
-        let _e132 = phi_358_;
-        if !(_e132) {
-            let _e135 = samples.member[_e67.shift].position;
-            let _e137 = p.member.light.place;
-            let _e143 = p.member.light.place[3u];
-            let _e150 = (_e137.x - (_e135.x * _e143));
-            let _e151 = (_e137.y - (_e135.y * _e143));
-            let _e152 = (_e137.z - (_e135.z * _e143));
-            let _e154 = samples.member[_e67.shift].normal;
-            if ((((_e154.x * _e150) + (_e154.y * _e151)) + (_e154.z * _e152)) > 0f) {
-                let _e168 = (((_e150 * _e150) + (_e151 * _e151)) + (_e152 * _e152));
-                let _e170 = p.member.light.axis;
-                let _e182 = p.member.light.place[3u];
-                if (_e182 == 0f) {
-                    phi_429_ = true;
+        let _e100 = phi_233_;
+        if !(_e100) {
+            let _e103 = samples.member[_e58.first_primitive].position;
+            let _e105 = p.member.light.place;
+            let _e111 = p.member.light.place[3u];
+            let _e118 = (_e105.x - (_e103.x * _e111));
+            let _e119 = (_e105.y - (_e103.y * _e111));
+            let _e120 = (_e105.z - (_e103.z * _e111));
+            let _e122 = samples.member[_e58.first_primitive].normal;
+            if ((((_e122.x * _e118) + (_e122.y * _e119)) + (_e122.z * _e120)) > 0f) {
+                let _e136 = (((_e118 * _e118) + (_e119 * _e119)) + (_e120 * _e120));
+                let _e138 = p.member.light.axis;
+                let _e150 = p.member.light.place[3u];
+                if (_e150 == 0f) {
+                    phi_304_ = true;
                 } else {
-                    let _e185 = p.member.light.range_squared;
-                    if (_e168 <= _e185) {
-                        let _e188 = p.member.light.cos_outer;
-                        phi_428_ = (-((((_e150 * _e170.x) + (_e151 * _e170.y)) + (_e152 * _e170.z))) >= (_e188 * sqrt(_e168)));
+                    let _e153 = p.member.light.range_squared;
+                    if (_e136 <= _e153) {
+                        let _e156 = p.member.light.cos_outer;
+                        phi_303_ = (-((((_e118 * _e138.x) + (_e119 * _e138.y)) + (_e120 * _e138.z))) >= (_e156 * sqrt(_e136)));
                     } else {
-                        phi_428_ = false;
+                        phi_303_ = false;
                     }
-                    let _e193 = phi_428_;
-                    phi_429_ = _e193;
+                    let _e161 = phi_303_;
+                    phi_304_ = _e161;
                 }
-                let _e195 = phi_429_;
-                if _e195 {
-                    let _e197 = samples.member[_e67.shift].flags;
-                    let _e205 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e205.unnamed.visibility, false), _e205.unnamed_1);
-                    phi_440_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e211.unnamed, ((_e197 & 1u) == 0u));
-                    phi_441_ = false;
+                let _e163 = phi_304_;
+                if _e163 {
+                    let _e165 = samples.member[_e58.first_primitive].flags;
+                    let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
+                    phi_315_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
+                    phi_316_ = false;
                 } else {
-                    phi_440_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_441_ = true;
+                    phi_315_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_316_ = true;
                 }
-                let _e216 = phi_440_;
-                let _e218 = phi_441_;
-                phi_442_ = _e216;
-                phi_443_ = _e218;
+                let _e184 = phi_315_;
+                let _e186 = phi_316_;
+                phi_317_ = _e184;
+                phi_318_ = _e186;
             } else {
-                phi_442_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_443_ = true;
+                phi_317_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_318_ = true;
             }
-            let _e220 = phi_442_;
-            let _e222 = phi_443_;
-            if _e222 {
-                let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e234 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e228.unnamed.visibility, false), _e228.unnamed_1);
-                phi_450_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e234.unnamed, true);
+            let _e188 = phi_317_;
+            let _e190 = phi_318_;
+            if _e190 {
+                let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e202 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e196.unnamed.visibility, false), _e196.unnamed_1);
+                phi_325_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e202.unnamed, true);
             } else {
-                phi_450_ = _e220;
+                phi_325_ = _e188;
             }
-            let _e239 = phi_450_;
-            phi_454_ = _e239;
+            let _e207 = phi_325_;
+            phi_329_ = _e207;
         } else {
-            let _e245 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e251 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e245.unnamed.visibility, false), _e245.unnamed_1);
-            phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e251.unnamed, true);
+            let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
+            phi_329_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
         }
-        let _e256 = phi_454_;
-        if _e256.unnamed_1 {
-            phi_1016_ = mask_Masked(_e256.unnamed.visibility, 0u, false);
+        let _e224 = phi_329_;
+        if _e224.unnamed_1 {
+            phi_657_ = mask_Masked(_e224.unnamed.visibility, 0u, false);
         } else {
-            let _e261 = (_e103 < 0.5f);
-            if (_e103 > 0f) {
-                phi_467_ = (_e103 < 1f);
+            let _e229 = (_e71 < 0.5f);
+            if (_e71 > 0f) {
+                phi_342_ = (_e71 < 1f);
             } else {
-                phi_467_ = false;
+                phi_342_ = false;
             }
-            let _e265 = phi_467_;
-            let _e268 = p.member.previous.eye;
-            let _e279 = p.member.previous.forward;
-            let _e287 = ((((_e101.x - _e268.x) * _e279.x) + ((_e101.y - _e268.y) * _e279.y)) + ((_e101.z - _e268.z) * _e279.z));
-            let _e289 = ((_e47.y * _e98) + _e47.x);
-            if (_e289 < arrayLength((&last_depths.member))) {
+            let _e233 = phi_342_;
+            let _e236 = p.member.previous.eye;
+            let _e247 = p.member.previous.forward;
+            let _e255 = ((((_e69.x - _e236.x) * _e247.x) + ((_e69.y - _e236.y) * _e247.y)) + ((_e69.z - _e236.z) * _e247.z));
+            let _e257 = ((_e38.y * _e66) + _e38.x);
+            if (_e257 < arrayLength((&last_depths.member))) {
             } else {
                 return;
             }
-            let _e293 = last_depths.member[(0u + _e289)];
-            let _e295 = p.member.depth_tolerance;
-            let _e298 = abs(_e287);
-            let _e299 = abs(_e293);
-            if ((bitcast<u32>(_e299) & 2147483647u) > 2139095040u) {
-                phi_523_ = true;
+            let _e261 = last_depths.member[(0u + _e257)];
+            let _e263 = p.member.depth_tolerance;
+            let _e266 = abs(_e255);
+            let _e267 = abs(_e261);
+            if ((bitcast<u32>(_e267) & 2147483647u) > 2139095040u) {
+                phi_398_ = true;
             } else {
-                let _e303 = (_e299 > _e298);
-                if _e303 {
+                let _e271 = (_e267 > _e266);
+                if _e271 {
                 }
-                phi_523_ = _e303;
+                phi_398_ = _e271;
             }
-            let _e305 = phi_523_;
-            if _e305 {
-                phi_527_ = _e299;
+            let _e273 = phi_398_;
+            if _e273 {
+                phi_402_ = _e267;
             } else {
-                phi_527_ = _e298;
+                phi_402_ = _e266;
             }
-            let _e307 = phi_527_;
-            if (abs((_e287 - _e293)) <= (_e295 * _e307)) {
-                let _e311 = p.member.flags;
-                phi_538_ = ((_e311 & 1u) != 0u);
+            let _e275 = phi_402_;
+            if (abs((_e255 - _e261)) <= (_e263 * _e275)) {
+                let _e279 = p.member.flags;
+                phi_413_ = ((_e279 & 1u) != 0u);
             } else {
-                phi_538_ = false;
+                phi_413_ = false;
             }
-            let _e315 = phi_538_;
-            let _e316 = lt_mask_Neighbourhood(false, true);
-            if _e265 {
-                phi_544_ = false;
+            let _e283 = phi_413_;
+            let _e284 = lt_mask_Neighbourhood(false, true);
+            if _e233 {
+                phi_419_ = false;
             } else {
-                phi_544_ = true;
+                phi_419_ = true;
             }
-            let _e318 = phi_544_;
-            if _e318 {
-                if _e315 {
+            let _e286 = phi_419_;
+            if _e286 {
+                if _e283 {
                     if ((0u & 2u) != 0u) {
-                        phi_838_ = _e316;
+                        phi_479_ = _e284;
                     } else {
-                        let _e322 = p.member.expansion;
-                        if false {
-                            let _e324 = p.member.moving_pattern;
-                            phi_565_ = _e324;
+                        if (32u == 0u) {
+                            return;
+                        }
+                        let _e290 = (_e66 / 32u);
+                        if (32u == 0u) {
+                            return;
+                        }
+                        if ((_e66 % 32u) > 0u) {
+                            phi_450_ = (_e290 + 1u);
                         } else {
-                            let _e326 = p.member.still_pattern;
-                            phi_565_ = _e326;
+                            phi_450_ = _e290;
                         }
-                        let _e328 = phi_565_;
-                        phi_567_ = 0u;
-                        phi_570_ = _e316;
-                        loop {
-                            let _e330 = phi_567_;
-                            let _e332 = phi_570_;
-                            local_1 = _e332;
-                            if (1u <= _e328) {
-                                if (_e328 <= 4u) {
-                                    phi_582_ = false;
-                                } else {
-                                    phi_582_ = true;
-                                }
-                                let _e336 = phi_582_;
-                                phi_583_ = _e336;
-                            } else {
-                                phi_583_ = true;
-                            }
-                            let _e338 = phi_583_;
-                            if _e338 {
-                                switch bitcast<i32>(_e328) {
-                                    case 5: {
-                                        phi_592_ = 4u;
-                                        break;
-                                    }
-                                    case 6: {
-                                        phi_592_ = 25u;
-                                        break;
-                                    }
-                                    case 7: {
-                                        phi_592_ = 13u;
-                                        break;
-                                    }
-                                    default: {
-                                        phi_592_ = 9u;
-                                        break;
-                                    }
-                                }
-                                let _e341 = phi_592_;
-                                phi_593_ = _e341;
-                            } else {
-                                phi_593_ = 5u;
-                            }
-                            let _e343 = phi_593_;
-                            let _e344 = (_e330 < _e343);
-                            if _e344 {
-                                let _e346 = p.member.frame;
-                                let _e350 = p.member.current.size[0u];
-                                let _e352 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e328) {
-                                    case 1: {
-                                        let _e362 = lt_mask_pattern_plus(_e330);
-                                        phi_673_ = vec2<i32>(_e362.x, _e362.y);
-                                        break;
-                                    }
-                                    case 2: {
-                                        let _e366 = lt_mask_pattern_cross(_e330);
-                                        phi_673_ = vec2<i32>(_e366.x, _e366.y);
-                                        break;
-                                    }
-                                    case 3: {
-                                        let _e372 = lt_mask_pattern_plus_or_cross(_e330, ((_e47.x + _e47.y) & 1u));
-                                        phi_673_ = vec2<i32>(_e372.x, _e372.y);
-                                        break;
-                                    }
-                                    case 4: {
-                                        let _e377 = lt_mask_pattern_plus_or_cross(_e330, (_e346 & 1u));
-                                        phi_673_ = vec2<i32>(_e377.x, _e377.y);
-                                        break;
-                                    }
-                                    case 5: {
-                                        switch bitcast<i32>((_e346 & 3u)) {
-                                            case 0: {
-                                                phi_653_ = vec2(-1i);
-                                                break;
-                                            }
-                                            case 1: {
-                                                phi_653_ = vec2(0i);
-                                                break;
-                                            }
-                                            case 2: {
-                                                phi_653_ = vec2<i32>(0i, -1i);
-                                                break;
-                                            }
-                                            default: {
-                                                phi_653_ = vec2<i32>(-1i, 0i);
-                                                break;
-                                            }
-                                        }
-                                        let _e388 = phi_653_;
-                                        phi_673_ = (_e388 + vec2<i32>(bitcast<i32>((_e330 & 1u)), bitcast<i32>(((_e330 >> bitcast<u32>(1i)) & 1u))));
-                                        break;
-                                    }
-                                    case 6: {
-                                        phi_673_ = vec2<i32>((bitcast<i32>((_e330 % 5u)) - 2i), (bitcast<i32>(((_e330 / 5u) % 5u)) - 2i));
-                                        break;
-                                    }
-                                    case 7: {
-                                        let _e405 = lt_mask_pattern_diamond(_e330);
-                                        phi_673_ = vec2<i32>(_e405.x, _e405.y);
-                                        break;
-                                    }
-                                    default: {
-                                        phi_673_ = vec2<i32>((bitcast<i32>((_e330 % 3u)) - 1i), (bitcast<i32>(((_e330 / 3u) % 3u)) - 1i));
-                                        break;
-                                    }
-                                }
-                                let _e410 = phi_673_;
-                                let _e413 = lt_mask_pattern_step_clamped(_e47.x, _e410.x, _e350);
-                                let _e414 = lt_mask_pattern_step_clamped(_e47.y, _e410.y, _e352);
-                                let _e421 = ((((_e414 * _e98) + _e413) * _e94.words) + _e94.light.word);
-                                if (_e94.light.shift > 29u) {
-                                    let _e425 = (_e421 + 1u);
-                                    if (_e425 < _e53) {
-                                    } else {
-                                        return;
-                                    }
-                                    let _e429 = last_bits.member[(0u + _e425)];
-                                    phi_700_ = _e429;
-                                } else {
-                                    phi_700_ = 0u;
-                                }
-                                let _e431 = phi_700_;
-                                if (_e421 < _e53) {
-                                } else {
-                                    return;
-                                }
-                                let _e437 = last_bits.member[(0u + _e421)];
-                                let _e440 = (_e437 >> bitcast<u32>((_e94.light.shift & 31u)));
-                                if (_e94.light.shift > 29u) {
-                                    phi_719_ = (_e440 | (_e431 << bitcast<u32>(((32u - _e94.light.shift) & 31u))));
-                                } else {
-                                    phi_719_ = _e440;
-                                }
-                                let _e448 = phi_719_;
-                                if ((_e448 & 2u) == 0u) {
-                                    phi_727_ = (_e448 & 1u);
-                                } else {
-                                    phi_727_ = (_e448 & 7u);
-                                }
-                                let _e454 = phi_727_;
-                                if _e332.any_expands {
-                                    phi_815_ = true;
-                                } else {
-                                    if ((_e454 & 2u) != 0u) {
-                                        let _e461 = (((_e454 & 4u) != 0u) != _e261);
-                                        switch bitcast<i32>(_e322) {
-                                            case 1: {
-                                                phi_755_ = bool();
-                                                phi_756_ = false;
-                                                phi_757_ = true;
-                                                phi_758_ = false;
-                                                phi_759_ = false;
-                                                break;
-                                            }
-                                            case 2: {
-                                                if _e461 {
-                                                    phi_753_ = (((_e454 & 4u) != 0u) != ((_e454 & 1u) != 0u));
-                                                    phi_754_ = false;
-                                                } else {
-                                                    phi_753_ = bool();
-                                                    phi_754_ = true;
-                                                }
-                                                let _e469 = phi_753_;
-                                                let _e471 = phi_754_;
-                                                phi_755_ = _e469;
-                                                phi_756_ = false;
-                                                phi_757_ = false;
-                                                phi_758_ = _e471;
-                                                phi_759_ = _e461;
-                                                break;
-                                            }
-                                            default: {
-                                                phi_755_ = bool();
-                                                phi_756_ = true;
-                                                phi_757_ = false;
-                                                phi_758_ = false;
-                                                phi_759_ = false;
-                                                break;
-                                            }
-                                        }
-                                        let _e473 = phi_755_;
-                                        let _e475 = phi_756_;
-                                        let _e477 = phi_757_;
-                                        let _e479 = phi_758_;
-                                        let _e481 = phi_759_;
-                                        phi_767_ = _e461;
-                                        phi_768_ = _e473;
-                                        phi_769_ = _e475;
-                                        phi_770_ = _e477;
-                                        phi_771_ = _e479;
-                                        phi_772_ = _e481;
-                                    } else {
-                                        switch bitcast<i32>(_e322) {
-                                            case 1: {
-                                                phi_764_ = false;
-                                                phi_765_ = true;
-                                                phi_766_ = false;
-                                                break;
-                                            }
-                                            case 2: {
-                                                phi_764_ = false;
-                                                phi_765_ = false;
-                                                phi_766_ = true;
-                                                break;
-                                            }
-                                            default: {
-                                                phi_764_ = true;
-                                                phi_765_ = false;
-                                                phi_766_ = false;
-                                                break;
-                                            }
-                                        }
-                                        let _e484 = phi_764_;
-                                        let _e486 = phi_765_;
-                                        let _e488 = phi_766_;
-                                        phi_767_ = false;
-                                        phi_768_ = bool();
-                                        phi_769_ = _e484;
-                                        phi_770_ = _e486;
-                                        phi_771_ = _e488;
-                                        phi_772_ = false;
-                                    }
-                                    let _e490 = phi_767_;
-                                    let _e492 = phi_768_;
-                                    let _e494 = phi_769_;
-                                    let _e496 = phi_770_;
-                                    let _e498 = phi_771_;
-                                    let _e500 = phi_772_;
-                                    if _e494 {
-                                        if ((_e454 & 2u) != 0u) {
-                                            if (((_e454 & 4u) != 0u) != _e261) {
-                                                phi_787_ = false;
-                                            } else {
-                                                phi_787_ = true;
-                                            }
-                                            let _e507 = phi_787_;
-                                            phi_788_ = _e507;
-                                        } else {
-                                            phi_788_ = true;
-                                        }
-                                        let _e509 = phi_788_;
-                                        if _e509 {
-                                            phi_795_ = (((_e454 & 1u) != 0u) != _e261);
-                                        } else {
-                                            phi_795_ = true;
-                                        }
-                                        let _e514 = phi_795_;
-                                        phi_796_ = _e514;
-                                        phi_797_ = false;
-                                        phi_798_ = false;
-                                        phi_799_ = false;
-                                    } else {
-                                        phi_796_ = bool();
-                                        phi_797_ = _e496;
-                                        phi_798_ = _e498;
-                                        phi_799_ = _e500;
-                                    }
-                                    let _e516 = phi_796_;
-                                    let _e518 = phi_797_;
-                                    let _e520 = phi_798_;
-                                    let _e522 = phi_799_;
-                                    if _e518 {
-                                        phi_803_ = _e490;
-                                        phi_804_ = false;
-                                        phi_805_ = false;
-                                    } else {
-                                        phi_803_ = _e516;
-                                        phi_804_ = _e520;
-                                        phi_805_ = _e522;
-                                    }
-                                    let _e524 = phi_803_;
-                                    let _e526 = phi_804_;
-                                    let _e528 = phi_805_;
-                                    if _e526 {
-                                        phi_809_ = false;
-                                        phi_810_ = true;
-                                    } else {
-                                        phi_809_ = _e492;
-                                        phi_810_ = _e528;
-                                    }
-                                    let _e530 = phi_809_;
-                                    let _e532 = phi_810_;
-                                    if _e532 {
-                                        phi_814_ = _e530;
-                                    } else {
-                                        phi_814_ = _e524;
-                                    }
-                                    let _e534 = phi_814_;
-                                    phi_815_ = _e534;
-                                }
-                                let _e536 = phi_815_;
-                                if _e332.all_remove {
-                                    if (((_e454 & 1u) != 0u) == _e261) {
-                                        if ((_e454 & 2u) != 0u) {
-                                            phi_833_ = (((_e454 & 4u) != 0u) == _e261);
-                                        } else {
-                                            phi_833_ = true;
-                                        }
-                                        let _e546 = phi_833_;
-                                        phi_834_ = _e546;
-                                    } else {
-                                        phi_834_ = false;
-                                    }
-                                    let _e548 = phi_834_;
-                                    phi_835_ = _e548;
-                                } else {
-                                    phi_835_ = false;
-                                }
-                                let _e550 = phi_835_;
-                                phi_568_ = (_e330 + 1u);
-                                phi_571_ = lt_mask_Neighbourhood(_e536, _e550);
-                            } else {
-                                phi_568_ = u32();
-                                phi_571_ = lt_mask_Neighbourhood();
-                            }
-                            let _e554 = phi_568_;
-                            let _e556 = phi_571_;
-                            continue;
-                            continuing {
-                                phi_567_ = _e554;
-                                phi_570_ = _e556;
-                                break if !(_e344);
-                            }
+                        let _e296 = phi_450_;
+                        let _e306 = ((((_e38.y * _e296) + (_e38.x / 32u)) * 6u) + (select(0u, 1u, _e229) | (select(0u, 1u, false) << bitcast<u32>(1i))));
+                        if (_e306 < arrayLength((&heard.member))) {
+                        } else {
+                            return;
                         }
-                        let _e851 = local_1;
-                        phi_838_ = _e851;
+                        let _e310 = heard.member[(0u + _e306)];
+                        let _e316 = (((_e310 >> bitcast<u32>(((_e38.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_479_ = lt_mask_Neighbourhood(_e316, !(_e316));
                     }
-                    let _e559 = phi_838_;
-                    phi_839_ = _e559;
+                    let _e320 = phi_479_;
+                    phi_480_ = _e320;
                 } else {
-                    phi_839_ = _e316;
+                    phi_480_ = _e284;
                 }
-                let _e561 = phi_839_;
-                phi_840_ = _e561;
+                let _e322 = phi_480_;
+                phi_481_ = _e322;
             } else {
-                phi_840_ = _e316;
+                phi_481_ = _e284;
             }
-            let _e563 = phi_840_;
-            let _e566 = p.member.frame;
-            let _e568 = p.member.refresh;
-            if (_e568 == 0u) {
-                phi_873_ = false;
+            let _e324 = phi_481_;
+            let _e327 = p.member.frame;
+            let _e329 = p.member.refresh;
+            if (_e329 == 0u) {
+                phi_514_ = false;
             } else {
-                if (_e568 == 0u) {
+                if (_e329 == 0u) {
                     return;
                 }
-                let _e577 = ((_e47.x + (_e47.y * (((_e568 * 5u) / 8u) | 1u))) + (_e566 % _e568));
-                if (_e568 == 0u) {
-                    phi_872_ = (_e577 == 0u);
+                let _e338 = ((_e38.x + (_e38.y * (((_e329 * 5u) / 8u) | 1u))) + (_e327 % _e329));
+                if (_e329 == 0u) {
+                    phi_513_ = (_e338 == 0u);
                 } else {
-                    if (_e568 == 0u) {
+                    if (_e329 == 0u) {
                         return;
                     }
-                    phi_872_ = ((_e577 % _e568) == 0u);
+                    phi_513_ = ((_e338 % _e329) == 0u);
                 }
-                let _e584 = phi_872_;
-                phi_873_ = _e584;
+                let _e345 = phi_513_;
+                phi_514_ = _e345;
             }
-            let _e586 = phi_873_;
-            if _e315 {
-                if _e586 {
-                    phi_895_ = bool();
+            let _e347 = phi_514_;
+            if _e283 {
+                if _e347 {
+                    phi_536_ = bool();
                 } else {
-                    phi_895_ = ((0u & 2u) != 0u);
+                    phi_536_ = ((0u & 2u) != 0u);
                 }
-                let _e592 = phi_895_;
-                phi_896_ = _e592;
-                phi_897_ = _e586;
+                let _e353 = phi_536_;
+                phi_537_ = _e353;
+                phi_538_ = _e347;
             } else {
-                phi_896_ = bool();
-                phi_897_ = true;
+                phi_537_ = bool();
+                phi_538_ = true;
             }
-            let _e594 = phi_896_;
-            let _e596 = phi_897_;
-            if _e596 {
-                phi_901_ = false;
+            let _e355 = phi_537_;
+            let _e357 = phi_538_;
+            if _e357 {
+                phi_542_ = false;
             } else {
-                phi_901_ = _e594;
+                phi_542_ = _e355;
             }
-            let _e598 = phi_901_;
-            if _e598 {
-                phi_952_ = 7u;
+            let _e359 = phi_542_;
+            if _e359 {
+                phi_593_ = 7u;
             } else {
-                if (_e103 != 0.5f) {
-                    if _e315 {
-                        if _e586 {
-                            phi_949_ = 6u;
+                if (_e71 != 0.5f) {
+                    if _e283 {
+                        if _e347 {
+                            phi_590_ = 6u;
                         } else {
-                            if _e265 {
-                                phi_924_ = true;
+                            if _e233 {
+                                phi_565_ = true;
                             } else {
-                                if _e563.any_expands {
-                                    phi_923_ = false;
+                                if _e324.any_expands {
+                                    phi_564_ = false;
                                 } else {
-                                    phi_923_ = true;
+                                    phi_564_ = true;
                                 }
-                                let _e600 = phi_923_;
-                                phi_924_ = _e600;
+                                let _e361 = phi_564_;
+                                phi_565_ = _e361;
                             }
-                            let _e602 = phi_924_;
-                            if _e602 {
-                                if _e265 {
+                            let _e363 = phi_565_;
+                            if _e363 {
+                                if _e233 {
                                     if false {
-                                        if _e563.all_remove {
-                                            phi_937_ = false;
+                                        if _e324.all_remove {
+                                            phi_578_ = false;
                                         } else {
-                                            phi_937_ = true;
+                                            phi_578_ = true;
                                         }
-                                        let _e604 = phi_937_;
-                                        phi_938_ = _e604;
+                                        let _e365 = phi_578_;
+                                        phi_579_ = _e365;
                                     } else {
-                                        phi_938_ = true;
+                                        phi_579_ = true;
                                     }
-                                    let _e606 = phi_938_;
-                                    phi_939_ = _e606;
+                                    let _e367 = phi_579_;
+                                    phi_580_ = _e367;
                                 } else {
-                                    phi_939_ = true;
+                                    phi_580_ = true;
                                 }
-                                let _e608 = phi_939_;
-                                if _e608 {
-                                    if _e265 {
-                                        phi_946_ = 1u;
+                                let _e369 = phi_580_;
+                                if _e369 {
+                                    if _e233 {
+                                        phi_587_ = 1u;
                                     } else {
-                                        phi_946_ = 0u;
+                                        phi_587_ = 0u;
                                     }
-                                    let _e610 = phi_946_;
-                                    phi_947_ = _e610;
+                                    let _e371 = phi_587_;
+                                    phi_588_ = _e371;
                                 } else {
-                                    phi_947_ = 5u;
+                                    phi_588_ = 5u;
                                 }
-                                let _e612 = phi_947_;
-                                phi_948_ = _e612;
+                                let _e373 = phi_588_;
+                                phi_589_ = _e373;
                             } else {
-                                phi_948_ = 4u;
+                                phi_589_ = 4u;
                             }
-                            let _e614 = phi_948_;
-                            phi_949_ = _e614;
+                            let _e375 = phi_589_;
+                            phi_590_ = _e375;
                         }
-                        let _e616 = phi_949_;
-                        phi_950_ = _e616;
+                        let _e377 = phi_590_;
+                        phi_591_ = _e377;
                     } else {
-                        phi_950_ = 3u;
+                        phi_591_ = 3u;
                     }
-                    let _e618 = phi_950_;
-                    phi_951_ = _e618;
+                    let _e379 = phi_591_;
+                    phi_592_ = _e379;
                 } else {
-                    phi_951_ = 2u;
+                    phi_592_ = 2u;
                 }
-                let _e620 = phi_951_;
-                phi_952_ = _e620;
+                let _e381 = phi_592_;
+                phi_593_ = _e381;
             }
-            let _e622 = phi_952_;
-            if !((_e622 == 0u)) {
-                if !((_e622 == 5u)) {
-                    phi_964_ = !(_e598);
-                    phi_965_ = false;
+            let _e383 = phi_593_;
+            if !((_e383 == 0u)) {
+                if !((_e383 == 5u)) {
+                    phi_605_ = !(_e359);
+                    phi_606_ = false;
                 } else {
-                    phi_964_ = bool();
-                    phi_965_ = true;
+                    phi_605_ = bool();
+                    phi_606_ = true;
                 }
-                let _e629 = phi_964_;
-                let _e631 = phi_965_;
-                phi_966_ = _e629;
-                phi_967_ = _e631;
+                let _e390 = phi_605_;
+                let _e392 = phi_606_;
+                phi_607_ = _e390;
+                phi_608_ = _e392;
             } else {
-                phi_966_ = bool();
-                phi_967_ = true;
+                phi_607_ = bool();
+                phi_608_ = true;
             }
-            let _e633 = phi_966_;
-            let _e635 = phi_967_;
-            if _e635 {
-                phi_971_ = false;
+            let _e394 = phi_607_;
+            let _e396 = phi_608_;
+            if _e396 {
+                phi_612_ = false;
             } else {
-                phi_971_ = _e633;
+                phi_612_ = _e394;
             }
-            let _e637 = phi_971_;
-            if _e598 {
-                phi_977_ = ((0u & 4u) != 0u);
+            let _e398 = phi_612_;
+            if _e359 {
+                phi_618_ = ((0u & 4u) != 0u);
             } else {
-                phi_977_ = _e261;
+                phi_618_ = _e229;
             }
-            let _e641 = phi_977_;
-            if _e637 {
-                if _e261 {
-                    phi_985_ = (2u | 1u);
+            let _e402 = phi_618_;
+            if _e398 {
+                if _e229 {
+                    phi_626_ = (2u | 1u);
                 } else {
-                    phi_985_ = 2u;
+                    phi_626_ = 2u;
                 }
-                let _e644 = phi_985_;
+                let _e405 = phi_626_;
                 if false {
-                    phi_990_ = (_e644 | 4u);
+                    phi_631_ = (_e405 | 4u);
                 } else {
-                    phi_990_ = _e644;
+                    phi_631_ = _e405;
                 }
-                let _e647 = phi_990_;
-                phi_1010_ = _e647;
+                let _e408 = phi_631_;
+                phi_651_ = _e408;
             } else {
-                if (_e622 == 7u) {
-                    if _e261 {
-                        phi_999_ = (2u | 1u);
+                if (_e383 == 7u) {
+                    if _e229 {
+                        phi_640_ = (2u | 1u);
                     } else {
-                        phi_999_ = 2u;
+                        phi_640_ = 2u;
                     }
-                    let _e651 = phi_999_;
-                    if _e641 {
-                        phi_1004_ = (_e651 | 4u);
+                    let _e412 = phi_640_;
+                    if _e402 {
+                        phi_645_ = (_e412 | 4u);
                     } else {
-                        phi_1004_ = _e651;
+                        phi_645_ = _e412;
                     }
-                    let _e654 = phi_1004_;
-                    phi_1009_ = _e654;
+                    let _e415 = phi_645_;
+                    phi_650_ = _e415;
                 } else {
-                    if _e261 {
-                        phi_1008_ = 1u;
+                    if _e229 {
+                        phi_649_ = 1u;
                     } else {
-                        phi_1008_ = 0u;
+                        phi_649_ = 0u;
                     }
-                    let _e656 = phi_1008_;
-                    phi_1009_ = _e656;
+                    let _e417 = phi_649_;
+                    phi_650_ = _e417;
                 }
-                let _e658 = phi_1009_;
-                phi_1010_ = _e658;
+                let _e419 = phi_650_;
+                phi_651_ = _e419;
             }
-            let _e660 = phi_1010_;
-            if _e641 {
-                phi_1014_ = 0f;
+            let _e421 = phi_651_;
+            if _e402 {
+                phi_655_ = 0f;
             } else {
-                phi_1014_ = 1f;
+                phi_655_ = 1f;
             }
-            let _e662 = phi_1014_;
-            phi_1016_ = mask_Masked(_e662, _e660, _e637);
+            let _e423 = phi_655_;
+            phi_657_ = mask_Masked(_e423, _e421, _e398);
         }
-        let _e665 = phi_1016_;
-        visibility.member[_e67.shift] = _e665.visibility;
-        let _e670 = p.member.light.number;
-        let _e671 = (_e670 * 3u);
-        let _e673 = (_e671 % 32u);
-        let _e675 = p.member.light.mask_words;
-        let _e677 = ((_e67.shift * _e675) + (_e671 / 32u));
-        let _e679 = bits.member[_e677];
-        bits.member[_e677] = ((_e679 & ~((7u << bitcast<u32>((_e673 & 31u))))) | (_e665.bits << bitcast<u32>((_e673 & 31u))));
-        if (_e673 > 29u) {
-            let _e694 = bits.member[(_e677 + 1u)];
-            let _e696 = (32u - _e673);
-            bits.member[(_e677 + 1u)] = ((_e694 & ~((7u >> bitcast<u32>((_e696 & 31u))))) | (_e665.bits >> bitcast<u32>((_e696 & 31u))));
+        let _e426 = phi_657_;
+        visibility.member[_e58.first_primitive] = _e426.visibility;
+        let _e431 = p.member.light.number;
+        let _e432 = (_e431 * 3u);
+        let _e434 = (_e432 % 32u);
+        let _e436 = p.member.light.mask_words;
+        let _e438 = ((_e58.first_primitive * _e436) + (_e432 / 32u));
+        let _e440 = bits.member[_e438];
+        bits.member[_e438] = ((_e440 & ~((7u << bitcast<u32>((_e434 & 31u))))) | (_e426.bits << bitcast<u32>((_e434 & 31u))));
+        if (_e434 > 29u) {
+            let _e455 = bits.member[(_e438 + 1u)];
+            let _e457 = (32u - _e434);
+            bits.member[(_e438 + 1u)] = ((_e455 & ~((7u >> bitcast<u32>((_e457 & 31u))))) | (_e426.bits >> bitcast<u32>((_e457 & 31u))));
         }
-        let _e711 = samples.member[_e67.shift].normal[0u];
-        let _e713 = global[0u];
-        if (_e711 == _e713) {
-            let _e716 = samples.member[_e67.shift].normal[1u];
-            let _e718 = global[1u];
-            if (_e716 == _e718) {
-                let _e721 = samples.member[_e67.shift].normal[2u];
-                let _e723 = global[2u];
-                phi_1088_ = (_e721 == _e723);
-                phi_1089_ = false;
+        let _e472 = samples.member[_e58.first_primitive].normal[0u];
+        let _e474 = global[0u];
+        if (_e472 == _e474) {
+            let _e477 = samples.member[_e58.first_primitive].normal[1u];
+            let _e479 = global[1u];
+            if (_e477 == _e479) {
+                let _e482 = samples.member[_e58.first_primitive].normal[2u];
+                let _e484 = global[2u];
+                phi_729_ = (_e482 == _e484);
+                phi_730_ = false;
             } else {
-                phi_1088_ = bool();
-                phi_1089_ = true;
+                phi_729_ = bool();
+                phi_730_ = true;
             }
-            let _e726 = phi_1088_;
-            let _e728 = phi_1089_;
-            phi_1090_ = _e726;
-            phi_1091_ = _e728;
+            let _e487 = phi_729_;
+            let _e489 = phi_730_;
+            phi_731_ = _e487;
+            phi_732_ = _e489;
         } else {
-            phi_1090_ = bool();
-            phi_1091_ = true;
+            phi_731_ = bool();
+            phi_732_ = true;
         }
-        let _e730 = phi_1090_;
-        let _e732 = phi_1091_;
-        if _e732 {
-            phi_1095_ = false;
+        let _e491 = phi_731_;
+        let _e493 = phi_732_;
+        if _e493 {
+            phi_736_ = false;
         } else {
-            phi_1095_ = _e730;
+            phi_736_ = _e491;
         }
-        let _e734 = phi_1095_;
-        if !(_e734) {
-            let _e737 = samples.member[_e67.shift].position;
-            let _e739 = p.member.current.eye;
-            let _e750 = p.member.current.forward;
-            phi_1123_ = ((((_e737.x - _e739.x) * _e750.x) + ((_e737.y - _e739.y) * _e750.y)) + ((_e737.z - _e739.z) * _e750.z));
+        let _e495 = phi_736_;
+        if !(_e495) {
+            let _e498 = samples.member[_e58.first_primitive].position;
+            let _e500 = p.member.current.eye;
+            let _e511 = p.member.current.forward;
+            phi_764_ = ((((_e498.x - _e500.x) * _e511.x) + ((_e498.y - _e500.y) * _e511.y)) + ((_e498.z - _e500.z) * _e511.z));
         } else {
-            phi_1123_ = 0f;
+            phi_764_ = 0f;
         }
-        let _e760 = phi_1123_;
-        depths.member[_e67.shift] = _e760;
-        phi_1126_ = _e665.needs_ray;
-        phi_1127_ = _e67.shift;
+        let _e521 = phi_764_;
+        depths.member[_e58.first_primitive] = _e521;
+        phi_767_ = _e426.needs_ray;
+        phi_768_ = _e58.first_primitive;
     } else {
-        phi_1126_ = false;
-        phi_1127_ = 0u;
+        phi_767_ = false;
+        phi_768_ = 0u;
     }
-    let _e764 = phi_1126_;
-    let _e766 = phi_1127_;
-    if (_e48 == 0u) {
+    let _e525 = phi_767_;
+    let _e527 = phi_768_;
+    if (_e39 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e764 {
-        let _e770 = atomicAdd((&shared_[0u]), 1u);
-        phi_1138_ = _e770;
+    if _e525 {
+        let _e531 = atomicAdd((&shared_[0u]), 1u);
+        phi_779_ = _e531;
     } else {
-        phi_1138_ = 0u;
+        phi_779_ = 0u;
     }
-    let _e772 = phi_1138_;
+    let _e533 = phi_779_;
     workgroupBarrier();
-    if (_e48 == 0u) {
-        let _e776 = atomicLoad((&shared_[0u]));
-        let _e777 = atomicAdd((&list.member[3u]), _e776);
-        atomicStore((&shared_[1u]), _e777);
+    if (_e39 == 0u) {
+        let _e537 = atomicLoad((&shared_[0u]));
+        let _e538 = atomicAdd((&list.member[3u]), _e537);
+        atomicStore((&shared_[1u]), _e538);
     }
     workgroupBarrier();
-    if _e764 {
-        let _e780 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e780) + _e772)]), _e766);
+    if _e525 {
+        let _e541 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e541) + _e533)]), _e527);
     }
     return;
 }
@@ -1179,6 +686,6 @@ fn function_() {
 @compute @workgroup_size(8, 8, 1) 
 fn entry_mask_mask_depth_er_cs(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     id_1 = id;
-    local_2 = local;
+    local_1 = local;
     function_();
 }

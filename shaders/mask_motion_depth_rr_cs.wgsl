@@ -25,18 +25,29 @@ struct abi_MaskParams {
     current: abi_CameraParams,
     previous: abi_CameraParams,
     light: abi_LightParams,
+    still: vec2<u32>,
+    moving: vec2<u32>,
     frame: u32,
-    still_pattern: u32,
-    moving_pattern: u32,
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
     expansion: u32,
     pad0_: u32,
+    pad1_: u32,
+    pad2_: u32,
 }
 
-struct type_9 {
+struct type_8 {
     member: abi_MaskParams,
+}
+
+struct type_12 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
 }
 
 struct abi_Sample {
@@ -48,26 +59,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_13 {
+struct type_23 {
     member: array<abi_Sample>,
 }
 
-struct type_17 {
-    member: array<u32>,
-}
-
-struct type_21 {
+struct type_27 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
-}
-
-struct mask_BitsPlace {
-    light: lt_mask_LightPlace,
-    words: u32,
 }
 
 struct evaluate_Verdict {
@@ -97,1579 +94,1103 @@ struct lt_mask_Neighbourhood {
     all_remove: bool,
 }
 
-struct type_44 {
+struct type_43 {
     member: array<atomic<u32>>,
 }
 
 var<private> id_1: vec3<u32>;
-var<private> local_2: u32;
 @group(0) @binding(0) 
-var<uniform> p: type_9;
+var<uniform> p: type_8;
+var<private> local_1: u32;
 @group(0) @binding(1) 
-var<storage> samples: type_13;
+var<storage> samples: type_23;
 @group(0) @binding(2) 
-var<storage> last_bits: type_17;
+var<storage> heard: type_12;
 @group(0) @binding(3) 
-var<storage, read_write> bits: type_17;
+var<storage, read_write> bits: type_12;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_21;
+var<storage, read_write> visibility: type_27;
 @group(0) @binding(5) 
-var<storage, read_write> list: type_44;
+var<storage, read_write> list: type_43;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(6) 
-var<storage> last_depths: type_21;
+var<storage> last_depths: type_27;
 @group(0) @binding(7) 
-var<storage, read_write> depths: type_21;
+var<storage, read_write> depths: type_27;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_178_: lt_mask_LightPlace;
-    var phi_179_: bool;
-    var phi_180_: lt_mask_LightPlace;
-    var phi_181_: bool;
-    var phi_186_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_166_: lt_bvh_traverse_Tree;
+    var phi_167_: bool;
+    var phi_168_: lt_bvh_traverse_Tree;
+    var phi_169_: bool;
+    var phi_174_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_178_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_179_ = false;
+            phi_166_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_167_ = false;
         } else {
-            phi_178_ = lt_mask_LightPlace();
-            phi_179_ = true;
+            phi_166_ = lt_bvh_traverse_Tree();
+            phi_167_ = true;
         }
-        let _e73 = phi_178_;
-        let _e75 = phi_179_;
-        phi_180_ = _e73;
-        phi_181_ = _e75;
+        let _e66 = phi_166_;
+        let _e68 = phi_167_;
+        phi_168_ = _e66;
+        phi_169_ = _e68;
     } else {
-        phi_180_ = lt_mask_LightPlace();
-        phi_181_ = true;
+        phi_168_ = lt_bvh_traverse_Tree();
+        phi_169_ = true;
     }
-    let _e77 = phi_180_;
-    let _e79 = phi_181_;
-    if _e79 {
-        phi_186_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e70 = phi_168_;
+    let _e72 = phi_169_;
+    if _e72 {
+        phi_174_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_186_ = _e77;
+        phi_174_ = _e70;
     }
-    let _e84 = phi_186_;
-    return lt_mask_LightPlace(_e84.word, _e84.shift);
-}
-
-fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_204_: vec2<i32>;
-
-    switch bitcast<i32>((param_3 % 5u)) {
-        case 0: {
-            phi_204_ = vec2(0i);
-            break;
-        }
-        case 1: {
-            phi_204_ = vec2<i32>(0i, -1i);
-            break;
-        }
-        case 2: {
-            phi_204_ = vec2<i32>(-1i, 0i);
-            break;
-        }
-        case 3: {
-            phi_204_ = vec2<i32>(1i, 0i);
-            break;
-        }
-        default: {
-            phi_204_ = vec2<i32>(0i, 1i);
-            break;
-        }
-    }
-    let _e69 = phi_204_;
-    return vec2<i32>(_e69.x, _e69.y);
-}
-
-fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_222_: vec2<i32>;
-
-    switch bitcast<i32>((param_4 % 5u)) {
-        case 0: {
-            phi_222_ = vec2(0i);
-            break;
-        }
-        case 1: {
-            phi_222_ = vec2(-1i);
-            break;
-        }
-        case 2: {
-            phi_222_ = vec2<i32>(1i, -1i);
-            break;
-        }
-        case 3: {
-            phi_222_ = vec2<i32>(-1i, 1i);
-            break;
-        }
-        default: {
-            phi_222_ = vec2(1i);
-            break;
-        }
-    }
-    let _e69 = phi_222_;
-    return vec2<i32>(_e69.x, _e69.y);
-}
-
-fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_241_: vec2<i32>;
-
-    if (param_6 == 0u) {
-        let _e63 = lt_mask_pattern_plus(param_5);
-        phi_241_ = vec2<i32>(_e63.x, _e63.y);
-    } else {
-        let _e67 = lt_mask_pattern_cross(param_5);
-        phi_241_ = vec2<i32>(_e67.x, _e67.y);
-    }
-    let _e72 = phi_241_;
-    return vec2<i32>(_e72.x, _e72.y);
-}
-
-fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_266_: vec2<i32>;
-
-    let _e61 = (param_7 % 13u);
-    switch bitcast<i32>(_e61) {
-        case 9: {
-            phi_266_ = vec2<i32>(0i, -2i);
-            break;
-        }
-        case 10: {
-            phi_266_ = vec2<i32>(-2i, 0i);
-            break;
-        }
-        case 11: {
-            phi_266_ = vec2<i32>(2i, 0i);
-            break;
-        }
-        case 12: {
-            phi_266_ = vec2<i32>(0i, 2i);
-            break;
-        }
-        default: {
-            phi_266_ = vec2<i32>((bitcast<i32>((_e61 % 3u)) - 1i), (bitcast<i32>(((_e61 / 3u) % 3u)) - 1i));
-            break;
-        }
-    }
-    let _e76 = phi_266_;
-    return vec2<i32>(_e76.x, _e76.y);
-}
-
-fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_287_: u32;
-    var phi_288_: u32;
-
-    let _e64 = (bitcast<i32>(param_8) + param_9);
-    if (_e64 < 0i) {
-        phi_288_ = 0u;
-    } else {
-        if (_e64 >= bitcast<i32>(param_10)) {
-            phi_287_ = (param_10 - 1u);
-        } else {
-            phi_287_ = bitcast<u32>(_e64);
-        }
-        let _e71 = phi_287_;
-        phi_288_ = _e71;
-    }
-    let _e73 = phi_288_;
-    return _e73;
+    let _e77 = phi_174_;
+    return lt_bvh_traverse_Tree(_e77.root, _e77.first_primitive);
 }
 
 fn function_() {
-    var phi_365_: bool;
-    var phi_366_: bool;
-    var phi_367_: bool;
-    var phi_368_: bool;
-    var phi_372_: bool;
-    var phi_442_: bool;
-    var phi_443_: bool;
-    var phi_454_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_455_: bool;
-    var phi_456_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_457_: bool;
-    var phi_464_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_468_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_481_: bool;
-    var phi_512_: bool;
-    var phi_513_: bool;
-    var phi_514_: bool;
-    var phi_515_: bool;
-    var phi_519_: bool;
-    var phi_520_: bool;
-    var phi_731_: f32;
-    var phi_736_: f32;
-    var phi_737_: bool;
-    var phi_738_: f32;
-    var phi_739_: bool;
-    var phi_743_: f32;
-    var phi_764_: f32;
-    var phi_769_: f32;
-    var phi_770_: bool;
-    var phi_771_: f32;
-    var phi_772_: bool;
-    var phi_776_: f32;
-    var phi_797_: bool;
-    var phi_816_: vec2<u32>;
-    var phi_817_: bool;
-    var phi_818_: bool;
-    var phi_819_: bool;
-    var phi_820_: vec2<u32>;
-    var phi_821_: bool;
-    var phi_822_: bool;
-    var phi_823_: bool;
-    var phi_824_: bool;
-    var phi_825_: bool;
-    var phi_826_: bool;
-    var phi_827_: vec2<u32>;
-    var phi_828_: bool;
-    var phi_829_: bool;
-    var phi_830_: bool;
-    var phi_831_: bool;
-    var phi_832_: bool;
-    var phi_833_: bool;
-    var phi_834_: vec2<u32>;
-    var phi_835_: bool;
-    var phi_836_: bool;
+    var phi_242_: bool;
+    var phi_243_: bool;
+    var phi_244_: bool;
+    var phi_245_: bool;
+    var phi_249_: bool;
+    var phi_319_: bool;
+    var phi_320_: bool;
+    var phi_331_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_332_: bool;
+    var phi_333_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_334_: bool;
+    var phi_341_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_345_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_358_: bool;
+    var phi_389_: bool;
+    var phi_390_: bool;
+    var phi_391_: bool;
+    var phi_392_: bool;
+    var phi_396_: bool;
+    var phi_397_: bool;
+    var phi_608_: f32;
+    var phi_613_: f32;
+    var phi_614_: bool;
+    var phi_615_: f32;
+    var phi_616_: bool;
+    var phi_620_: f32;
+    var phi_641_: f32;
+    var phi_646_: f32;
+    var phi_647_: bool;
+    var phi_648_: f32;
+    var phi_649_: bool;
+    var phi_653_: f32;
+    var phi_674_: bool;
+    var phi_693_: vec2<u32>;
+    var phi_694_: bool;
+    var phi_695_: bool;
+    var phi_696_: bool;
+    var phi_697_: vec2<u32>;
+    var phi_698_: bool;
+    var phi_699_: bool;
+    var phi_700_: bool;
+    var phi_701_: bool;
+    var phi_702_: bool;
+    var phi_703_: bool;
+    var phi_704_: vec2<u32>;
+    var phi_705_: bool;
+    var phi_706_: bool;
+    var phi_707_: bool;
+    var phi_708_: bool;
+    var phi_709_: bool;
+    var phi_710_: bool;
+    var phi_711_: vec2<u32>;
+    var phi_712_: bool;
+    var phi_713_: bool;
+    var phi_714_: bool;
+    var phi_715_: bool;
+    var phi_724_: bool;
+    var phi_725_: bool;
+    var phi_726_: bool;
+    var phi_727_: bool;
+    var phi_731_: bool;
+    var phi_732_: bool;
+    var phi_733_: vec2<u32>;
+    var phi_771_: bool;
+    var phi_773_: lt_mask_Reprojection;
+    var phi_774_: lt_mask_Reprojection;
+    var phi_775_: lt_mask_Reprojection;
+    var phi_776_: bool;
+    var phi_777_: bool;
+    var phi_778_: lt_mask_Reprojection;
+    var phi_779_: lt_mask_Reprojection;
+    var phi_780_: lt_mask_Reprojection;
+    var phi_781_: bool;
+    var phi_782_: bool;
     var phi_837_: bool;
-    var phi_838_: bool;
-    var phi_847_: bool;
-    var phi_848_: bool;
-    var phi_849_: bool;
-    var phi_850_: bool;
-    var phi_854_: bool;
-    var phi_855_: bool;
-    var phi_856_: vec2<u32>;
-    var phi_894_: bool;
-    var phi_896_: lt_mask_Reprojection;
-    var phi_897_: lt_mask_Reprojection;
-    var phi_898_: lt_mask_Reprojection;
-    var phi_899_: bool;
-    var phi_900_: bool;
-    var phi_901_: lt_mask_Reprojection;
-    var phi_902_: lt_mask_Reprojection;
-    var phi_903_: lt_mask_Reprojection;
-    var phi_904_: bool;
-    var phi_905_: bool;
-    var phi_960_: bool;
-    var phi_964_: f32;
-    var phi_968_: lt_mask_Reprojection;
-    var phi_969_: bool;
+    var phi_841_: f32;
+    var phi_845_: lt_mask_Reprojection;
+    var phi_846_: bool;
+    var phi_858_: bool;
+    var phi_859_: bool;
+    var phi_860_: bool;
+    var phi_861_: lt_mask_Reprojection;
+    var phi_862_: bool;
+    var phi_866_: bool;
+    var phi_867_: lt_mask_Reprojection;
+    var phi_905_: u32;
+    var phi_954_: u32;
+    var phi_959_: u32;
+    var phi_960_: u32;
+    var phi_961_: u32;
+    var phi_962_: bool;
+    var phi_963_: u32;
+    var phi_964_: bool;
+    var phi_965_: bool;
+    var phi_966_: u32;
+    var phi_967_: bool;
+    var phi_968_: bool;
+    var phi_972_: bool;
+    var phi_976_: u32;
     var phi_981_: bool;
-    var phi_982_: bool;
-    var phi_983_: bool;
-    var phi_984_: lt_mask_Reprojection;
-    var phi_985_: bool;
-    var phi_989_: bool;
-    var phi_990_: lt_mask_Reprojection;
-    var phi_1033_: u32;
-    var phi_1052_: u32;
-    var phi_1060_: u32;
-    var phi_1061_: u32;
-    var phi_1062_: bool;
-    var phi_1063_: u32;
-    var phi_1064_: bool;
-    var phi_1065_: bool;
-    var phi_1066_: u32;
-    var phi_1067_: bool;
-    var phi_1068_: bool;
-    var phi_1072_: bool;
-    var phi_1076_: u32;
-    var phi_1081_: bool;
-    var phi_1103_: u32;
-    var phi_1105_: u32;
-    var phi_1108_: lt_mask_Neighbourhood;
-    var phi_1120_: bool;
-    var phi_1121_: bool;
-    var phi_1130_: u32;
-    var phi_1131_: u32;
-    var phi_1191_: vec2<i32>;
-    var phi_1211_: vec2<i32>;
-    var phi_1238_: u32;
-    var phi_1257_: u32;
-    var phi_1265_: u32;
-    var phi_1291_: bool;
+    var phi_1013_: u32;
+    var phi_1042_: lt_mask_Neighbourhood;
+    var phi_1043_: lt_mask_Neighbourhood;
+    var phi_1044_: lt_mask_Neighbourhood;
+    var phi_1076_: bool;
+    var phi_1077_: bool;
+    var phi_1099_: bool;
+    var phi_1100_: bool;
+    var phi_1101_: bool;
+    var phi_1105_: bool;
+    var phi_1127_: bool;
+    var phi_1128_: bool;
+    var phi_1141_: bool;
+    var phi_1142_: bool;
+    var phi_1143_: bool;
+    var phi_1150_: u32;
+    var phi_1151_: u32;
+    var phi_1152_: u32;
+    var phi_1153_: u32;
+    var phi_1154_: u32;
+    var phi_1155_: u32;
+    var phi_1156_: u32;
+    var phi_1168_: bool;
+    var phi_1169_: bool;
+    var phi_1170_: bool;
+    var phi_1171_: bool;
+    var phi_1175_: bool;
+    var phi_1181_: bool;
+    var phi_1189_: u32;
+    var phi_1194_: u32;
+    var phi_1203_: u32;
+    var phi_1208_: u32;
+    var phi_1212_: u32;
+    var phi_1213_: u32;
+    var phi_1214_: u32;
+    var phi_1218_: f32;
+    var phi_1220_: mask_Masked;
     var phi_1292_: bool;
     var phi_1293_: bool;
     var phi_1294_: bool;
     var phi_1295_: bool;
-    var phi_1296_: bool;
-    var phi_1297_: bool;
-    var phi_1302_: bool;
-    var phi_1303_: bool;
-    var phi_1304_: bool;
-    var phi_1305_: bool;
-    var phi_1306_: bool;
-    var phi_1307_: bool;
-    var phi_1308_: bool;
-    var phi_1309_: bool;
-    var phi_1310_: bool;
-    var phi_1325_: bool;
-    var phi_1326_: bool;
-    var phi_1333_: bool;
-    var phi_1334_: bool;
-    var phi_1335_: bool;
-    var phi_1336_: bool;
-    var phi_1337_: bool;
-    var phi_1341_: bool;
-    var phi_1342_: bool;
-    var phi_1343_: bool;
-    var phi_1347_: bool;
-    var phi_1348_: bool;
-    var phi_1352_: bool;
-    var phi_1353_: bool;
-    var phi_1371_: bool;
-    var phi_1372_: bool;
-    var phi_1373_: bool;
-    var phi_1106_: u32;
-    var phi_1109_: lt_mask_Neighbourhood;
-    var phi_1376_: lt_mask_Neighbourhood;
-    var phi_1377_: lt_mask_Neighbourhood;
-    var phi_1378_: lt_mask_Neighbourhood;
-    var phi_1410_: bool;
-    var phi_1411_: bool;
-    var phi_1433_: bool;
-    var phi_1434_: bool;
-    var phi_1435_: bool;
-    var phi_1439_: bool;
-    var phi_1461_: bool;
-    var phi_1462_: bool;
-    var phi_1475_: bool;
-    var phi_1476_: bool;
-    var phi_1477_: bool;
-    var phi_1484_: u32;
-    var phi_1485_: u32;
-    var phi_1486_: u32;
-    var phi_1487_: u32;
-    var phi_1488_: u32;
-    var phi_1489_: u32;
-    var phi_1490_: u32;
-    var phi_1502_: bool;
-    var phi_1503_: bool;
-    var phi_1504_: bool;
-    var phi_1505_: bool;
-    var phi_1509_: bool;
-    var phi_1515_: bool;
-    var phi_1523_: u32;
-    var phi_1528_: u32;
-    var phi_1537_: u32;
-    var phi_1542_: u32;
-    var phi_1546_: u32;
-    var phi_1547_: u32;
-    var phi_1548_: u32;
-    var phi_1552_: f32;
-    var phi_1554_: mask_Masked;
-    var phi_1626_: bool;
-    var phi_1627_: bool;
-    var phi_1628_: bool;
-    var phi_1629_: bool;
-    var phi_1633_: bool;
-    var phi_1661_: f32;
-    var phi_1664_: bool;
-    var phi_1665_: u32;
-    var phi_1676_: u32;
-    var local_1: lt_mask_Neighbourhood;
+    var phi_1299_: bool;
+    var phi_1327_: f32;
+    var phi_1330_: bool;
+    var phi_1331_: u32;
+    var phi_1342_: u32;
 
-    let _e60 = id_1;
-    let _e61 = local_2;
-    let _e66 = arrayLength((&last_bits.member));
-    let _e77 = p.member.current.size[0u];
-    let _e79 = p.member.current.size[1u];
-    let _e80 = lt_shaders_entry_pixel_index(_e60, _e77, _e79);
-    if (bitcast<i32>(_e80.word) != 0i) {
-        let _e87 = p.member.light.number;
-        let _e88 = (_e87 * 3u);
-        let _e92 = p.member.light.mask_words;
-        let _e98 = mask_BitsPlace(lt_mask_LightPlace((_e88 / 32u), mask_BitsPlace().light.shift), mask_BitsPlace().words);
-        let _e104 = mask_BitsPlace(lt_mask_LightPlace(_e98.light.word, (_e88 % 32u)), _e98.words);
-        let _e107 = mask_BitsPlace(_e104.light, _e92);
-        let _e111 = p.member.current.size[0u];
-        let _e114 = samples.member[_e80.shift].position;
-        let _e116 = visibility.member[_e80.shift];
-        let _e122 = samples.member[_e80.shift].normal[0u];
-        let _e124 = global[0u];
-        if (_e122 == _e124) {
-            let _e127 = samples.member[_e80.shift].normal[1u];
-            let _e129 = global[1u];
-            if (_e127 == _e129) {
-                let _e132 = samples.member[_e80.shift].normal[2u];
-                let _e134 = global[2u];
-                phi_365_ = (_e132 == _e134);
-                phi_366_ = false;
+    let _e53 = id_1;
+    let _e54 = local_1;
+    let _e59 = arrayLength((&heard.member));
+    let _e70 = p.member.current.size[0u];
+    let _e72 = p.member.current.size[1u];
+    let _e73 = lt_shaders_entry_pixel_index(_e53, _e70, _e72);
+    if (bitcast<i32>(_e73.root) != 0i) {
+        let _e81 = p.member.current.size[0u];
+        let _e84 = samples.member[_e73.first_primitive].position;
+        let _e86 = visibility.member[_e73.first_primitive];
+        let _e92 = samples.member[_e73.first_primitive].normal[0u];
+        let _e94 = global[0u];
+        if (_e92 == _e94) {
+            let _e97 = samples.member[_e73.first_primitive].normal[1u];
+            let _e99 = global[1u];
+            if (_e97 == _e99) {
+                let _e102 = samples.member[_e73.first_primitive].normal[2u];
+                let _e104 = global[2u];
+                phi_242_ = (_e102 == _e104);
+                phi_243_ = false;
             } else {
-                phi_365_ = bool();
-                phi_366_ = true;
+                phi_242_ = bool();
+                phi_243_ = true;
             }
-            let _e137 = phi_365_;
-            let _e139 = phi_366_;
-            phi_367_ = _e137;
-            phi_368_ = _e139;
+            let _e107 = phi_242_;
+            let _e109 = phi_243_;
+            phi_244_ = _e107;
+            phi_245_ = _e109;
         } else {
-            phi_367_ = bool();
-            phi_368_ = true;
+            phi_244_ = bool();
+            phi_245_ = true;
         }
-        let _e141 = phi_367_;
-        let _e143 = phi_368_;
-        if _e143 {
-            phi_372_ = false;
+        let _e111 = phi_244_;
+        let _e113 = phi_245_;
+        if _e113 {
+            phi_249_ = false;
         } else {
-            phi_372_ = _e141;
+            phi_249_ = _e111;
         }
-        let _e145 = phi_372_;
-        if !(_e145) {
-            let _e148 = samples.member[_e80.shift].position;
-            let _e150 = p.member.light.place;
-            let _e156 = p.member.light.place[3u];
-            let _e163 = (_e150.x - (_e148.x * _e156));
-            let _e164 = (_e150.y - (_e148.y * _e156));
-            let _e165 = (_e150.z - (_e148.z * _e156));
-            let _e167 = samples.member[_e80.shift].normal;
-            if ((((_e167.x * _e163) + (_e167.y * _e164)) + (_e167.z * _e165)) > 0f) {
-                let _e181 = (((_e163 * _e163) + (_e164 * _e164)) + (_e165 * _e165));
-                let _e183 = p.member.light.axis;
-                let _e195 = p.member.light.place[3u];
-                if (_e195 == 0f) {
-                    phi_443_ = true;
+        let _e115 = phi_249_;
+        if !(_e115) {
+            let _e118 = samples.member[_e73.first_primitive].position;
+            let _e120 = p.member.light.place;
+            let _e126 = p.member.light.place[3u];
+            let _e133 = (_e120.x - (_e118.x * _e126));
+            let _e134 = (_e120.y - (_e118.y * _e126));
+            let _e135 = (_e120.z - (_e118.z * _e126));
+            let _e137 = samples.member[_e73.first_primitive].normal;
+            if ((((_e137.x * _e133) + (_e137.y * _e134)) + (_e137.z * _e135)) > 0f) {
+                let _e151 = (((_e133 * _e133) + (_e134 * _e134)) + (_e135 * _e135));
+                let _e153 = p.member.light.axis;
+                let _e165 = p.member.light.place[3u];
+                if (_e165 == 0f) {
+                    phi_320_ = true;
                 } else {
-                    let _e198 = p.member.light.range_squared;
-                    if (_e181 <= _e198) {
-                        let _e201 = p.member.light.cos_outer;
-                        phi_442_ = (-((((_e163 * _e183.x) + (_e164 * _e183.y)) + (_e165 * _e183.z))) >= (_e201 * sqrt(_e181)));
+                    let _e168 = p.member.light.range_squared;
+                    if (_e151 <= _e168) {
+                        let _e171 = p.member.light.cos_outer;
+                        phi_319_ = (-((((_e133 * _e153.x) + (_e134 * _e153.y)) + (_e135 * _e153.z))) >= (_e171 * sqrt(_e151)));
                     } else {
-                        phi_442_ = false;
+                        phi_319_ = false;
                     }
-                    let _e206 = phi_442_;
-                    phi_443_ = _e206;
+                    let _e176 = phi_319_;
+                    phi_320_ = _e176;
                 }
-                let _e208 = phi_443_;
-                if _e208 {
-                    let _e210 = samples.member[_e80.shift].flags;
-                    let _e218 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e224 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e218.unnamed.visibility, false), _e218.unnamed_1);
-                    phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e224.unnamed, ((_e210 & 1u) == 0u));
-                    phi_455_ = false;
+                let _e178 = phi_320_;
+                if _e178 {
+                    let _e180 = samples.member[_e73.first_primitive].flags;
+                    let _e188 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e188.unnamed.visibility, false), _e188.unnamed_1);
+                    phi_331_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e194.unnamed, ((_e180 & 1u) == 0u));
+                    phi_332_ = false;
                 } else {
-                    phi_454_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_455_ = true;
+                    phi_331_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_332_ = true;
                 }
-                let _e229 = phi_454_;
-                let _e231 = phi_455_;
-                phi_456_ = _e229;
-                phi_457_ = _e231;
+                let _e199 = phi_331_;
+                let _e201 = phi_332_;
+                phi_333_ = _e199;
+                phi_334_ = _e201;
             } else {
-                phi_456_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_457_ = true;
+                phi_333_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_334_ = true;
             }
-            let _e233 = phi_456_;
-            let _e235 = phi_457_;
-            if _e235 {
-                let _e241 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e247 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e241.unnamed.visibility, false), _e241.unnamed_1);
-                phi_464_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e247.unnamed, true);
+            let _e203 = phi_333_;
+            let _e205 = phi_334_;
+            if _e205 {
+                let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e211.unnamed.visibility, false), _e211.unnamed_1);
+                phi_341_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e217.unnamed, true);
             } else {
-                phi_464_ = _e233;
+                phi_341_ = _e203;
             }
-            let _e252 = phi_464_;
-            phi_468_ = _e252;
+            let _e222 = phi_341_;
+            phi_345_ = _e222;
         } else {
-            let _e258 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e264 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e258.unnamed.visibility, false), _e258.unnamed_1);
-            phi_468_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e264.unnamed, true);
+            let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e234 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e228.unnamed.visibility, false), _e228.unnamed_1);
+            phi_345_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e234.unnamed, true);
         }
-        let _e269 = phi_468_;
-        if _e269.unnamed_1 {
-            phi_1554_ = mask_Masked(_e269.unnamed.visibility, 0u, false);
+        let _e239 = phi_345_;
+        if _e239.unnamed_1 {
+            phi_1220_ = mask_Masked(_e239.unnamed.visibility, 0u, false);
         } else {
-            let _e274 = (_e116 < 0.5f);
-            if (_e116 > 0f) {
-                phi_481_ = (_e116 < 1f);
+            let _e244 = (_e86 < 0.5f);
+            if (_e86 > 0f) {
+                phi_358_ = (_e86 < 1f);
             } else {
-                phi_481_ = false;
+                phi_358_ = false;
             }
-            let _e278 = phi_481_;
-            let _e285 = lt_mask_Reprojection(vec2<u32>(_e60.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e292 = lt_mask_Reprojection(vec2<u32>(_e285.pixel.x, _e60.y), _e285.is_valid, _e285.has_moved);
-            let _e296 = lt_mask_Reprojection(_e292.pixel, true, _e292.has_moved);
-            let _e302 = p.member.flags;
-            if ((_e302 & 16u) == 0u) {
-                phi_520_ = false;
+            let _e248 = phi_358_;
+            let _e255 = lt_mask_Reprojection(vec2<u32>(_e53.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e262 = lt_mask_Reprojection(vec2<u32>(_e255.pixel.x, _e53.y), _e255.is_valid, _e255.has_moved);
+            let _e266 = lt_mask_Reprojection(_e262.pixel, true, _e262.has_moved);
+            let _e272 = p.member.flags;
+            if ((_e272 & 16u) == 0u) {
+                phi_397_ = false;
             } else {
-                let _e308 = samples.member[_e80.shift].position[0u];
-                if (_e114.x == _e308) {
-                    let _e312 = samples.member[_e80.shift].position[1u];
-                    if (_e114.y == _e312) {
-                        let _e316 = samples.member[_e80.shift].position[2u];
-                        phi_512_ = (_e114.z == _e316);
-                        phi_513_ = false;
+                let _e278 = samples.member[_e73.first_primitive].position[0u];
+                if (_e84.x == _e278) {
+                    let _e282 = samples.member[_e73.first_primitive].position[1u];
+                    if (_e84.y == _e282) {
+                        let _e286 = samples.member[_e73.first_primitive].position[2u];
+                        phi_389_ = (_e84.z == _e286);
+                        phi_390_ = false;
                     } else {
-                        phi_512_ = bool();
-                        phi_513_ = true;
+                        phi_389_ = bool();
+                        phi_390_ = true;
                     }
-                    let _e319 = phi_512_;
-                    let _e321 = phi_513_;
-                    phi_514_ = _e319;
-                    phi_515_ = _e321;
+                    let _e289 = phi_389_;
+                    let _e291 = phi_390_;
+                    phi_391_ = _e289;
+                    phi_392_ = _e291;
                 } else {
-                    phi_514_ = bool();
-                    phi_515_ = true;
+                    phi_391_ = bool();
+                    phi_392_ = true;
                 }
-                let _e323 = phi_514_;
-                let _e325 = phi_515_;
-                if _e325 {
-                    phi_519_ = false;
+                let _e293 = phi_391_;
+                let _e295 = phi_392_;
+                if _e295 {
+                    phi_396_ = false;
                 } else {
-                    phi_519_ = _e323;
+                    phi_396_ = _e293;
                 }
-                let _e327 = phi_519_;
-                phi_520_ = _e327;
+                let _e297 = phi_396_;
+                phi_397_ = _e297;
             }
-            let _e329 = phi_520_;
-            if _e329 {
-                phi_901_ = lt_mask_Reprojection(_e296.pixel, _e296.is_valid, false);
-                phi_902_ = lt_mask_Reprojection();
-                phi_903_ = lt_mask_Reprojection();
-                phi_904_ = true;
-                phi_905_ = false;
+            let _e299 = phi_397_;
+            if _e299 {
+                phi_778_ = lt_mask_Reprojection(_e266.pixel, _e266.is_valid, false);
+                phi_779_ = lt_mask_Reprojection();
+                phi_780_ = lt_mask_Reprojection();
+                phi_781_ = true;
+                phi_782_ = false;
             } else {
-                let _e331 = samples.member[_e80.shift].position;
-                let _e335 = p.member.previous.eye;
-                let _e338 = (_e114.x - _e335.x);
-                let _e341 = (_e114.y - _e335.y);
-                let _e344 = (_e114.z - _e335.z);
-                let _e346 = p.member.previous.forward;
-                let _e354 = (((_e338 * _e346.x) + (_e341 * _e346.y)) + (_e344 * _e346.z));
-                let _e356 = p.member.previous.right;
-                let _e366 = p.member.previous.right;
-                let _e381 = p.member.previous.up;
-                let _e391 = p.member.previous.up;
-                let _e406 = p.member.current.eye;
-                let _e409 = (_e331.x - _e406.x);
-                let _e412 = (_e331.y - _e406.y);
-                let _e415 = (_e331.z - _e406.z);
-                let _e417 = p.member.current.forward;
-                let _e425 = (((_e409 * _e417.x) + (_e412 * _e417.y)) + (_e415 * _e417.z));
-                let _e427 = p.member.current.right;
-                let _e437 = p.member.current.right;
-                let _e452 = p.member.current.up;
-                let _e462 = p.member.current.up;
-                let _e481 = p.member.current.size[0u];
-                let _e483 = (((((((_e338 * _e356.x) + (_e341 * _e356.y)) + (_e344 * _e356.z)) / ((((_e366.x * _e366.x) + (_e366.y * _e366.y)) + (_e366.z * _e366.z)) * _e354)) - ((((_e409 * _e427.x) + (_e412 * _e427.y)) + (_e415 * _e427.z)) / ((((_e437.x * _e437.x) + (_e437.y * _e437.y)) + (_e437.z * _e437.z)) * _e425))) * 0.5f) * f32(_e481));
+                let _e301 = samples.member[_e73.first_primitive].position;
+                let _e305 = p.member.previous.eye;
+                let _e308 = (_e84.x - _e305.x);
+                let _e311 = (_e84.y - _e305.y);
+                let _e314 = (_e84.z - _e305.z);
+                let _e316 = p.member.previous.forward;
+                let _e324 = (((_e308 * _e316.x) + (_e311 * _e316.y)) + (_e314 * _e316.z));
+                let _e326 = p.member.previous.right;
+                let _e336 = p.member.previous.right;
+                let _e351 = p.member.previous.up;
+                let _e361 = p.member.previous.up;
+                let _e376 = p.member.current.eye;
+                let _e379 = (_e301.x - _e376.x);
+                let _e382 = (_e301.y - _e376.y);
+                let _e385 = (_e301.z - _e376.z);
+                let _e387 = p.member.current.forward;
+                let _e395 = (((_e379 * _e387.x) + (_e382 * _e387.y)) + (_e385 * _e387.z));
+                let _e397 = p.member.current.right;
+                let _e407 = p.member.current.right;
+                let _e422 = p.member.current.up;
+                let _e432 = p.member.current.up;
+                let _e451 = p.member.current.size[0u];
+                let _e453 = (((((((_e308 * _e326.x) + (_e311 * _e326.y)) + (_e314 * _e326.z)) / ((((_e336.x * _e336.x) + (_e336.y * _e336.y)) + (_e336.z * _e336.z)) * _e324)) - ((((_e379 * _e397.x) + (_e382 * _e397.y)) + (_e385 * _e397.z)) / ((((_e407.x * _e407.x) + (_e407.y * _e407.y)) + (_e407.z * _e407.z)) * _e395))) * 0.5f) * f32(_e451));
+                let _e457 = p.member.current.size[1u];
+                let _e459 = (((((((_e308 * _e351.x) + (_e311 * _e351.y)) + (_e314 * _e351.z)) / ((((_e361.x * _e361.x) + (_e361.y * _e361.y)) + (_e361.z * _e361.z)) * _e324)) - ((((_e379 * _e422.x) + (_e382 * _e422.y)) + (_e385 * _e422.z)) / ((((_e432.x * _e432.x) + (_e432.y * _e432.y)) + (_e432.z * _e432.z)) * _e395))) * -0.5f) * f32(_e457));
+                let _e463 = p.member.current.grid[0u];
+                let _e465 = p.member.current.grid[1u];
+                let _e485 = p.member.current.size[0u];
                 let _e487 = p.member.current.size[1u];
-                let _e489 = (((((((_e338 * _e381.x) + (_e341 * _e381.y)) + (_e344 * _e381.z)) / ((((_e391.x * _e391.x) + (_e391.y * _e391.y)) + (_e391.z * _e391.z)) * _e354)) - ((((_e409 * _e452.x) + (_e412 * _e452.y)) + (_e415 * _e452.z)) / ((((_e462.x * _e462.x) + (_e462.y * _e462.y)) + (_e462.z * _e462.z)) * _e425))) * -0.5f) * f32(_e487));
-                let _e493 = p.member.current.grid[0u];
-                let _e495 = p.member.current.grid[1u];
-                let _e515 = p.member.current.size[0u];
-                let _e517 = p.member.current.size[1u];
-                let _e519 = ((f32(_e60.x) + ((f32((_e60.y & (_e495 - 1u))) + 0.5f) / f32(_e495))) + _e483);
-                if (_e519 > -8388608f) {
-                    let _e531 = f32(select(0i, select(select(i32(_e519), i32(-2147483648), (_e519 < bitcast<f32>(3472883712u))), 2147483647i, (_e519 > bitcast<f32>(1325400063u))), (_e519 == _e519)));
-                    if (_e531 > _e519) {
-                        phi_731_ = 1f;
+                let _e489 = ((f32(_e53.x) + ((f32((_e53.y & (_e465 - 1u))) + 0.5f) / f32(_e465))) + _e453);
+                if (_e489 > -8388608f) {
+                    let _e501 = f32(select(0i, select(select(i32(_e489), i32(-2147483648), (_e489 < bitcast<f32>(3472883712u))), 2147483647i, (_e489 > bitcast<f32>(1325400063u))), (_e489 == _e489)));
+                    if (_e501 > _e489) {
+                        phi_608_ = 1f;
                     } else {
-                        phi_731_ = 0f;
+                        phi_608_ = 0f;
                     }
-                    let _e534 = phi_731_;
-                    if (_e519 < 8388608f) {
-                        phi_736_ = (_e531 - _e534);
-                        phi_737_ = false;
+                    let _e504 = phi_608_;
+                    if (_e489 < 8388608f) {
+                        phi_613_ = (_e501 - _e504);
+                        phi_614_ = false;
                     } else {
-                        phi_736_ = f32();
-                        phi_737_ = true;
+                        phi_613_ = f32();
+                        phi_614_ = true;
                     }
-                    let _e537 = phi_736_;
-                    let _e539 = phi_737_;
-                    phi_738_ = _e537;
-                    phi_739_ = _e539;
+                    let _e507 = phi_613_;
+                    let _e509 = phi_614_;
+                    phi_615_ = _e507;
+                    phi_616_ = _e509;
                 } else {
-                    phi_738_ = f32();
-                    phi_739_ = true;
+                    phi_615_ = f32();
+                    phi_616_ = true;
                 }
-                let _e541 = phi_738_;
-                let _e543 = phi_739_;
-                if _e543 {
-                    phi_743_ = _e519;
+                let _e511 = phi_615_;
+                let _e513 = phi_616_;
+                if _e513 {
+                    phi_620_ = _e489;
                 } else {
-                    phi_743_ = _e541;
+                    phi_620_ = _e511;
                 }
-                let _e545 = phi_743_;
-                let _e546 = ((f32(_e60.y) + ((f32((_e60.x & (_e493 - 1u))) + 0.5f) / f32(_e493))) + _e489);
-                if (_e546 > -8388608f) {
-                    let _e558 = f32(select(0i, select(select(i32(_e546), i32(-2147483648), (_e546 < bitcast<f32>(3472883712u))), 2147483647i, (_e546 > bitcast<f32>(1325400063u))), (_e546 == _e546)));
-                    if (_e558 > _e546) {
-                        phi_764_ = 1f;
+                let _e515 = phi_620_;
+                let _e516 = ((f32(_e53.y) + ((f32((_e53.x & (_e463 - 1u))) + 0.5f) / f32(_e463))) + _e459);
+                if (_e516 > -8388608f) {
+                    let _e528 = f32(select(0i, select(select(i32(_e516), i32(-2147483648), (_e516 < bitcast<f32>(3472883712u))), 2147483647i, (_e516 > bitcast<f32>(1325400063u))), (_e516 == _e516)));
+                    if (_e528 > _e516) {
+                        phi_641_ = 1f;
                     } else {
-                        phi_764_ = 0f;
+                        phi_641_ = 0f;
                     }
-                    let _e561 = phi_764_;
-                    if (_e546 < 8388608f) {
-                        phi_769_ = (_e558 - _e561);
-                        phi_770_ = false;
+                    let _e531 = phi_641_;
+                    if (_e516 < 8388608f) {
+                        phi_646_ = (_e528 - _e531);
+                        phi_647_ = false;
                     } else {
-                        phi_769_ = f32();
-                        phi_770_ = true;
+                        phi_646_ = f32();
+                        phi_647_ = true;
                     }
-                    let _e564 = phi_769_;
-                    let _e566 = phi_770_;
-                    phi_771_ = _e564;
-                    phi_772_ = _e566;
+                    let _e534 = phi_646_;
+                    let _e536 = phi_647_;
+                    phi_648_ = _e534;
+                    phi_649_ = _e536;
                 } else {
-                    phi_771_ = f32();
-                    phi_772_ = true;
+                    phi_648_ = f32();
+                    phi_649_ = true;
                 }
-                let _e568 = phi_771_;
-                let _e570 = phi_772_;
-                if _e570 {
-                    phi_776_ = _e546;
+                let _e538 = phi_648_;
+                let _e540 = phi_649_;
+                if _e540 {
+                    phi_653_ = _e516;
                 } else {
-                    phi_776_ = _e568;
+                    phi_653_ = _e538;
                 }
-                let _e572 = phi_776_;
-                if (_e545 >= 0f) {
-                    if (_e572 >= 0f) {
-                        if (_e545 < f32(_e515)) {
-                            let _e578 = (_e572 < f32(_e517));
-                            if (_e483 == 0f) {
-                                phi_797_ = (_e489 == 0f);
+                let _e542 = phi_653_;
+                if (_e515 >= 0f) {
+                    if (_e542 >= 0f) {
+                        if (_e515 < f32(_e485)) {
+                            let _e548 = (_e542 < f32(_e487));
+                            if (_e453 == 0f) {
+                                phi_674_ = (_e459 == 0f);
                             } else {
-                                phi_797_ = false;
+                                phi_674_ = false;
                             }
-                            let _e582 = phi_797_;
-                            if _e578 {
-                                phi_816_ = vec2<u32>(select(select(u32(_e545), 0u, (_e545 < bitcast<f32>(0u))), 4294967295u, (_e545 > bitcast<f32>(1333788671u))), select(select(u32(_e572), 0u, (_e572 < bitcast<f32>(0u))), 4294967295u, (_e572 > bitcast<f32>(1333788671u))));
-                                phi_817_ = false;
+                            let _e552 = phi_674_;
+                            if _e548 {
+                                phi_693_ = vec2<u32>(select(select(u32(_e515), 0u, (_e515 < bitcast<f32>(0u))), 4294967295u, (_e515 > bitcast<f32>(1333788671u))), select(select(u32(_e542), 0u, (_e542 < bitcast<f32>(0u))), 4294967295u, (_e542 > bitcast<f32>(1333788671u))));
+                                phi_694_ = false;
                             } else {
-                                phi_816_ = vec2<u32>();
-                                phi_817_ = true;
+                                phi_693_ = vec2<u32>();
+                                phi_694_ = true;
                             }
-                            let _e599 = phi_816_;
-                            let _e601 = phi_817_;
-                            phi_818_ = _e582;
-                            phi_819_ = _e578;
-                            phi_820_ = _e599;
-                            phi_821_ = _e582;
-                            phi_822_ = _e578;
-                            phi_823_ = false;
-                            phi_824_ = _e601;
+                            let _e569 = phi_693_;
+                            let _e571 = phi_694_;
+                            phi_695_ = _e552;
+                            phi_696_ = _e548;
+                            phi_697_ = _e569;
+                            phi_698_ = _e552;
+                            phi_699_ = _e548;
+                            phi_700_ = false;
+                            phi_701_ = _e571;
                         } else {
-                            phi_818_ = bool();
-                            phi_819_ = bool();
-                            phi_820_ = vec2<u32>();
-                            phi_821_ = bool();
-                            phi_822_ = bool();
-                            phi_823_ = true;
-                            phi_824_ = false;
+                            phi_695_ = bool();
+                            phi_696_ = bool();
+                            phi_697_ = vec2<u32>();
+                            phi_698_ = bool();
+                            phi_699_ = bool();
+                            phi_700_ = true;
+                            phi_701_ = false;
                         }
-                        let _e603 = phi_818_;
-                        let _e605 = phi_819_;
-                        let _e607 = phi_820_;
-                        let _e609 = phi_821_;
-                        let _e611 = phi_822_;
-                        let _e613 = phi_823_;
-                        let _e615 = phi_824_;
-                        phi_825_ = _e603;
-                        phi_826_ = _e605;
-                        phi_827_ = _e607;
-                        phi_828_ = _e609;
-                        phi_829_ = _e611;
-                        phi_830_ = _e613;
-                        phi_831_ = _e615;
+                        let _e573 = phi_695_;
+                        let _e575 = phi_696_;
+                        let _e577 = phi_697_;
+                        let _e579 = phi_698_;
+                        let _e581 = phi_699_;
+                        let _e583 = phi_700_;
+                        let _e585 = phi_701_;
+                        phi_702_ = _e573;
+                        phi_703_ = _e575;
+                        phi_704_ = _e577;
+                        phi_705_ = _e579;
+                        phi_706_ = _e581;
+                        phi_707_ = _e583;
+                        phi_708_ = _e585;
                     } else {
-                        phi_825_ = bool();
-                        phi_826_ = bool();
-                        phi_827_ = vec2<u32>();
-                        phi_828_ = bool();
-                        phi_829_ = bool();
-                        phi_830_ = true;
-                        phi_831_ = false;
+                        phi_702_ = bool();
+                        phi_703_ = bool();
+                        phi_704_ = vec2<u32>();
+                        phi_705_ = bool();
+                        phi_706_ = bool();
+                        phi_707_ = true;
+                        phi_708_ = false;
                     }
-                    let _e617 = phi_825_;
-                    let _e619 = phi_826_;
-                    let _e621 = phi_827_;
-                    let _e623 = phi_828_;
-                    let _e625 = phi_829_;
-                    let _e627 = phi_830_;
-                    let _e629 = phi_831_;
-                    phi_832_ = _e617;
-                    phi_833_ = _e619;
-                    phi_834_ = _e621;
-                    phi_835_ = _e623;
-                    phi_836_ = _e625;
-                    phi_837_ = _e627;
-                    phi_838_ = _e629;
+                    let _e587 = phi_702_;
+                    let _e589 = phi_703_;
+                    let _e591 = phi_704_;
+                    let _e593 = phi_705_;
+                    let _e595 = phi_706_;
+                    let _e597 = phi_707_;
+                    let _e599 = phi_708_;
+                    phi_709_ = _e587;
+                    phi_710_ = _e589;
+                    phi_711_ = _e591;
+                    phi_712_ = _e593;
+                    phi_713_ = _e595;
+                    phi_714_ = _e597;
+                    phi_715_ = _e599;
                 } else {
-                    phi_832_ = bool();
-                    phi_833_ = bool();
-                    phi_834_ = vec2<u32>();
-                    phi_835_ = bool();
-                    phi_836_ = bool();
-                    phi_837_ = true;
-                    phi_838_ = false;
+                    phi_709_ = bool();
+                    phi_710_ = bool();
+                    phi_711_ = vec2<u32>();
+                    phi_712_ = bool();
+                    phi_713_ = bool();
+                    phi_714_ = true;
+                    phi_715_ = false;
                 }
-                let _e631 = phi_832_;
-                let _e633 = phi_833_;
-                let _e635 = phi_834_;
-                let _e637 = phi_835_;
-                let _e639 = phi_836_;
-                let _e641 = phi_837_;
-                let _e643 = phi_838_;
-                if _e641 {
-                    if (_e483 == 0f) {
-                        phi_847_ = (_e489 == 0f);
+                let _e601 = phi_709_;
+                let _e603 = phi_710_;
+                let _e605 = phi_711_;
+                let _e607 = phi_712_;
+                let _e609 = phi_713_;
+                let _e611 = phi_714_;
+                let _e613 = phi_715_;
+                if _e611 {
+                    if (_e453 == 0f) {
+                        phi_724_ = (_e459 == 0f);
                     } else {
-                        phi_847_ = false;
+                        phi_724_ = false;
                     }
-                    let _e647 = phi_847_;
-                    phi_848_ = _e647;
-                    phi_849_ = false;
-                    phi_850_ = true;
+                    let _e617 = phi_724_;
+                    phi_725_ = _e617;
+                    phi_726_ = false;
+                    phi_727_ = true;
                 } else {
-                    phi_848_ = _e637;
-                    phi_849_ = _e639;
-                    phi_850_ = _e643;
+                    phi_725_ = _e607;
+                    phi_726_ = _e609;
+                    phi_727_ = _e613;
                 }
-                let _e649 = phi_848_;
-                let _e651 = phi_849_;
-                let _e653 = phi_850_;
-                if _e653 {
-                    phi_854_ = _e649;
-                    phi_855_ = _e651;
-                    phi_856_ = vec2<u32>(_e60.x, _e60.y);
+                let _e619 = phi_725_;
+                let _e621 = phi_726_;
+                let _e623 = phi_727_;
+                if _e623 {
+                    phi_731_ = _e619;
+                    phi_732_ = _e621;
+                    phi_733_ = vec2<u32>(_e53.x, _e53.y);
                 } else {
-                    phi_854_ = _e631;
-                    phi_855_ = _e633;
-                    phi_856_ = _e635;
+                    phi_731_ = _e601;
+                    phi_732_ = _e603;
+                    phi_733_ = _e605;
                 }
-                let _e655 = phi_854_;
-                let _e657 = phi_855_;
-                let _e659 = phi_856_;
-                let _e669 = lt_mask_Reprojection(vec2<u32>(_e659.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e676 = lt_mask_Reprojection(vec2<u32>(_e669.pixel.x, _e659.y), _e669.is_valid, _e669.has_moved);
-                let _e680 = lt_mask_Reprojection(_e676.pixel, _e657, _e676.has_moved);
-                let _e684 = lt_mask_Reprojection(_e680.pixel, _e680.is_valid, !(_e655));
-                if _e657 {
-                    let _e687 = p.member.previous.eye;
-                    let _e698 = p.member.previous.forward;
-                    let _e707 = (((((_e114.x - _e687.x) * _e698.x) + ((_e114.y - _e687.y) * _e698.y)) + ((_e114.z - _e687.z) * _e698.z)) > 0f);
-                    let _e711 = lt_mask_Reprojection(_e684.pixel, _e707, _e684.has_moved);
-                    if _e707 {
-                        phi_894_ = false;
+                let _e625 = phi_731_;
+                let _e627 = phi_732_;
+                let _e629 = phi_733_;
+                let _e639 = lt_mask_Reprojection(vec2<u32>(_e629.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e646 = lt_mask_Reprojection(vec2<u32>(_e639.pixel.x, _e629.y), _e639.is_valid, _e639.has_moved);
+                let _e650 = lt_mask_Reprojection(_e646.pixel, _e627, _e646.has_moved);
+                let _e654 = lt_mask_Reprojection(_e650.pixel, _e650.is_valid, !(_e625));
+                if _e627 {
+                    let _e657 = p.member.previous.eye;
+                    let _e668 = p.member.previous.forward;
+                    let _e677 = (((((_e84.x - _e657.x) * _e668.x) + ((_e84.y - _e657.y) * _e668.y)) + ((_e84.z - _e657.z) * _e668.z)) > 0f);
+                    let _e681 = lt_mask_Reprojection(_e654.pixel, _e677, _e654.has_moved);
+                    if _e677 {
+                        phi_771_ = false;
                     } else {
-                        phi_894_ = true;
+                        phi_771_ = true;
                     }
-                    let _e713 = phi_894_;
-                    phi_896_ = _e711;
-                    phi_897_ = _e711;
-                    phi_898_ = lt_mask_Reprojection();
-                    phi_899_ = _e707;
-                    phi_900_ = _e713;
+                    let _e683 = phi_771_;
+                    phi_773_ = _e681;
+                    phi_774_ = _e681;
+                    phi_775_ = lt_mask_Reprojection();
+                    phi_776_ = _e677;
+                    phi_777_ = _e683;
                 } else {
-                    phi_896_ = lt_mask_Reprojection();
-                    phi_897_ = lt_mask_Reprojection();
-                    phi_898_ = lt_mask_Reprojection(_e684.pixel, false, _e684.has_moved);
-                    phi_899_ = false;
-                    phi_900_ = false;
+                    phi_773_ = lt_mask_Reprojection();
+                    phi_774_ = lt_mask_Reprojection();
+                    phi_775_ = lt_mask_Reprojection(_e654.pixel, false, _e654.has_moved);
+                    phi_776_ = false;
+                    phi_777_ = false;
                 }
-                let _e719 = phi_896_;
-                let _e721 = phi_897_;
-                let _e723 = phi_898_;
-                let _e725 = phi_899_;
-                let _e727 = phi_900_;
-                phi_901_ = _e719;
-                phi_902_ = _e721;
-                phi_903_ = _e723;
-                phi_904_ = _e725;
-                phi_905_ = _e727;
+                let _e689 = phi_773_;
+                let _e691 = phi_774_;
+                let _e693 = phi_775_;
+                let _e695 = phi_776_;
+                let _e697 = phi_777_;
+                phi_778_ = _e689;
+                phi_779_ = _e691;
+                phi_780_ = _e693;
+                phi_781_ = _e695;
+                phi_782_ = _e697;
             }
-            let _e729 = phi_901_;
-            let _e731 = phi_902_;
-            let _e733 = phi_903_;
-            let _e735 = phi_904_;
-            let _e737 = phi_905_;
-            if _e735 {
-                let _e740 = p.member.previous.eye;
-                let _e751 = p.member.previous.forward;
-                let _e759 = ((((_e114.x - _e740.x) * _e751.x) + ((_e114.y - _e740.y) * _e751.y)) + ((_e114.z - _e740.z) * _e751.z));
-                let _e765 = ((_e729.pixel.y * _e111) + _e729.pixel.x);
-                if (_e765 < arrayLength((&last_depths.member))) {
+            let _e699 = phi_778_;
+            let _e701 = phi_779_;
+            let _e703 = phi_780_;
+            let _e705 = phi_781_;
+            let _e707 = phi_782_;
+            if _e705 {
+                let _e710 = p.member.previous.eye;
+                let _e721 = p.member.previous.forward;
+                let _e729 = ((((_e84.x - _e710.x) * _e721.x) + ((_e84.y - _e710.y) * _e721.y)) + ((_e84.z - _e710.z) * _e721.z));
+                let _e735 = ((_e699.pixel.y * _e81) + _e699.pixel.x);
+                if (_e735 < arrayLength((&last_depths.member))) {
                 } else {
                     return;
                 }
-                let _e769 = last_depths.member[(0u + _e765)];
-                let _e771 = p.member.depth_tolerance;
-                let _e774 = abs(_e759);
-                let _e775 = abs(_e769);
-                if ((bitcast<u32>(_e775) & 2147483647u) > 2139095040u) {
-                    phi_960_ = true;
+                let _e739 = last_depths.member[(0u + _e735)];
+                let _e741 = p.member.depth_tolerance;
+                let _e744 = abs(_e729);
+                let _e745 = abs(_e739);
+                if ((bitcast<u32>(_e745) & 2147483647u) > 2139095040u) {
+                    phi_837_ = true;
                 } else {
-                    let _e779 = (_e775 > _e774);
-                    if _e779 {
+                    let _e749 = (_e745 > _e744);
+                    if _e749 {
                     }
-                    phi_960_ = _e779;
+                    phi_837_ = _e749;
                 }
-                let _e781 = phi_960_;
-                if _e781 {
-                    phi_964_ = _e775;
+                let _e751 = phi_837_;
+                if _e751 {
+                    phi_841_ = _e745;
                 } else {
-                    phi_964_ = _e774;
+                    phi_841_ = _e744;
                 }
-                let _e783 = phi_964_;
-                phi_968_ = lt_mask_Reprojection(_e729.pixel, (abs((_e759 - _e769)) <= (_e771 * _e783)), _e729.has_moved);
-                phi_969_ = true;
+                let _e753 = phi_841_;
+                phi_845_ = lt_mask_Reprojection(_e699.pixel, (abs((_e729 - _e739)) <= (_e741 * _e753)), _e699.has_moved);
+                phi_846_ = true;
             } else {
-                phi_968_ = _e731;
-                phi_969_ = _e737;
+                phi_845_ = _e701;
+                phi_846_ = _e707;
             }
-            let _e791 = phi_968_;
-            let _e793 = phi_969_;
-            if _e793 {
-                if _e791.is_valid {
-                    let _e796 = p.member.flags;
-                    phi_981_ = ((_e796 & 1u) != 0u);
-                    phi_982_ = false;
+            let _e761 = phi_845_;
+            let _e763 = phi_846_;
+            if _e763 {
+                if _e761.is_valid {
+                    let _e766 = p.member.flags;
+                    phi_858_ = ((_e766 & 1u) != 0u);
+                    phi_859_ = false;
                 } else {
-                    phi_981_ = bool();
-                    phi_982_ = true;
+                    phi_858_ = bool();
+                    phi_859_ = true;
                 }
-                let _e800 = phi_981_;
-                let _e802 = phi_982_;
-                phi_983_ = _e800;
-                phi_984_ = _e791;
-                phi_985_ = _e802;
+                let _e770 = phi_858_;
+                let _e772 = phi_859_;
+                phi_860_ = _e770;
+                phi_861_ = _e761;
+                phi_862_ = _e772;
             } else {
-                phi_983_ = bool();
-                phi_984_ = _e733;
-                phi_985_ = true;
+                phi_860_ = bool();
+                phi_861_ = _e703;
+                phi_862_ = true;
             }
-            let _e804 = phi_983_;
-            let _e806 = phi_984_;
-            let _e808 = phi_985_;
-            if _e808 {
-                phi_989_ = false;
-                phi_990_ = _e806;
+            let _e774 = phi_860_;
+            let _e776 = phi_861_;
+            let _e778 = phi_862_;
+            if _e778 {
+                phi_866_ = false;
+                phi_867_ = _e776;
             } else {
-                phi_989_ = _e804;
-                phi_990_ = _e791;
+                phi_866_ = _e774;
+                phi_867_ = _e761;
             }
-            let _e810 = phi_989_;
-            let _e812 = phi_990_;
-            let _e816 = lt_mask_Reprojection(_e812.pixel, _e810, _e812.has_moved);
-            let _e818 = p.member.flags;
-            let _e820 = ((_e818 & 2u) != 0u);
-            let _e822 = p.member.flags;
-            if ((_e822 & 4u) == 0u) {
-                phi_1066_ = u32();
-                phi_1067_ = true;
-                phi_1068_ = false;
+            let _e780 = phi_866_;
+            let _e782 = phi_867_;
+            let _e786 = lt_mask_Reprojection(_e782.pixel, _e780, _e782.has_moved);
+            let _e788 = p.member.flags;
+            let _e790 = ((_e788 & 2u) != 0u);
+            let _e792 = p.member.flags;
+            if ((_e792 & 4u) == 0u) {
+                phi_966_ = u32();
+                phi_967_ = true;
+                phi_968_ = false;
             } else {
-                if _e810 {
-                    if !(_e816.has_moved) {
-                        let _e833 = ((((_e60.y * _e111) + _e60.x) * _e107.words) + _e107.light.word);
-                        if (_e107.light.shift > 29u) {
-                            let _e837 = (_e833 + 1u);
-                            if (_e837 < _e66) {
-                            } else {
-                                return;
-                            }
-                            let _e841 = last_bits.member[(0u + _e837)];
-                            phi_1033_ = _e841;
-                        } else {
-                            phi_1033_ = 0u;
+                if _e780 {
+                    if !(_e786.has_moved) {
+                        if (32u == 0u) {
+                            return;
                         }
-                        let _e843 = phi_1033_;
-                        if (_e833 < _e66) {
+                        let _e798 = (_e81 / 32u);
+                        if (32u == 0u) {
+                            return;
+                        }
+                        if ((_e81 % 32u) > 0u) {
+                            phi_905_ = (_e798 + 1u);
+                        } else {
+                            phi_905_ = _e798;
+                        }
+                        let _e804 = phi_905_;
+                        let _e809 = ((((_e53.y * _e804) + (_e53.x / 32u)) * 6u) + 4u);
+                        if (_e809 < _e59) {
                         } else {
                             return;
                         }
-                        let _e849 = last_bits.member[(0u + _e833)];
-                        let _e852 = (_e849 >> bitcast<u32>((_e107.light.shift & 31u)));
-                        if (_e107.light.shift > 29u) {
-                            phi_1052_ = (_e852 | (_e843 << bitcast<u32>(((32u - _e107.light.shift) & 31u))));
+                        let _e813 = heard.member[(0u + _e809)];
+                        if (((_e813 >> bitcast<u32>(((_e53.x % 32u) & 31u))) & 1u) != 0u) {
+                            let _e824 = ((((_e53.y * _e804) + (_e53.x / 32u)) * 6u) + 5u);
+                            if (_e824 < _e59) {
+                            } else {
+                                return;
+                            }
+                            let _e828 = heard.member[(0u + _e824)];
+                            if false {
+                                phi_954_ = (2u | 1u);
+                            } else {
+                                phi_954_ = 2u;
+                            }
+                            let _e837 = phi_954_;
+                            if (((_e828 >> bitcast<u32>(((_e53.x % 32u) & 31u))) & 1u) != 0u) {
+                                phi_959_ = (_e837 | 4u);
+                            } else {
+                                phi_959_ = _e837;
+                            }
+                            let _e840 = phi_959_;
+                            phi_960_ = _e840;
                         } else {
-                            phi_1052_ = _e852;
+                            phi_960_ = 0u;
                         }
-                        let _e860 = phi_1052_;
-                        if ((_e860 & 2u) == 0u) {
-                            phi_1060_ = (_e860 & 1u);
-                        } else {
-                            phi_1060_ = (_e860 & 7u);
-                        }
-                        let _e866 = phi_1060_;
-                        phi_1061_ = _e866;
-                        phi_1062_ = false;
+                        let _e842 = phi_960_;
+                        phi_961_ = _e842;
+                        phi_962_ = false;
                     } else {
-                        phi_1061_ = u32();
-                        phi_1062_ = true;
+                        phi_961_ = u32();
+                        phi_962_ = true;
                     }
-                    let _e868 = phi_1061_;
-                    let _e870 = phi_1062_;
-                    phi_1063_ = _e868;
-                    phi_1064_ = false;
-                    phi_1065_ = _e870;
+                    let _e844 = phi_961_;
+                    let _e846 = phi_962_;
+                    phi_963_ = _e844;
+                    phi_964_ = false;
+                    phi_965_ = _e846;
                 } else {
-                    phi_1063_ = u32();
-                    phi_1064_ = true;
-                    phi_1065_ = false;
+                    phi_963_ = u32();
+                    phi_964_ = true;
+                    phi_965_ = false;
                 }
-                let _e872 = phi_1063_;
-                let _e874 = phi_1064_;
-                let _e876 = phi_1065_;
-                phi_1066_ = _e872;
-                phi_1067_ = _e874;
-                phi_1068_ = _e876;
+                let _e848 = phi_963_;
+                let _e850 = phi_964_;
+                let _e852 = phi_965_;
+                phi_966_ = _e848;
+                phi_967_ = _e850;
+                phi_968_ = _e852;
             }
-            let _e878 = phi_1066_;
-            let _e880 = phi_1067_;
-            let _e882 = phi_1068_;
-            if _e880 {
-                phi_1072_ = true;
+            let _e854 = phi_966_;
+            let _e856 = phi_967_;
+            let _e858 = phi_968_;
+            if _e856 {
+                phi_972_ = true;
             } else {
-                phi_1072_ = _e882;
+                phi_972_ = _e858;
             }
-            let _e884 = phi_1072_;
-            if _e884 {
-                phi_1076_ = 0u;
+            let _e860 = phi_972_;
+            if _e860 {
+                phi_976_ = 0u;
             } else {
-                phi_1076_ = _e878;
+                phi_976_ = _e854;
             }
-            let _e886 = phi_1076_;
-            let _e887 = lt_mask_Neighbourhood(false, true);
-            if _e278 {
-                phi_1081_ = _e820;
+            let _e862 = phi_976_;
+            let _e863 = lt_mask_Neighbourhood(false, true);
+            if _e248 {
+                phi_981_ = _e790;
             } else {
-                phi_1081_ = false;
+                phi_981_ = false;
             }
-            let _e889 = phi_1081_;
-            if _e889 {
-                if _e810 {
-                    if ((_e886 & 2u) != 0u) {
-                        phi_1376_ = _e887;
+            let _e865 = phi_981_;
+            if _e865 {
+                if _e780 {
+                    if ((_e862 & 2u) != 0u) {
+                        phi_1042_ = _e863;
                     } else {
-                        let _e893 = p.member.expansion;
-                        if _e816.has_moved {
-                            let _e896 = p.member.moving_pattern;
-                            phi_1103_ = _e896;
+                        if (32u == 0u) {
+                            return;
+                        }
+                        let _e874 = (_e81 / 32u);
+                        if (32u == 0u) {
+                            return;
+                        }
+                        if ((_e81 % 32u) > 0u) {
+                            phi_1013_ = (_e874 + 1u);
                         } else {
-                            let _e898 = p.member.still_pattern;
-                            phi_1103_ = _e898;
+                            phi_1013_ = _e874;
                         }
-                        let _e900 = phi_1103_;
-                        phi_1105_ = 0u;
-                        phi_1108_ = _e887;
-                        loop {
-                            let _e902 = phi_1105_;
-                            let _e904 = phi_1108_;
-                            local_1 = _e904;
-                            if (1u <= _e900) {
-                                if (_e900 <= 4u) {
-                                    phi_1120_ = false;
-                                } else {
-                                    phi_1120_ = true;
-                                }
-                                let _e908 = phi_1120_;
-                                phi_1121_ = _e908;
-                            } else {
-                                phi_1121_ = true;
-                            }
-                            let _e910 = phi_1121_;
-                            if _e910 {
-                                switch bitcast<i32>(_e900) {
-                                    case 5: {
-                                        phi_1130_ = 4u;
-                                        break;
-                                    }
-                                    case 6: {
-                                        phi_1130_ = 25u;
-                                        break;
-                                    }
-                                    case 7: {
-                                        phi_1130_ = 13u;
-                                        break;
-                                    }
-                                    default: {
-                                        phi_1130_ = 9u;
-                                        break;
-                                    }
-                                }
-                                let _e913 = phi_1130_;
-                                phi_1131_ = _e913;
-                            } else {
-                                phi_1131_ = 5u;
-                            }
-                            let _e915 = phi_1131_;
-                            let _e916 = (_e902 < _e915);
-                            if _e916 {
-                                let _e922 = p.member.frame;
-                                let _e926 = p.member.current.size[0u];
-                                let _e928 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e900) {
-                                    case 1: {
-                                        let _e938 = lt_mask_pattern_plus(_e902);
-                                        phi_1211_ = vec2<i32>(_e938.x, _e938.y);
-                                        break;
-                                    }
-                                    case 2: {
-                                        let _e942 = lt_mask_pattern_cross(_e902);
-                                        phi_1211_ = vec2<i32>(_e942.x, _e942.y);
-                                        break;
-                                    }
-                                    case 3: {
-                                        let _e948 = lt_mask_pattern_plus_or_cross(_e902, ((_e816.pixel.x + _e816.pixel.y) & 1u));
-                                        phi_1211_ = vec2<i32>(_e948.x, _e948.y);
-                                        break;
-                                    }
-                                    case 4: {
-                                        let _e953 = lt_mask_pattern_plus_or_cross(_e902, (_e922 & 1u));
-                                        phi_1211_ = vec2<i32>(_e953.x, _e953.y);
-                                        break;
-                                    }
-                                    case 5: {
-                                        switch bitcast<i32>((_e922 & 3u)) {
-                                            case 0: {
-                                                phi_1191_ = vec2(-1i);
-                                                break;
-                                            }
-                                            case 1: {
-                                                phi_1191_ = vec2(0i);
-                                                break;
-                                            }
-                                            case 2: {
-                                                phi_1191_ = vec2<i32>(0i, -1i);
-                                                break;
-                                            }
-                                            default: {
-                                                phi_1191_ = vec2<i32>(-1i, 0i);
-                                                break;
-                                            }
-                                        }
-                                        let _e964 = phi_1191_;
-                                        phi_1211_ = (_e964 + vec2<i32>(bitcast<i32>((_e902 & 1u)), bitcast<i32>(((_e902 >> bitcast<u32>(1i)) & 1u))));
-                                        break;
-                                    }
-                                    case 6: {
-                                        phi_1211_ = vec2<i32>((bitcast<i32>((_e902 % 5u)) - 2i), (bitcast<i32>(((_e902 / 5u) % 5u)) - 2i));
-                                        break;
-                                    }
-                                    case 7: {
-                                        let _e981 = lt_mask_pattern_diamond(_e902);
-                                        phi_1211_ = vec2<i32>(_e981.x, _e981.y);
-                                        break;
-                                    }
-                                    default: {
-                                        phi_1211_ = vec2<i32>((bitcast<i32>((_e902 % 3u)) - 1i), (bitcast<i32>(((_e902 / 3u) % 3u)) - 1i));
-                                        break;
-                                    }
-                                }
-                                let _e986 = phi_1211_;
-                                let _e989 = lt_mask_pattern_step_clamped(_e816.pixel.x, _e986.x, _e926);
-                                let _e990 = lt_mask_pattern_step_clamped(_e816.pixel.y, _e986.y, _e928);
-                                let _e997 = ((((_e990 * _e111) + _e989) * _e107.words) + _e107.light.word);
-                                if (_e107.light.shift > 29u) {
-                                    let _e1001 = (_e997 + 1u);
-                                    if (_e1001 < _e66) {
-                                    } else {
-                                        return;
-                                    }
-                                    let _e1005 = last_bits.member[(0u + _e1001)];
-                                    phi_1238_ = _e1005;
-                                } else {
-                                    phi_1238_ = 0u;
-                                }
-                                let _e1007 = phi_1238_;
-                                if (_e997 < _e66) {
-                                } else {
-                                    return;
-                                }
-                                let _e1013 = last_bits.member[(0u + _e997)];
-                                let _e1016 = (_e1013 >> bitcast<u32>((_e107.light.shift & 31u)));
-                                if (_e107.light.shift > 29u) {
-                                    phi_1257_ = (_e1016 | (_e1007 << bitcast<u32>(((32u - _e107.light.shift) & 31u))));
-                                } else {
-                                    phi_1257_ = _e1016;
-                                }
-                                let _e1024 = phi_1257_;
-                                if ((_e1024 & 2u) == 0u) {
-                                    phi_1265_ = (_e1024 & 1u);
-                                } else {
-                                    phi_1265_ = (_e1024 & 7u);
-                                }
-                                let _e1030 = phi_1265_;
-                                if _e904.any_expands {
-                                    phi_1353_ = true;
-                                } else {
-                                    if ((_e1030 & 2u) != 0u) {
-                                        let _e1037 = (((_e1030 & 4u) != 0u) != _e274);
-                                        switch bitcast<i32>(_e893) {
-                                            case 1: {
-                                                phi_1293_ = bool();
-                                                phi_1294_ = false;
-                                                phi_1295_ = true;
-                                                phi_1296_ = false;
-                                                phi_1297_ = false;
-                                                break;
-                                            }
-                                            case 2: {
-                                                if _e1037 {
-                                                    phi_1291_ = (((_e1030 & 4u) != 0u) != ((_e1030 & 1u) != 0u));
-                                                    phi_1292_ = false;
-                                                } else {
-                                                    phi_1291_ = bool();
-                                                    phi_1292_ = true;
-                                                }
-                                                let _e1045 = phi_1291_;
-                                                let _e1047 = phi_1292_;
-                                                phi_1293_ = _e1045;
-                                                phi_1294_ = false;
-                                                phi_1295_ = false;
-                                                phi_1296_ = _e1047;
-                                                phi_1297_ = _e1037;
-                                                break;
-                                            }
-                                            default: {
-                                                phi_1293_ = bool();
-                                                phi_1294_ = true;
-                                                phi_1295_ = false;
-                                                phi_1296_ = false;
-                                                phi_1297_ = false;
-                                                break;
-                                            }
-                                        }
-                                        let _e1049 = phi_1293_;
-                                        let _e1051 = phi_1294_;
-                                        let _e1053 = phi_1295_;
-                                        let _e1055 = phi_1296_;
-                                        let _e1057 = phi_1297_;
-                                        phi_1305_ = _e1037;
-                                        phi_1306_ = _e1049;
-                                        phi_1307_ = _e1051;
-                                        phi_1308_ = _e1053;
-                                        phi_1309_ = _e1055;
-                                        phi_1310_ = _e1057;
-                                    } else {
-                                        switch bitcast<i32>(_e893) {
-                                            case 1: {
-                                                phi_1302_ = false;
-                                                phi_1303_ = true;
-                                                phi_1304_ = false;
-                                                break;
-                                            }
-                                            case 2: {
-                                                phi_1302_ = false;
-                                                phi_1303_ = false;
-                                                phi_1304_ = true;
-                                                break;
-                                            }
-                                            default: {
-                                                phi_1302_ = true;
-                                                phi_1303_ = false;
-                                                phi_1304_ = false;
-                                                break;
-                                            }
-                                        }
-                                        let _e1060 = phi_1302_;
-                                        let _e1062 = phi_1303_;
-                                        let _e1064 = phi_1304_;
-                                        phi_1305_ = false;
-                                        phi_1306_ = bool();
-                                        phi_1307_ = _e1060;
-                                        phi_1308_ = _e1062;
-                                        phi_1309_ = _e1064;
-                                        phi_1310_ = false;
-                                    }
-                                    let _e1066 = phi_1305_;
-                                    let _e1068 = phi_1306_;
-                                    let _e1070 = phi_1307_;
-                                    let _e1072 = phi_1308_;
-                                    let _e1074 = phi_1309_;
-                                    let _e1076 = phi_1310_;
-                                    if _e1070 {
-                                        if ((_e1030 & 2u) != 0u) {
-                                            if (((_e1030 & 4u) != 0u) != _e274) {
-                                                phi_1325_ = false;
-                                            } else {
-                                                phi_1325_ = true;
-                                            }
-                                            let _e1083 = phi_1325_;
-                                            phi_1326_ = _e1083;
-                                        } else {
-                                            phi_1326_ = true;
-                                        }
-                                        let _e1085 = phi_1326_;
-                                        if _e1085 {
-                                            phi_1333_ = (((_e1030 & 1u) != 0u) != _e274);
-                                        } else {
-                                            phi_1333_ = true;
-                                        }
-                                        let _e1090 = phi_1333_;
-                                        phi_1334_ = _e1090;
-                                        phi_1335_ = false;
-                                        phi_1336_ = false;
-                                        phi_1337_ = false;
-                                    } else {
-                                        phi_1334_ = bool();
-                                        phi_1335_ = _e1072;
-                                        phi_1336_ = _e1074;
-                                        phi_1337_ = _e1076;
-                                    }
-                                    let _e1092 = phi_1334_;
-                                    let _e1094 = phi_1335_;
-                                    let _e1096 = phi_1336_;
-                                    let _e1098 = phi_1337_;
-                                    if _e1094 {
-                                        phi_1341_ = _e1066;
-                                        phi_1342_ = false;
-                                        phi_1343_ = false;
-                                    } else {
-                                        phi_1341_ = _e1092;
-                                        phi_1342_ = _e1096;
-                                        phi_1343_ = _e1098;
-                                    }
-                                    let _e1100 = phi_1341_;
-                                    let _e1102 = phi_1342_;
-                                    let _e1104 = phi_1343_;
-                                    if _e1102 {
-                                        phi_1347_ = false;
-                                        phi_1348_ = true;
-                                    } else {
-                                        phi_1347_ = _e1068;
-                                        phi_1348_ = _e1104;
-                                    }
-                                    let _e1106 = phi_1347_;
-                                    let _e1108 = phi_1348_;
-                                    if _e1108 {
-                                        phi_1352_ = _e1106;
-                                    } else {
-                                        phi_1352_ = _e1100;
-                                    }
-                                    let _e1110 = phi_1352_;
-                                    phi_1353_ = _e1110;
-                                }
-                                let _e1112 = phi_1353_;
-                                if _e904.all_remove {
-                                    if (((_e1030 & 1u) != 0u) == _e274) {
-                                        if ((_e1030 & 2u) != 0u) {
-                                            phi_1371_ = (((_e1030 & 4u) != 0u) == _e274);
-                                        } else {
-                                            phi_1371_ = true;
-                                        }
-                                        let _e1122 = phi_1371_;
-                                        phi_1372_ = _e1122;
-                                    } else {
-                                        phi_1372_ = false;
-                                    }
-                                    let _e1124 = phi_1372_;
-                                    phi_1373_ = _e1124;
-                                } else {
-                                    phi_1373_ = false;
-                                }
-                                let _e1126 = phi_1373_;
-                                phi_1106_ = (_e902 + 1u);
-                                phi_1109_ = lt_mask_Neighbourhood(_e1112, _e1126);
-                            } else {
-                                phi_1106_ = u32();
-                                phi_1109_ = lt_mask_Neighbourhood();
-                            }
-                            let _e1130 = phi_1106_;
-                            let _e1132 = phi_1109_;
-                            continue;
-                            continuing {
-                                phi_1105_ = _e1130;
-                                phi_1108_ = _e1132;
-                                break if !(_e916);
-                            }
+                        let _e880 = phi_1013_;
+                        let _e890 = ((((_e786.pixel.y * _e880) + (_e786.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e244) | (select(0u, 1u, _e786.has_moved) << bitcast<u32>(1i))));
+                        if (_e890 < _e59) {
+                        } else {
+                            return;
                         }
-                        let _e1508 = local_1;
-                        phi_1376_ = _e1508;
+                        let _e894 = heard.member[(0u + _e890)];
+                        let _e900 = (((_e894 >> bitcast<u32>(((_e786.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_1042_ = lt_mask_Neighbourhood(_e900, !(_e900));
                     }
-                    let _e1135 = phi_1376_;
-                    phi_1377_ = _e1135;
+                    let _e904 = phi_1042_;
+                    phi_1043_ = _e904;
                 } else {
-                    phi_1377_ = _e887;
+                    phi_1043_ = _e863;
                 }
-                let _e1137 = phi_1377_;
-                phi_1378_ = _e1137;
+                let _e906 = phi_1043_;
+                phi_1044_ = _e906;
             } else {
-                phi_1378_ = _e887;
+                phi_1044_ = _e863;
             }
-            let _e1139 = phi_1378_;
-            let _e1142 = p.member.frame;
-            let _e1144 = p.member.refresh;
-            if (_e1144 == 0u) {
-                phi_1411_ = false;
+            let _e908 = phi_1044_;
+            let _e911 = p.member.frame;
+            let _e913 = p.member.refresh;
+            if (_e913 == 0u) {
+                phi_1077_ = false;
             } else {
-                if (_e1144 == 0u) {
+                if (_e913 == 0u) {
                     return;
                 }
-                let _e1153 = ((_e60.x + (_e60.y * (((_e1144 * 5u) / 8u) | 1u))) + (_e1142 % _e1144));
-                if (_e1144 == 0u) {
-                    phi_1410_ = (_e1153 == 0u);
+                let _e922 = ((_e53.x + (_e53.y * (((_e913 * 5u) / 8u) | 1u))) + (_e911 % _e913));
+                if (_e913 == 0u) {
+                    phi_1076_ = (_e922 == 0u);
                 } else {
-                    if (_e1144 == 0u) {
+                    if (_e913 == 0u) {
                         return;
                     }
-                    phi_1410_ = ((_e1153 % _e1144) == 0u);
+                    phi_1076_ = ((_e922 % _e913) == 0u);
                 }
-                let _e1160 = phi_1410_;
-                phi_1411_ = _e1160;
+                let _e929 = phi_1076_;
+                phi_1077_ = _e929;
             }
-            let _e1162 = phi_1411_;
-            if _e810 {
-                if _e1162 {
-                    phi_1433_ = bool();
+            let _e931 = phi_1077_;
+            if _e780 {
+                if _e931 {
+                    phi_1099_ = bool();
                 } else {
-                    phi_1433_ = ((_e886 & 2u) != 0u);
+                    phi_1099_ = ((_e862 & 2u) != 0u);
                 }
-                let _e1168 = phi_1433_;
-                phi_1434_ = _e1168;
-                phi_1435_ = _e1162;
+                let _e937 = phi_1099_;
+                phi_1100_ = _e937;
+                phi_1101_ = _e931;
             } else {
-                phi_1434_ = bool();
-                phi_1435_ = true;
+                phi_1100_ = bool();
+                phi_1101_ = true;
             }
-            let _e1170 = phi_1434_;
-            let _e1172 = phi_1435_;
-            if _e1172 {
-                phi_1439_ = false;
+            let _e939 = phi_1100_;
+            let _e941 = phi_1101_;
+            if _e941 {
+                phi_1105_ = false;
             } else {
-                phi_1439_ = _e1170;
+                phi_1105_ = _e939;
             }
-            let _e1174 = phi_1439_;
-            if _e1174 {
-                phi_1490_ = 7u;
+            let _e943 = phi_1105_;
+            if _e943 {
+                phi_1156_ = 7u;
             } else {
-                if (_e116 != 0.5f) {
-                    if _e810 {
-                        if _e1162 {
-                            phi_1487_ = 6u;
+                if (_e86 != 0.5f) {
+                    if _e780 {
+                        if _e931 {
+                            phi_1153_ = 6u;
                         } else {
-                            if _e278 {
-                                phi_1462_ = true;
+                            if _e248 {
+                                phi_1128_ = true;
                             } else {
-                                if _e1139.any_expands {
-                                    phi_1461_ = false;
+                                if _e908.any_expands {
+                                    phi_1127_ = false;
                                 } else {
-                                    phi_1461_ = true;
+                                    phi_1127_ = true;
                                 }
-                                let _e1176 = phi_1461_;
-                                phi_1462_ = _e1176;
+                                let _e945 = phi_1127_;
+                                phi_1128_ = _e945;
                             }
-                            let _e1178 = phi_1462_;
-                            if _e1178 {
-                                if _e278 {
-                                    if _e820 {
-                                        if _e1139.all_remove {
-                                            phi_1475_ = false;
+                            let _e947 = phi_1128_;
+                            if _e947 {
+                                if _e248 {
+                                    if _e790 {
+                                        if _e908.all_remove {
+                                            phi_1141_ = false;
                                         } else {
-                                            phi_1475_ = true;
+                                            phi_1141_ = true;
                                         }
-                                        let _e1180 = phi_1475_;
-                                        phi_1476_ = _e1180;
+                                        let _e949 = phi_1141_;
+                                        phi_1142_ = _e949;
                                     } else {
-                                        phi_1476_ = true;
+                                        phi_1142_ = true;
                                     }
-                                    let _e1182 = phi_1476_;
-                                    phi_1477_ = _e1182;
+                                    let _e951 = phi_1142_;
+                                    phi_1143_ = _e951;
                                 } else {
-                                    phi_1477_ = true;
+                                    phi_1143_ = true;
                                 }
-                                let _e1184 = phi_1477_;
-                                if _e1184 {
-                                    if _e278 {
-                                        phi_1484_ = 1u;
+                                let _e953 = phi_1143_;
+                                if _e953 {
+                                    if _e248 {
+                                        phi_1150_ = 1u;
                                     } else {
-                                        phi_1484_ = 0u;
+                                        phi_1150_ = 0u;
                                     }
-                                    let _e1186 = phi_1484_;
-                                    phi_1485_ = _e1186;
+                                    let _e955 = phi_1150_;
+                                    phi_1151_ = _e955;
                                 } else {
-                                    phi_1485_ = 5u;
+                                    phi_1151_ = 5u;
                                 }
-                                let _e1188 = phi_1485_;
-                                phi_1486_ = _e1188;
+                                let _e957 = phi_1151_;
+                                phi_1152_ = _e957;
                             } else {
-                                phi_1486_ = 4u;
+                                phi_1152_ = 4u;
                             }
-                            let _e1190 = phi_1486_;
-                            phi_1487_ = _e1190;
+                            let _e959 = phi_1152_;
+                            phi_1153_ = _e959;
                         }
-                        let _e1192 = phi_1487_;
-                        phi_1488_ = _e1192;
+                        let _e961 = phi_1153_;
+                        phi_1154_ = _e961;
                     } else {
-                        phi_1488_ = 3u;
+                        phi_1154_ = 3u;
                     }
-                    let _e1194 = phi_1488_;
-                    phi_1489_ = _e1194;
+                    let _e963 = phi_1154_;
+                    phi_1155_ = _e963;
                 } else {
-                    phi_1489_ = 2u;
+                    phi_1155_ = 2u;
                 }
-                let _e1196 = phi_1489_;
-                phi_1490_ = _e1196;
+                let _e965 = phi_1155_;
+                phi_1156_ = _e965;
             }
-            let _e1198 = phi_1490_;
-            if !((_e1198 == 0u)) {
-                if !((_e1198 == 5u)) {
-                    phi_1502_ = !(_e1174);
-                    phi_1503_ = false;
+            let _e967 = phi_1156_;
+            if !((_e967 == 0u)) {
+                if !((_e967 == 5u)) {
+                    phi_1168_ = !(_e943);
+                    phi_1169_ = false;
                 } else {
-                    phi_1502_ = bool();
-                    phi_1503_ = true;
+                    phi_1168_ = bool();
+                    phi_1169_ = true;
                 }
-                let _e1205 = phi_1502_;
-                let _e1207 = phi_1503_;
-                phi_1504_ = _e1205;
-                phi_1505_ = _e1207;
+                let _e974 = phi_1168_;
+                let _e976 = phi_1169_;
+                phi_1170_ = _e974;
+                phi_1171_ = _e976;
             } else {
-                phi_1504_ = bool();
-                phi_1505_ = true;
+                phi_1170_ = bool();
+                phi_1171_ = true;
             }
-            let _e1209 = phi_1504_;
-            let _e1211 = phi_1505_;
-            if _e1211 {
-                phi_1509_ = false;
+            let _e978 = phi_1170_;
+            let _e980 = phi_1171_;
+            if _e980 {
+                phi_1175_ = false;
             } else {
-                phi_1509_ = _e1209;
+                phi_1175_ = _e978;
             }
-            let _e1213 = phi_1509_;
-            if _e1174 {
-                phi_1515_ = ((_e886 & 4u) != 0u);
+            let _e982 = phi_1175_;
+            if _e943 {
+                phi_1181_ = ((_e862 & 4u) != 0u);
             } else {
-                phi_1515_ = _e274;
+                phi_1181_ = _e244;
             }
-            let _e1217 = phi_1515_;
-            if _e1213 {
-                if _e274 {
-                    phi_1523_ = (2u | 1u);
+            let _e986 = phi_1181_;
+            if _e982 {
+                if _e244 {
+                    phi_1189_ = (2u | 1u);
                 } else {
-                    phi_1523_ = 2u;
+                    phi_1189_ = 2u;
                 }
-                let _e1220 = phi_1523_;
+                let _e989 = phi_1189_;
                 if false {
-                    phi_1528_ = (_e1220 | 4u);
+                    phi_1194_ = (_e989 | 4u);
                 } else {
-                    phi_1528_ = _e1220;
+                    phi_1194_ = _e989;
                 }
-                let _e1223 = phi_1528_;
-                phi_1548_ = _e1223;
+                let _e992 = phi_1194_;
+                phi_1214_ = _e992;
             } else {
-                if (_e1198 == 7u) {
-                    if _e274 {
-                        phi_1537_ = (2u | 1u);
+                if (_e967 == 7u) {
+                    if _e244 {
+                        phi_1203_ = (2u | 1u);
                     } else {
-                        phi_1537_ = 2u;
+                        phi_1203_ = 2u;
                     }
-                    let _e1227 = phi_1537_;
-                    if _e1217 {
-                        phi_1542_ = (_e1227 | 4u);
+                    let _e996 = phi_1203_;
+                    if _e986 {
+                        phi_1208_ = (_e996 | 4u);
                     } else {
-                        phi_1542_ = _e1227;
+                        phi_1208_ = _e996;
                     }
-                    let _e1230 = phi_1542_;
-                    phi_1547_ = _e1230;
+                    let _e999 = phi_1208_;
+                    phi_1213_ = _e999;
                 } else {
-                    if _e274 {
-                        phi_1546_ = 1u;
+                    if _e244 {
+                        phi_1212_ = 1u;
                     } else {
-                        phi_1546_ = 0u;
+                        phi_1212_ = 0u;
                     }
-                    let _e1232 = phi_1546_;
-                    phi_1547_ = _e1232;
+                    let _e1001 = phi_1212_;
+                    phi_1213_ = _e1001;
                 }
-                let _e1234 = phi_1547_;
-                phi_1548_ = _e1234;
+                let _e1003 = phi_1213_;
+                phi_1214_ = _e1003;
             }
-            let _e1236 = phi_1548_;
-            if _e1217 {
-                phi_1552_ = 0f;
+            let _e1005 = phi_1214_;
+            if _e986 {
+                phi_1218_ = 0f;
             } else {
-                phi_1552_ = 1f;
+                phi_1218_ = 1f;
             }
-            let _e1238 = phi_1552_;
-            phi_1554_ = mask_Masked(_e1238, _e1236, _e1213);
+            let _e1007 = phi_1218_;
+            phi_1220_ = mask_Masked(_e1007, _e1005, _e982);
         }
-        let _e1241 = phi_1554_;
-        visibility.member[_e80.shift] = _e1241.visibility;
-        let _e1246 = p.member.light.number;
-        let _e1247 = (_e1246 * 3u);
-        let _e1249 = (_e1247 % 32u);
-        let _e1251 = p.member.light.mask_words;
-        let _e1253 = ((_e80.shift * _e1251) + (_e1247 / 32u));
-        let _e1255 = bits.member[_e1253];
-        bits.member[_e1253] = ((_e1255 & ~((7u << bitcast<u32>((_e1249 & 31u))))) | (_e1241.bits << bitcast<u32>((_e1249 & 31u))));
-        if (_e1249 > 29u) {
-            let _e1270 = bits.member[(_e1253 + 1u)];
-            let _e1272 = (32u - _e1249);
-            bits.member[(_e1253 + 1u)] = ((_e1270 & ~((7u >> bitcast<u32>((_e1272 & 31u))))) | (_e1241.bits >> bitcast<u32>((_e1272 & 31u))));
+        let _e1010 = phi_1220_;
+        visibility.member[_e73.first_primitive] = _e1010.visibility;
+        let _e1015 = p.member.light.number;
+        let _e1016 = (_e1015 * 3u);
+        let _e1018 = (_e1016 % 32u);
+        let _e1020 = p.member.light.mask_words;
+        let _e1022 = ((_e73.first_primitive * _e1020) + (_e1016 / 32u));
+        let _e1024 = bits.member[_e1022];
+        bits.member[_e1022] = ((_e1024 & ~((7u << bitcast<u32>((_e1018 & 31u))))) | (_e1010.bits << bitcast<u32>((_e1018 & 31u))));
+        if (_e1018 > 29u) {
+            let _e1039 = bits.member[(_e1022 + 1u)];
+            let _e1041 = (32u - _e1018);
+            bits.member[(_e1022 + 1u)] = ((_e1039 & ~((7u >> bitcast<u32>((_e1041 & 31u))))) | (_e1010.bits >> bitcast<u32>((_e1041 & 31u))));
         }
-        let _e1287 = samples.member[_e80.shift].normal[0u];
-        let _e1289 = global[0u];
-        if (_e1287 == _e1289) {
-            let _e1292 = samples.member[_e80.shift].normal[1u];
-            let _e1294 = global[1u];
-            if (_e1292 == _e1294) {
-                let _e1297 = samples.member[_e80.shift].normal[2u];
-                let _e1299 = global[2u];
-                phi_1626_ = (_e1297 == _e1299);
-                phi_1627_ = false;
+        let _e1056 = samples.member[_e73.first_primitive].normal[0u];
+        let _e1058 = global[0u];
+        if (_e1056 == _e1058) {
+            let _e1061 = samples.member[_e73.first_primitive].normal[1u];
+            let _e1063 = global[1u];
+            if (_e1061 == _e1063) {
+                let _e1066 = samples.member[_e73.first_primitive].normal[2u];
+                let _e1068 = global[2u];
+                phi_1292_ = (_e1066 == _e1068);
+                phi_1293_ = false;
             } else {
-                phi_1626_ = bool();
-                phi_1627_ = true;
+                phi_1292_ = bool();
+                phi_1293_ = true;
             }
-            let _e1302 = phi_1626_;
-            let _e1304 = phi_1627_;
-            phi_1628_ = _e1302;
-            phi_1629_ = _e1304;
+            let _e1071 = phi_1292_;
+            let _e1073 = phi_1293_;
+            phi_1294_ = _e1071;
+            phi_1295_ = _e1073;
         } else {
-            phi_1628_ = bool();
-            phi_1629_ = true;
+            phi_1294_ = bool();
+            phi_1295_ = true;
         }
-        let _e1306 = phi_1628_;
-        let _e1308 = phi_1629_;
-        if _e1308 {
-            phi_1633_ = false;
+        let _e1075 = phi_1294_;
+        let _e1077 = phi_1295_;
+        if _e1077 {
+            phi_1299_ = false;
         } else {
-            phi_1633_ = _e1306;
+            phi_1299_ = _e1075;
         }
-        let _e1310 = phi_1633_;
-        if !(_e1310) {
-            let _e1313 = samples.member[_e80.shift].position;
-            let _e1315 = p.member.current.eye;
-            let _e1326 = p.member.current.forward;
-            phi_1661_ = ((((_e1313.x - _e1315.x) * _e1326.x) + ((_e1313.y - _e1315.y) * _e1326.y)) + ((_e1313.z - _e1315.z) * _e1326.z));
+        let _e1079 = phi_1299_;
+        if !(_e1079) {
+            let _e1082 = samples.member[_e73.first_primitive].position;
+            let _e1084 = p.member.current.eye;
+            let _e1095 = p.member.current.forward;
+            phi_1327_ = ((((_e1082.x - _e1084.x) * _e1095.x) + ((_e1082.y - _e1084.y) * _e1095.y)) + ((_e1082.z - _e1084.z) * _e1095.z));
         } else {
-            phi_1661_ = 0f;
+            phi_1327_ = 0f;
         }
-        let _e1336 = phi_1661_;
-        depths.member[_e80.shift] = _e1336;
-        phi_1664_ = _e1241.needs_ray;
-        phi_1665_ = _e80.shift;
+        let _e1105 = phi_1327_;
+        depths.member[_e73.first_primitive] = _e1105;
+        phi_1330_ = _e1010.needs_ray;
+        phi_1331_ = _e73.first_primitive;
     } else {
-        phi_1664_ = false;
-        phi_1665_ = 0u;
+        phi_1330_ = false;
+        phi_1331_ = 0u;
     }
-    let _e1340 = phi_1664_;
-    let _e1342 = phi_1665_;
-    if (_e61 == 0u) {
+    let _e1109 = phi_1330_;
+    let _e1111 = phi_1331_;
+    if (_e54 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1340 {
-        let _e1346 = atomicAdd((&shared_[0u]), 1u);
-        phi_1676_ = _e1346;
+    if _e1109 {
+        let _e1115 = atomicAdd((&shared_[0u]), 1u);
+        phi_1342_ = _e1115;
     } else {
-        phi_1676_ = 0u;
+        phi_1342_ = 0u;
     }
-    let _e1348 = phi_1676_;
+    let _e1117 = phi_1342_;
     workgroupBarrier();
-    if (_e61 == 0u) {
-        let _e1352 = atomicLoad((&shared_[0u]));
-        let _e1353 = atomicAdd((&list.member[3u]), _e1352);
-        atomicStore((&shared_[1u]), _e1353);
+    if (_e54 == 0u) {
+        let _e1121 = atomicLoad((&shared_[0u]));
+        let _e1122 = atomicAdd((&list.member[3u]), _e1121);
+        atomicStore((&shared_[1u]), _e1122);
     }
     workgroupBarrier();
-    if _e1340 {
-        let _e1356 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1356) + _e1348)]), _e1342);
+    if _e1109 {
+        let _e1125 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1125) + _e1117)]), _e1111);
     }
     return;
 }
@@ -1677,6 +1198,6 @@ fn function_() {
 @compute @workgroup_size(8, 8, 1) 
 fn entry_mask_mask_motion_depth_rr_cs(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     id_1 = id;
-    local_2 = local;
+    local_1 = local;
     function_();
 }

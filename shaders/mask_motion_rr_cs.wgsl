@@ -25,18 +25,29 @@ struct abi_MaskParams {
     current: abi_CameraParams,
     previous: abi_CameraParams,
     light: abi_LightParams,
+    still: vec2<u32>,
+    moving: vec2<u32>,
     frame: u32,
-    still_pattern: u32,
-    moving_pattern: u32,
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
     expansion: u32,
     pad0_: u32,
+    pad1_: u32,
+    pad2_: u32,
 }
 
-struct type_9 {
+struct type_8 {
     member: abi_MaskParams,
+}
+
+struct type_12 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
 }
 
 struct abi_Sample {
@@ -48,21 +59,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_13 {
+struct type_23 {
     member: array<abi_Sample>,
 }
 
-struct type_17 {
-    member: array<u32>,
-}
-
-struct type_21 {
+struct type_27 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -92,1453 +94,964 @@ struct lt_mask_Neighbourhood {
     all_remove: bool,
 }
 
-struct type_44 {
+struct type_43 {
     member: array<atomic<u32>>,
 }
 
 var<private> id_1: vec3<u32>;
-var<private> local_2: u32;
 @group(0) @binding(0) 
-var<uniform> p: type_9;
+var<uniform> p: type_8;
+var<private> local_1: u32;
 @group(0) @binding(1) 
-var<storage> samples: type_13;
+var<storage> samples: type_23;
 @group(0) @binding(2) 
-var<storage> last_bits: type_17;
+var<storage> heard: type_12;
 @group(0) @binding(3) 
-var<storage, read_write> bits: type_17;
+var<storage, read_write> bits: type_12;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_21;
+var<storage, read_write> visibility: type_27;
 @group(0) @binding(5) 
-var<storage, read_write> list: type_44;
+var<storage, read_write> list: type_43;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_172_: lt_mask_LightPlace;
-    var phi_173_: bool;
-    var phi_174_: lt_mask_LightPlace;
-    var phi_175_: bool;
-    var phi_180_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_158_: lt_bvh_traverse_Tree;
+    var phi_159_: bool;
+    var phi_160_: lt_bvh_traverse_Tree;
+    var phi_161_: bool;
+    var phi_166_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_172_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_173_ = false;
+            phi_158_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_159_ = false;
         } else {
-            phi_172_ = lt_mask_LightPlace();
-            phi_173_ = true;
+            phi_158_ = lt_bvh_traverse_Tree();
+            phi_159_ = true;
         }
-        let _e68 = phi_172_;
-        let _e70 = phi_173_;
-        phi_174_ = _e68;
-        phi_175_ = _e70;
+        let _e62 = phi_158_;
+        let _e64 = phi_159_;
+        phi_160_ = _e62;
+        phi_161_ = _e64;
     } else {
-        phi_174_ = lt_mask_LightPlace();
-        phi_175_ = true;
+        phi_160_ = lt_bvh_traverse_Tree();
+        phi_161_ = true;
     }
-    let _e72 = phi_174_;
-    let _e74 = phi_175_;
-    if _e74 {
-        phi_180_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e66 = phi_160_;
+    let _e68 = phi_161_;
+    if _e68 {
+        phi_166_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_180_ = _e72;
+        phi_166_ = _e66;
     }
-    let _e79 = phi_180_;
-    return lt_mask_LightPlace(_e79.word, _e79.shift);
-}
-
-fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_198_: vec2<i32>;
-
-    switch bitcast<i32>((param_3 % 5u)) {
-        case 0: {
-            phi_198_ = vec2(0i);
-            break;
-        }
-        case 1: {
-            phi_198_ = vec2<i32>(0i, -1i);
-            break;
-        }
-        case 2: {
-            phi_198_ = vec2<i32>(-1i, 0i);
-            break;
-        }
-        case 3: {
-            phi_198_ = vec2<i32>(1i, 0i);
-            break;
-        }
-        default: {
-            phi_198_ = vec2<i32>(0i, 1i);
-            break;
-        }
-    }
-    let _e64 = phi_198_;
-    return vec2<i32>(_e64.x, _e64.y);
-}
-
-fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_216_: vec2<i32>;
-
-    switch bitcast<i32>((param_4 % 5u)) {
-        case 0: {
-            phi_216_ = vec2(0i);
-            break;
-        }
-        case 1: {
-            phi_216_ = vec2(-1i);
-            break;
-        }
-        case 2: {
-            phi_216_ = vec2<i32>(1i, -1i);
-            break;
-        }
-        case 3: {
-            phi_216_ = vec2<i32>(-1i, 1i);
-            break;
-        }
-        default: {
-            phi_216_ = vec2(1i);
-            break;
-        }
-    }
-    let _e64 = phi_216_;
-    return vec2<i32>(_e64.x, _e64.y);
-}
-
-fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_235_: vec2<i32>;
-
-    if (param_6 == 0u) {
-        let _e58 = lt_mask_pattern_plus(param_5);
-        phi_235_ = vec2<i32>(_e58.x, _e58.y);
-    } else {
-        let _e62 = lt_mask_pattern_cross(param_5);
-        phi_235_ = vec2<i32>(_e62.x, _e62.y);
-    }
-    let _e67 = phi_235_;
-    return vec2<i32>(_e67.x, _e67.y);
-}
-
-fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_260_: vec2<i32>;
-
-    let _e56 = (param_7 % 13u);
-    switch bitcast<i32>(_e56) {
-        case 9: {
-            phi_260_ = vec2<i32>(0i, -2i);
-            break;
-        }
-        case 10: {
-            phi_260_ = vec2<i32>(-2i, 0i);
-            break;
-        }
-        case 11: {
-            phi_260_ = vec2<i32>(2i, 0i);
-            break;
-        }
-        case 12: {
-            phi_260_ = vec2<i32>(0i, 2i);
-            break;
-        }
-        default: {
-            phi_260_ = vec2<i32>((bitcast<i32>((_e56 % 3u)) - 1i), (bitcast<i32>(((_e56 / 3u) % 3u)) - 1i));
-            break;
-        }
-    }
-    let _e71 = phi_260_;
-    return vec2<i32>(_e71.x, _e71.y);
-}
-
-fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_281_: u32;
-    var phi_282_: u32;
-
-    let _e59 = (bitcast<i32>(param_8) + param_9);
-    if (_e59 < 0i) {
-        phi_282_ = 0u;
-    } else {
-        if (_e59 >= bitcast<i32>(param_10)) {
-            phi_281_ = (param_10 - 1u);
-        } else {
-            phi_281_ = bitcast<u32>(_e59);
-        }
-        let _e66 = phi_281_;
-        phi_282_ = _e66;
-    }
-    let _e68 = phi_282_;
-    return _e68;
+    let _e73 = phi_166_;
+    return lt_bvh_traverse_Tree(_e73.root, _e73.first_primitive);
 }
 
 fn function_() {
-    var phi_354_: bool;
-    var phi_355_: bool;
-    var phi_356_: bool;
-    var phi_357_: bool;
+    var phi_211_: u32;
+    var phi_245_: bool;
+    var phi_246_: bool;
+    var phi_247_: bool;
+    var phi_248_: bool;
+    var phi_252_: bool;
+    var phi_322_: bool;
+    var phi_323_: bool;
+    var phi_334_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_335_: bool;
+    var phi_336_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_337_: bool;
+    var phi_344_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_348_: u0028_evaluate_Verdict_u0020_bool_u0029_;
     var phi_361_: bool;
-    var phi_431_: bool;
-    var phi_432_: bool;
-    var phi_443_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_444_: bool;
-    var phi_445_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_446_: bool;
-    var phi_453_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_457_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_470_: bool;
-    var phi_501_: bool;
-    var phi_502_: bool;
-    var phi_503_: bool;
-    var phi_504_: bool;
-    var phi_508_: bool;
-    var phi_509_: bool;
-    var phi_720_: f32;
-    var phi_725_: f32;
-    var phi_726_: bool;
-    var phi_727_: f32;
+    var phi_392_: bool;
+    var phi_393_: bool;
+    var phi_394_: bool;
+    var phi_395_: bool;
+    var phi_399_: bool;
+    var phi_400_: bool;
+    var phi_611_: f32;
+    var phi_616_: f32;
+    var phi_617_: bool;
+    var phi_618_: f32;
+    var phi_619_: bool;
+    var phi_623_: f32;
+    var phi_644_: f32;
+    var phi_649_: f32;
+    var phi_650_: bool;
+    var phi_651_: f32;
+    var phi_652_: bool;
+    var phi_656_: f32;
+    var phi_677_: bool;
+    var phi_696_: vec2<u32>;
+    var phi_697_: bool;
+    var phi_698_: bool;
+    var phi_699_: bool;
+    var phi_700_: vec2<u32>;
+    var phi_701_: bool;
+    var phi_702_: bool;
+    var phi_703_: bool;
+    var phi_704_: bool;
+    var phi_705_: bool;
+    var phi_706_: bool;
+    var phi_707_: vec2<u32>;
+    var phi_708_: bool;
+    var phi_709_: bool;
+    var phi_710_: bool;
+    var phi_711_: bool;
+    var phi_712_: bool;
+    var phi_713_: bool;
+    var phi_714_: vec2<u32>;
+    var phi_715_: bool;
+    var phi_716_: bool;
+    var phi_717_: bool;
+    var phi_718_: bool;
+    var phi_727_: bool;
     var phi_728_: bool;
-    var phi_732_: f32;
-    var phi_753_: f32;
-    var phi_758_: f32;
-    var phi_759_: bool;
-    var phi_760_: f32;
-    var phi_761_: bool;
-    var phi_765_: f32;
-    var phi_786_: bool;
-    var phi_805_: vec2<u32>;
-    var phi_806_: bool;
-    var phi_807_: bool;
-    var phi_808_: bool;
-    var phi_809_: vec2<u32>;
-    var phi_810_: bool;
-    var phi_811_: bool;
-    var phi_812_: bool;
-    var phi_813_: bool;
-    var phi_814_: bool;
-    var phi_815_: bool;
-    var phi_816_: vec2<u32>;
-    var phi_817_: bool;
-    var phi_818_: bool;
-    var phi_819_: bool;
-    var phi_820_: bool;
-    var phi_821_: bool;
-    var phi_822_: bool;
-    var phi_823_: vec2<u32>;
-    var phi_824_: bool;
-    var phi_825_: bool;
-    var phi_826_: bool;
-    var phi_827_: bool;
-    var phi_836_: bool;
-    var phi_837_: bool;
-    var phi_838_: bool;
-    var phi_839_: bool;
-    var phi_843_: bool;
-    var phi_844_: bool;
-    var phi_845_: vec2<u32>;
-    var phi_883_: bool;
-    var phi_885_: lt_mask_Reprojection;
-    var phi_886_: lt_mask_Reprojection;
+    var phi_729_: bool;
+    var phi_730_: bool;
+    var phi_734_: bool;
+    var phi_735_: bool;
+    var phi_736_: vec2<u32>;
+    var phi_774_: bool;
+    var phi_776_: lt_mask_Reprojection;
+    var phi_777_: lt_mask_Reprojection;
+    var phi_778_: bool;
+    var phi_782_: bool;
+    var phi_783_: lt_mask_Reprojection;
+    var phi_784_: lt_mask_Reprojection;
+    var phi_785_: bool;
+    var phi_793_: bool;
+    var phi_794_: lt_mask_Reprojection;
+    var phi_860_: u32;
+    var phi_865_: u32;
+    var phi_866_: u32;
+    var phi_867_: u32;
+    var phi_868_: bool;
+    var phi_869_: u32;
+    var phi_870_: bool;
+    var phi_871_: bool;
+    var phi_872_: u32;
+    var phi_873_: bool;
+    var phi_874_: bool;
+    var phi_878_: bool;
+    var phi_882_: u32;
     var phi_887_: bool;
-    var phi_891_: bool;
-    var phi_892_: lt_mask_Reprojection;
-    var phi_893_: lt_mask_Reprojection;
-    var phi_894_: bool;
-    var phi_902_: bool;
-    var phi_903_: lt_mask_Reprojection;
-    var phi_944_: u32;
-    var phi_963_: u32;
-    var phi_971_: u32;
-    var phi_972_: u32;
-    var phi_973_: bool;
-    var phi_974_: u32;
-    var phi_975_: bool;
-    var phi_976_: bool;
-    var phi_977_: u32;
-    var phi_978_: bool;
-    var phi_979_: bool;
-    var phi_983_: bool;
-    var phi_987_: u32;
-    var phi_992_: bool;
-    var phi_1014_: u32;
-    var phi_1016_: u32;
-    var phi_1019_: lt_mask_Neighbourhood;
-    var phi_1031_: bool;
-    var phi_1032_: bool;
+    var phi_927_: lt_mask_Neighbourhood;
+    var phi_928_: lt_mask_Neighbourhood;
+    var phi_929_: lt_mask_Neighbourhood;
+    var phi_961_: bool;
+    var phi_962_: bool;
+    var phi_984_: bool;
+    var phi_985_: bool;
+    var phi_986_: bool;
+    var phi_990_: bool;
+    var phi_1012_: bool;
+    var phi_1013_: bool;
+    var phi_1026_: bool;
+    var phi_1027_: bool;
+    var phi_1028_: bool;
+    var phi_1035_: u32;
+    var phi_1036_: u32;
+    var phi_1037_: u32;
+    var phi_1038_: u32;
+    var phi_1039_: u32;
+    var phi_1040_: u32;
     var phi_1041_: u32;
-    var phi_1042_: u32;
-    var phi_1102_: vec2<i32>;
-    var phi_1122_: vec2<i32>;
-    var phi_1147_: u32;
-    var phi_1166_: u32;
-    var phi_1174_: u32;
-    var phi_1200_: bool;
-    var phi_1201_: bool;
-    var phi_1202_: bool;
-    var phi_1203_: bool;
-    var phi_1204_: bool;
-    var phi_1205_: bool;
-    var phi_1206_: bool;
-    var phi_1211_: bool;
-    var phi_1212_: bool;
-    var phi_1213_: bool;
-    var phi_1214_: bool;
-    var phi_1215_: bool;
-    var phi_1216_: bool;
-    var phi_1217_: bool;
-    var phi_1218_: bool;
-    var phi_1219_: bool;
-    var phi_1234_: bool;
-    var phi_1235_: bool;
-    var phi_1242_: bool;
-    var phi_1243_: bool;
-    var phi_1244_: bool;
-    var phi_1245_: bool;
-    var phi_1246_: bool;
-    var phi_1250_: bool;
-    var phi_1251_: bool;
-    var phi_1252_: bool;
-    var phi_1256_: bool;
-    var phi_1257_: bool;
-    var phi_1261_: bool;
-    var phi_1262_: bool;
-    var phi_1280_: bool;
-    var phi_1281_: bool;
-    var phi_1282_: bool;
-    var phi_1017_: u32;
-    var phi_1020_: lt_mask_Neighbourhood;
-    var phi_1285_: lt_mask_Neighbourhood;
-    var phi_1286_: lt_mask_Neighbourhood;
-    var phi_1287_: lt_mask_Neighbourhood;
-    var phi_1319_: bool;
-    var phi_1320_: bool;
-    var phi_1342_: bool;
-    var phi_1343_: bool;
-    var phi_1344_: bool;
-    var phi_1348_: bool;
-    var phi_1370_: bool;
-    var phi_1371_: bool;
-    var phi_1384_: bool;
-    var phi_1385_: bool;
-    var phi_1386_: bool;
-    var phi_1393_: u32;
-    var phi_1394_: u32;
-    var phi_1395_: u32;
-    var phi_1396_: u32;
-    var phi_1397_: u32;
-    var phi_1398_: u32;
-    var phi_1399_: u32;
-    var phi_1411_: bool;
-    var phi_1412_: bool;
-    var phi_1413_: bool;
-    var phi_1414_: bool;
-    var phi_1418_: bool;
-    var phi_1424_: bool;
-    var phi_1432_: u32;
-    var phi_1437_: u32;
-    var phi_1446_: u32;
-    var phi_1451_: u32;
-    var phi_1455_: u32;
-    var phi_1456_: u32;
-    var phi_1457_: u32;
-    var phi_1461_: f32;
-    var phi_1463_: mask_Masked;
-    var phi_1513_: bool;
-    var phi_1514_: u32;
-    var phi_1525_: u32;
-    var local_1: lt_mask_Neighbourhood;
+    var phi_1053_: bool;
+    var phi_1054_: bool;
+    var phi_1055_: bool;
+    var phi_1056_: bool;
+    var phi_1060_: bool;
+    var phi_1066_: bool;
+    var phi_1074_: u32;
+    var phi_1079_: u32;
+    var phi_1088_: u32;
+    var phi_1093_: u32;
+    var phi_1097_: u32;
+    var phi_1098_: u32;
+    var phi_1099_: u32;
+    var phi_1103_: f32;
+    var phi_1105_: mask_Masked;
+    var phi_1155_: bool;
+    var phi_1156_: u32;
+    var phi_1167_: u32;
 
-    let _e55 = id_1;
-    let _e56 = local_2;
-    let _e61 = arrayLength((&last_bits.member));
-    let _e68 = p.member.current.size[0u];
-    let _e70 = p.member.current.size[1u];
-    let _e71 = lt_shaders_entry_pixel_index(_e55, _e68, _e70);
-    if (bitcast<i32>(_e71.word) != 0i) {
-        let _e78 = p.member.light.number;
-        let _e79 = (_e78 * 3u);
-        let _e80 = (_e79 / 32u);
-        let _e81 = (_e79 % 32u);
-        let _e83 = p.member.light.mask_words;
-        let _e87 = p.member.current.size[0u];
-        let _e90 = samples.member[_e71.shift].position;
-        let _e92 = visibility.member[_e71.shift];
-        let _e98 = samples.member[_e71.shift].normal[0u];
-        let _e100 = global[0u];
-        if (_e98 == _e100) {
-            let _e103 = samples.member[_e71.shift].normal[1u];
-            let _e105 = global[1u];
-            if (_e103 == _e105) {
-                let _e108 = samples.member[_e71.shift].normal[2u];
-                let _e110 = global[2u];
-                phi_354_ = (_e108 == _e110);
-                phi_355_ = false;
-            } else {
-                phi_354_ = bool();
-                phi_355_ = true;
-            }
-            let _e113 = phi_354_;
-            let _e115 = phi_355_;
-            phi_356_ = _e113;
-            phi_357_ = _e115;
-        } else {
-            phi_356_ = bool();
-            phi_357_ = true;
+    let _e49 = id_1;
+    let _e50 = local_1;
+    let _e55 = arrayLength((&heard.member));
+    let _e62 = p.member.current.size[0u];
+    let _e64 = p.member.current.size[1u];
+    let _e65 = lt_shaders_entry_pixel_index(_e49, _e62, _e64);
+    if (bitcast<i32>(_e65.root) != 0i) {
+        let _e73 = p.member.current.size[0u];
+        if (32u == 0u) {
+            return;
         }
-        let _e117 = phi_356_;
-        let _e119 = phi_357_;
-        if _e119 {
-            phi_361_ = false;
-        } else {
-            phi_361_ = _e117;
+        let _e75 = (_e73 / 32u);
+        if (32u == 0u) {
+            return;
         }
-        let _e121 = phi_361_;
-        if !(_e121) {
-            let _e124 = samples.member[_e71.shift].position;
-            let _e126 = p.member.light.place;
-            let _e132 = p.member.light.place[3u];
-            let _e139 = (_e126.x - (_e124.x * _e132));
-            let _e140 = (_e126.y - (_e124.y * _e132));
-            let _e141 = (_e126.z - (_e124.z * _e132));
-            let _e143 = samples.member[_e71.shift].normal;
-            if ((((_e143.x * _e139) + (_e143.y * _e140)) + (_e143.z * _e141)) > 0f) {
-                let _e157 = (((_e139 * _e139) + (_e140 * _e140)) + (_e141 * _e141));
-                let _e159 = p.member.light.axis;
-                let _e171 = p.member.light.place[3u];
-                if (_e171 == 0f) {
-                    phi_432_ = true;
-                } else {
-                    let _e174 = p.member.light.range_squared;
-                    if (_e157 <= _e174) {
-                        let _e177 = p.member.light.cos_outer;
-                        phi_431_ = (-((((_e139 * _e159.x) + (_e140 * _e159.y)) + (_e141 * _e159.z))) >= (_e177 * sqrt(_e157)));
-                    } else {
-                        phi_431_ = false;
-                    }
-                    let _e182 = phi_431_;
-                    phi_432_ = _e182;
-                }
-                let _e184 = phi_432_;
-                if _e184 {
-                    let _e186 = samples.member[_e71.shift].flags;
-                    let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e194.unnamed.visibility, false), _e194.unnamed_1);
-                    phi_443_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e200.unnamed, ((_e186 & 1u) == 0u));
-                    phi_444_ = false;
-                } else {
-                    phi_443_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_444_ = true;
-                }
-                let _e205 = phi_443_;
-                let _e207 = phi_444_;
-                phi_445_ = _e205;
-                phi_446_ = _e207;
-            } else {
-                phi_445_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_446_ = true;
-            }
-            let _e209 = phi_445_;
-            let _e211 = phi_446_;
-            if _e211 {
-                let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e223 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e217.unnamed.visibility, false), _e217.unnamed_1);
-                phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e223.unnamed, true);
-            } else {
-                phi_453_ = _e209;
-            }
-            let _e228 = phi_453_;
-            phi_457_ = _e228;
+        if ((_e73 % 32u) > 0u) {
+            phi_211_ = (_e75 + 1u);
         } else {
-            let _e234 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e240 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e234.unnamed.visibility, false), _e234.unnamed_1);
-            phi_457_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e240.unnamed, true);
+            phi_211_ = _e75;
         }
-        let _e245 = phi_457_;
-        if _e245.unnamed_1 {
-            phi_1463_ = mask_Masked(_e245.unnamed.visibility, 0u, false);
+        let _e81 = phi_211_;
+        let _e84 = samples.member[_e65.first_primitive].position;
+        let _e86 = visibility.member[_e65.first_primitive];
+        let _e92 = samples.member[_e65.first_primitive].normal[0u];
+        let _e94 = global[0u];
+        if (_e92 == _e94) {
+            let _e97 = samples.member[_e65.first_primitive].normal[1u];
+            let _e99 = global[1u];
+            if (_e97 == _e99) {
+                let _e102 = samples.member[_e65.first_primitive].normal[2u];
+                let _e104 = global[2u];
+                phi_245_ = (_e102 == _e104);
+                phi_246_ = false;
+            } else {
+                phi_245_ = bool();
+                phi_246_ = true;
+            }
+            let _e107 = phi_245_;
+            let _e109 = phi_246_;
+            phi_247_ = _e107;
+            phi_248_ = _e109;
         } else {
-            let _e250 = (_e92 < 0.5f);
-            if (_e92 > 0f) {
-                phi_470_ = (_e92 < 1f);
+            phi_247_ = bool();
+            phi_248_ = true;
+        }
+        let _e111 = phi_247_;
+        let _e113 = phi_248_;
+        if _e113 {
+            phi_252_ = false;
+        } else {
+            phi_252_ = _e111;
+        }
+        let _e115 = phi_252_;
+        if !(_e115) {
+            let _e118 = samples.member[_e65.first_primitive].position;
+            let _e120 = p.member.light.place;
+            let _e126 = p.member.light.place[3u];
+            let _e133 = (_e120.x - (_e118.x * _e126));
+            let _e134 = (_e120.y - (_e118.y * _e126));
+            let _e135 = (_e120.z - (_e118.z * _e126));
+            let _e137 = samples.member[_e65.first_primitive].normal;
+            if ((((_e137.x * _e133) + (_e137.y * _e134)) + (_e137.z * _e135)) > 0f) {
+                let _e151 = (((_e133 * _e133) + (_e134 * _e134)) + (_e135 * _e135));
+                let _e153 = p.member.light.axis;
+                let _e165 = p.member.light.place[3u];
+                if (_e165 == 0f) {
+                    phi_323_ = true;
+                } else {
+                    let _e168 = p.member.light.range_squared;
+                    if (_e151 <= _e168) {
+                        let _e171 = p.member.light.cos_outer;
+                        phi_322_ = (-((((_e133 * _e153.x) + (_e134 * _e153.y)) + (_e135 * _e153.z))) >= (_e171 * sqrt(_e151)));
+                    } else {
+                        phi_322_ = false;
+                    }
+                    let _e176 = phi_322_;
+                    phi_323_ = _e176;
+                }
+                let _e178 = phi_323_;
+                if _e178 {
+                    let _e180 = samples.member[_e65.first_primitive].flags;
+                    let _e188 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e188.unnamed.visibility, false), _e188.unnamed_1);
+                    phi_334_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e194.unnamed, ((_e180 & 1u) == 0u));
+                    phi_335_ = false;
+                } else {
+                    phi_334_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_335_ = true;
+                }
+                let _e199 = phi_334_;
+                let _e201 = phi_335_;
+                phi_336_ = _e199;
+                phi_337_ = _e201;
             } else {
-                phi_470_ = false;
+                phi_336_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_337_ = true;
             }
-            let _e254 = phi_470_;
-            let _e261 = lt_mask_Reprojection(vec2<u32>(_e55.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e268 = lt_mask_Reprojection(vec2<u32>(_e261.pixel.x, _e55.y), _e261.is_valid, _e261.has_moved);
-            let _e272 = lt_mask_Reprojection(_e268.pixel, true, _e268.has_moved);
-            let _e278 = p.member.flags;
-            if ((_e278 & 16u) == 0u) {
-                phi_509_ = false;
+            let _e203 = phi_336_;
+            let _e205 = phi_337_;
+            if _e205 {
+                let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e211.unnamed.visibility, false), _e211.unnamed_1);
+                phi_344_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e217.unnamed, true);
             } else {
-                let _e284 = samples.member[_e71.shift].position[0u];
-                if (_e90.x == _e284) {
-                    let _e288 = samples.member[_e71.shift].position[1u];
-                    if (_e90.y == _e288) {
-                        let _e292 = samples.member[_e71.shift].position[2u];
-                        phi_501_ = (_e90.z == _e292);
-                        phi_502_ = false;
-                    } else {
-                        phi_501_ = bool();
-                        phi_502_ = true;
-                    }
-                    let _e295 = phi_501_;
-                    let _e297 = phi_502_;
-                    phi_503_ = _e295;
-                    phi_504_ = _e297;
-                } else {
-                    phi_503_ = bool();
-                    phi_504_ = true;
-                }
-                let _e299 = phi_503_;
-                let _e301 = phi_504_;
-                if _e301 {
-                    phi_508_ = false;
-                } else {
-                    phi_508_ = _e299;
-                }
-                let _e303 = phi_508_;
-                phi_509_ = _e303;
+                phi_344_ = _e203;
             }
-            let _e305 = phi_509_;
-            if _e305 {
-                phi_892_ = lt_mask_Reprojection(_e272.pixel, _e272.is_valid, false);
-                phi_893_ = lt_mask_Reprojection();
-                phi_894_ = true;
+            let _e222 = phi_344_;
+            phi_348_ = _e222;
+        } else {
+            let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e234 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e228.unnamed.visibility, false), _e228.unnamed_1);
+            phi_348_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e234.unnamed, true);
+        }
+        let _e239 = phi_348_;
+        if _e239.unnamed_1 {
+            phi_1105_ = mask_Masked(_e239.unnamed.visibility, 0u, false);
+        } else {
+            let _e244 = (_e86 < 0.5f);
+            if (_e86 > 0f) {
+                phi_361_ = (_e86 < 1f);
             } else {
-                let _e307 = samples.member[_e71.shift].position;
-                let _e311 = p.member.previous.eye;
-                let _e314 = (_e90.x - _e311.x);
-                let _e317 = (_e90.y - _e311.y);
-                let _e320 = (_e90.z - _e311.z);
-                let _e322 = p.member.previous.forward;
-                let _e330 = (((_e314 * _e322.x) + (_e317 * _e322.y)) + (_e320 * _e322.z));
-                let _e332 = p.member.previous.right;
-                let _e342 = p.member.previous.right;
-                let _e357 = p.member.previous.up;
-                let _e367 = p.member.previous.up;
-                let _e382 = p.member.current.eye;
-                let _e385 = (_e307.x - _e382.x);
-                let _e388 = (_e307.y - _e382.y);
-                let _e391 = (_e307.z - _e382.z);
-                let _e393 = p.member.current.forward;
-                let _e401 = (((_e385 * _e393.x) + (_e388 * _e393.y)) + (_e391 * _e393.z));
-                let _e403 = p.member.current.right;
-                let _e413 = p.member.current.right;
-                let _e428 = p.member.current.up;
-                let _e438 = p.member.current.up;
-                let _e457 = p.member.current.size[0u];
-                let _e459 = (((((((_e314 * _e332.x) + (_e317 * _e332.y)) + (_e320 * _e332.z)) / ((((_e342.x * _e342.x) + (_e342.y * _e342.y)) + (_e342.z * _e342.z)) * _e330)) - ((((_e385 * _e403.x) + (_e388 * _e403.y)) + (_e391 * _e403.z)) / ((((_e413.x * _e413.x) + (_e413.y * _e413.y)) + (_e413.z * _e413.z)) * _e401))) * 0.5f) * f32(_e457));
-                let _e463 = p.member.current.size[1u];
-                let _e465 = (((((((_e314 * _e357.x) + (_e317 * _e357.y)) + (_e320 * _e357.z)) / ((((_e367.x * _e367.x) + (_e367.y * _e367.y)) + (_e367.z * _e367.z)) * _e330)) - ((((_e385 * _e428.x) + (_e388 * _e428.y)) + (_e391 * _e428.z)) / ((((_e438.x * _e438.x) + (_e438.y * _e438.y)) + (_e438.z * _e438.z)) * _e401))) * -0.5f) * f32(_e463));
-                let _e469 = p.member.current.grid[0u];
-                let _e471 = p.member.current.grid[1u];
-                let _e491 = p.member.current.size[0u];
-                let _e493 = p.member.current.size[1u];
-                let _e495 = ((f32(_e55.x) + ((f32((_e55.y & (_e471 - 1u))) + 0.5f) / f32(_e471))) + _e459);
-                if (_e495 > -8388608f) {
-                    let _e507 = f32(select(0i, select(select(i32(_e495), i32(-2147483648), (_e495 < bitcast<f32>(3472883712u))), 2147483647i, (_e495 > bitcast<f32>(1325400063u))), (_e495 == _e495)));
-                    if (_e507 > _e495) {
-                        phi_720_ = 1f;
+                phi_361_ = false;
+            }
+            let _e248 = phi_361_;
+            let _e255 = lt_mask_Reprojection(vec2<u32>(_e49.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e262 = lt_mask_Reprojection(vec2<u32>(_e255.pixel.x, _e49.y), _e255.is_valid, _e255.has_moved);
+            let _e266 = lt_mask_Reprojection(_e262.pixel, true, _e262.has_moved);
+            let _e272 = p.member.flags;
+            if ((_e272 & 16u) == 0u) {
+                phi_400_ = false;
+            } else {
+                let _e278 = samples.member[_e65.first_primitive].position[0u];
+                if (_e84.x == _e278) {
+                    let _e282 = samples.member[_e65.first_primitive].position[1u];
+                    if (_e84.y == _e282) {
+                        let _e286 = samples.member[_e65.first_primitive].position[2u];
+                        phi_392_ = (_e84.z == _e286);
+                        phi_393_ = false;
                     } else {
-                        phi_720_ = 0f;
+                        phi_392_ = bool();
+                        phi_393_ = true;
                     }
-                    let _e510 = phi_720_;
-                    if (_e495 < 8388608f) {
-                        phi_725_ = (_e507 - _e510);
-                        phi_726_ = false;
+                    let _e289 = phi_392_;
+                    let _e291 = phi_393_;
+                    phi_394_ = _e289;
+                    phi_395_ = _e291;
+                } else {
+                    phi_394_ = bool();
+                    phi_395_ = true;
+                }
+                let _e293 = phi_394_;
+                let _e295 = phi_395_;
+                if _e295 {
+                    phi_399_ = false;
+                } else {
+                    phi_399_ = _e293;
+                }
+                let _e297 = phi_399_;
+                phi_400_ = _e297;
+            }
+            let _e299 = phi_400_;
+            if _e299 {
+                phi_783_ = lt_mask_Reprojection(_e266.pixel, _e266.is_valid, false);
+                phi_784_ = lt_mask_Reprojection();
+                phi_785_ = true;
+            } else {
+                let _e301 = samples.member[_e65.first_primitive].position;
+                let _e305 = p.member.previous.eye;
+                let _e308 = (_e84.x - _e305.x);
+                let _e311 = (_e84.y - _e305.y);
+                let _e314 = (_e84.z - _e305.z);
+                let _e316 = p.member.previous.forward;
+                let _e324 = (((_e308 * _e316.x) + (_e311 * _e316.y)) + (_e314 * _e316.z));
+                let _e326 = p.member.previous.right;
+                let _e336 = p.member.previous.right;
+                let _e351 = p.member.previous.up;
+                let _e361 = p.member.previous.up;
+                let _e376 = p.member.current.eye;
+                let _e379 = (_e301.x - _e376.x);
+                let _e382 = (_e301.y - _e376.y);
+                let _e385 = (_e301.z - _e376.z);
+                let _e387 = p.member.current.forward;
+                let _e395 = (((_e379 * _e387.x) + (_e382 * _e387.y)) + (_e385 * _e387.z));
+                let _e397 = p.member.current.right;
+                let _e407 = p.member.current.right;
+                let _e422 = p.member.current.up;
+                let _e432 = p.member.current.up;
+                let _e451 = p.member.current.size[0u];
+                let _e453 = (((((((_e308 * _e326.x) + (_e311 * _e326.y)) + (_e314 * _e326.z)) / ((((_e336.x * _e336.x) + (_e336.y * _e336.y)) + (_e336.z * _e336.z)) * _e324)) - ((((_e379 * _e397.x) + (_e382 * _e397.y)) + (_e385 * _e397.z)) / ((((_e407.x * _e407.x) + (_e407.y * _e407.y)) + (_e407.z * _e407.z)) * _e395))) * 0.5f) * f32(_e451));
+                let _e457 = p.member.current.size[1u];
+                let _e459 = (((((((_e308 * _e351.x) + (_e311 * _e351.y)) + (_e314 * _e351.z)) / ((((_e361.x * _e361.x) + (_e361.y * _e361.y)) + (_e361.z * _e361.z)) * _e324)) - ((((_e379 * _e422.x) + (_e382 * _e422.y)) + (_e385 * _e422.z)) / ((((_e432.x * _e432.x) + (_e432.y * _e432.y)) + (_e432.z * _e432.z)) * _e395))) * -0.5f) * f32(_e457));
+                let _e463 = p.member.current.grid[0u];
+                let _e465 = p.member.current.grid[1u];
+                let _e485 = p.member.current.size[0u];
+                let _e487 = p.member.current.size[1u];
+                let _e489 = ((f32(_e49.x) + ((f32((_e49.y & (_e465 - 1u))) + 0.5f) / f32(_e465))) + _e453);
+                if (_e489 > -8388608f) {
+                    let _e501 = f32(select(0i, select(select(i32(_e489), i32(-2147483648), (_e489 < bitcast<f32>(3472883712u))), 2147483647i, (_e489 > bitcast<f32>(1325400063u))), (_e489 == _e489)));
+                    if (_e501 > _e489) {
+                        phi_611_ = 1f;
                     } else {
-                        phi_725_ = f32();
-                        phi_726_ = true;
+                        phi_611_ = 0f;
                     }
-                    let _e513 = phi_725_;
-                    let _e515 = phi_726_;
-                    phi_727_ = _e513;
-                    phi_728_ = _e515;
-                } else {
-                    phi_727_ = f32();
-                    phi_728_ = true;
-                }
-                let _e517 = phi_727_;
-                let _e519 = phi_728_;
-                if _e519 {
-                    phi_732_ = _e495;
-                } else {
-                    phi_732_ = _e517;
-                }
-                let _e521 = phi_732_;
-                let _e522 = ((f32(_e55.y) + ((f32((_e55.x & (_e469 - 1u))) + 0.5f) / f32(_e469))) + _e465);
-                if (_e522 > -8388608f) {
-                    let _e534 = f32(select(0i, select(select(i32(_e522), i32(-2147483648), (_e522 < bitcast<f32>(3472883712u))), 2147483647i, (_e522 > bitcast<f32>(1325400063u))), (_e522 == _e522)));
-                    if (_e534 > _e522) {
-                        phi_753_ = 1f;
+                    let _e504 = phi_611_;
+                    if (_e489 < 8388608f) {
+                        phi_616_ = (_e501 - _e504);
+                        phi_617_ = false;
                     } else {
-                        phi_753_ = 0f;
+                        phi_616_ = f32();
+                        phi_617_ = true;
                     }
-                    let _e537 = phi_753_;
-                    if (_e522 < 8388608f) {
-                        phi_758_ = (_e534 - _e537);
-                        phi_759_ = false;
+                    let _e507 = phi_616_;
+                    let _e509 = phi_617_;
+                    phi_618_ = _e507;
+                    phi_619_ = _e509;
+                } else {
+                    phi_618_ = f32();
+                    phi_619_ = true;
+                }
+                let _e511 = phi_618_;
+                let _e513 = phi_619_;
+                if _e513 {
+                    phi_623_ = _e489;
+                } else {
+                    phi_623_ = _e511;
+                }
+                let _e515 = phi_623_;
+                let _e516 = ((f32(_e49.y) + ((f32((_e49.x & (_e463 - 1u))) + 0.5f) / f32(_e463))) + _e459);
+                if (_e516 > -8388608f) {
+                    let _e528 = f32(select(0i, select(select(i32(_e516), i32(-2147483648), (_e516 < bitcast<f32>(3472883712u))), 2147483647i, (_e516 > bitcast<f32>(1325400063u))), (_e516 == _e516)));
+                    if (_e528 > _e516) {
+                        phi_644_ = 1f;
                     } else {
-                        phi_758_ = f32();
-                        phi_759_ = true;
+                        phi_644_ = 0f;
                     }
-                    let _e540 = phi_758_;
-                    let _e542 = phi_759_;
-                    phi_760_ = _e540;
-                    phi_761_ = _e542;
+                    let _e531 = phi_644_;
+                    if (_e516 < 8388608f) {
+                        phi_649_ = (_e528 - _e531);
+                        phi_650_ = false;
+                    } else {
+                        phi_649_ = f32();
+                        phi_650_ = true;
+                    }
+                    let _e534 = phi_649_;
+                    let _e536 = phi_650_;
+                    phi_651_ = _e534;
+                    phi_652_ = _e536;
                 } else {
-                    phi_760_ = f32();
-                    phi_761_ = true;
+                    phi_651_ = f32();
+                    phi_652_ = true;
                 }
-                let _e544 = phi_760_;
-                let _e546 = phi_761_;
-                if _e546 {
-                    phi_765_ = _e522;
+                let _e538 = phi_651_;
+                let _e540 = phi_652_;
+                if _e540 {
+                    phi_656_ = _e516;
                 } else {
-                    phi_765_ = _e544;
+                    phi_656_ = _e538;
                 }
-                let _e548 = phi_765_;
-                if (_e521 >= 0f) {
-                    if (_e548 >= 0f) {
-                        if (_e521 < f32(_e491)) {
-                            let _e554 = (_e548 < f32(_e493));
-                            if (_e459 == 0f) {
-                                phi_786_ = (_e465 == 0f);
+                let _e542 = phi_656_;
+                if (_e515 >= 0f) {
+                    if (_e542 >= 0f) {
+                        if (_e515 < f32(_e485)) {
+                            let _e548 = (_e542 < f32(_e487));
+                            if (_e453 == 0f) {
+                                phi_677_ = (_e459 == 0f);
                             } else {
-                                phi_786_ = false;
+                                phi_677_ = false;
                             }
-                            let _e558 = phi_786_;
-                            if _e554 {
-                                phi_805_ = vec2<u32>(select(select(u32(_e521), 0u, (_e521 < bitcast<f32>(0u))), 4294967295u, (_e521 > bitcast<f32>(1333788671u))), select(select(u32(_e548), 0u, (_e548 < bitcast<f32>(0u))), 4294967295u, (_e548 > bitcast<f32>(1333788671u))));
-                                phi_806_ = false;
+                            let _e552 = phi_677_;
+                            if _e548 {
+                                phi_696_ = vec2<u32>(select(select(u32(_e515), 0u, (_e515 < bitcast<f32>(0u))), 4294967295u, (_e515 > bitcast<f32>(1333788671u))), select(select(u32(_e542), 0u, (_e542 < bitcast<f32>(0u))), 4294967295u, (_e542 > bitcast<f32>(1333788671u))));
+                                phi_697_ = false;
                             } else {
-                                phi_805_ = vec2<u32>();
-                                phi_806_ = true;
+                                phi_696_ = vec2<u32>();
+                                phi_697_ = true;
                             }
-                            let _e575 = phi_805_;
-                            let _e577 = phi_806_;
-                            phi_807_ = _e558;
-                            phi_808_ = _e554;
-                            phi_809_ = _e575;
-                            phi_810_ = _e558;
-                            phi_811_ = _e554;
-                            phi_812_ = false;
-                            phi_813_ = _e577;
+                            let _e569 = phi_696_;
+                            let _e571 = phi_697_;
+                            phi_698_ = _e552;
+                            phi_699_ = _e548;
+                            phi_700_ = _e569;
+                            phi_701_ = _e552;
+                            phi_702_ = _e548;
+                            phi_703_ = false;
+                            phi_704_ = _e571;
                         } else {
-                            phi_807_ = bool();
-                            phi_808_ = bool();
-                            phi_809_ = vec2<u32>();
-                            phi_810_ = bool();
-                            phi_811_ = bool();
-                            phi_812_ = true;
-                            phi_813_ = false;
+                            phi_698_ = bool();
+                            phi_699_ = bool();
+                            phi_700_ = vec2<u32>();
+                            phi_701_ = bool();
+                            phi_702_ = bool();
+                            phi_703_ = true;
+                            phi_704_ = false;
                         }
-                        let _e579 = phi_807_;
-                        let _e581 = phi_808_;
-                        let _e583 = phi_809_;
-                        let _e585 = phi_810_;
-                        let _e587 = phi_811_;
-                        let _e589 = phi_812_;
-                        let _e591 = phi_813_;
-                        phi_814_ = _e579;
-                        phi_815_ = _e581;
-                        phi_816_ = _e583;
-                        phi_817_ = _e585;
-                        phi_818_ = _e587;
-                        phi_819_ = _e589;
-                        phi_820_ = _e591;
+                        let _e573 = phi_698_;
+                        let _e575 = phi_699_;
+                        let _e577 = phi_700_;
+                        let _e579 = phi_701_;
+                        let _e581 = phi_702_;
+                        let _e583 = phi_703_;
+                        let _e585 = phi_704_;
+                        phi_705_ = _e573;
+                        phi_706_ = _e575;
+                        phi_707_ = _e577;
+                        phi_708_ = _e579;
+                        phi_709_ = _e581;
+                        phi_710_ = _e583;
+                        phi_711_ = _e585;
                     } else {
-                        phi_814_ = bool();
-                        phi_815_ = bool();
-                        phi_816_ = vec2<u32>();
-                        phi_817_ = bool();
-                        phi_818_ = bool();
-                        phi_819_ = true;
-                        phi_820_ = false;
+                        phi_705_ = bool();
+                        phi_706_ = bool();
+                        phi_707_ = vec2<u32>();
+                        phi_708_ = bool();
+                        phi_709_ = bool();
+                        phi_710_ = true;
+                        phi_711_ = false;
                     }
-                    let _e593 = phi_814_;
-                    let _e595 = phi_815_;
-                    let _e597 = phi_816_;
-                    let _e599 = phi_817_;
-                    let _e601 = phi_818_;
-                    let _e603 = phi_819_;
-                    let _e605 = phi_820_;
-                    phi_821_ = _e593;
-                    phi_822_ = _e595;
-                    phi_823_ = _e597;
-                    phi_824_ = _e599;
-                    phi_825_ = _e601;
-                    phi_826_ = _e603;
-                    phi_827_ = _e605;
+                    let _e587 = phi_705_;
+                    let _e589 = phi_706_;
+                    let _e591 = phi_707_;
+                    let _e593 = phi_708_;
+                    let _e595 = phi_709_;
+                    let _e597 = phi_710_;
+                    let _e599 = phi_711_;
+                    phi_712_ = _e587;
+                    phi_713_ = _e589;
+                    phi_714_ = _e591;
+                    phi_715_ = _e593;
+                    phi_716_ = _e595;
+                    phi_717_ = _e597;
+                    phi_718_ = _e599;
                 } else {
-                    phi_821_ = bool();
-                    phi_822_ = bool();
-                    phi_823_ = vec2<u32>();
-                    phi_824_ = bool();
-                    phi_825_ = bool();
-                    phi_826_ = true;
-                    phi_827_ = false;
+                    phi_712_ = bool();
+                    phi_713_ = bool();
+                    phi_714_ = vec2<u32>();
+                    phi_715_ = bool();
+                    phi_716_ = bool();
+                    phi_717_ = true;
+                    phi_718_ = false;
                 }
-                let _e607 = phi_821_;
-                let _e609 = phi_822_;
-                let _e611 = phi_823_;
-                let _e613 = phi_824_;
-                let _e615 = phi_825_;
-                let _e617 = phi_826_;
-                let _e619 = phi_827_;
-                if _e617 {
-                    if (_e459 == 0f) {
-                        phi_836_ = (_e465 == 0f);
+                let _e601 = phi_712_;
+                let _e603 = phi_713_;
+                let _e605 = phi_714_;
+                let _e607 = phi_715_;
+                let _e609 = phi_716_;
+                let _e611 = phi_717_;
+                let _e613 = phi_718_;
+                if _e611 {
+                    if (_e453 == 0f) {
+                        phi_727_ = (_e459 == 0f);
                     } else {
-                        phi_836_ = false;
+                        phi_727_ = false;
                     }
-                    let _e623 = phi_836_;
-                    phi_837_ = _e623;
-                    phi_838_ = false;
-                    phi_839_ = true;
+                    let _e617 = phi_727_;
+                    phi_728_ = _e617;
+                    phi_729_ = false;
+                    phi_730_ = true;
                 } else {
-                    phi_837_ = _e613;
-                    phi_838_ = _e615;
-                    phi_839_ = _e619;
+                    phi_728_ = _e607;
+                    phi_729_ = _e609;
+                    phi_730_ = _e613;
                 }
-                let _e625 = phi_837_;
-                let _e627 = phi_838_;
-                let _e629 = phi_839_;
-                if _e629 {
-                    phi_843_ = _e625;
-                    phi_844_ = _e627;
-                    phi_845_ = vec2<u32>(_e55.x, _e55.y);
+                let _e619 = phi_728_;
+                let _e621 = phi_729_;
+                let _e623 = phi_730_;
+                if _e623 {
+                    phi_734_ = _e619;
+                    phi_735_ = _e621;
+                    phi_736_ = vec2<u32>(_e49.x, _e49.y);
                 } else {
-                    phi_843_ = _e607;
-                    phi_844_ = _e609;
-                    phi_845_ = _e611;
+                    phi_734_ = _e601;
+                    phi_735_ = _e603;
+                    phi_736_ = _e605;
                 }
-                let _e631 = phi_843_;
-                let _e633 = phi_844_;
-                let _e635 = phi_845_;
-                let _e645 = lt_mask_Reprojection(vec2<u32>(_e635.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e652 = lt_mask_Reprojection(vec2<u32>(_e645.pixel.x, _e635.y), _e645.is_valid, _e645.has_moved);
-                let _e656 = lt_mask_Reprojection(_e652.pixel, _e633, _e652.has_moved);
-                let _e660 = lt_mask_Reprojection(_e656.pixel, _e656.is_valid, !(_e631));
-                if _e633 {
-                    let _e663 = p.member.previous.eye;
-                    let _e674 = p.member.previous.forward;
-                    let _e683 = (((((_e90.x - _e663.x) * _e674.x) + ((_e90.y - _e663.y) * _e674.y)) + ((_e90.z - _e663.z) * _e674.z)) > 0f);
-                    let _e687 = lt_mask_Reprojection(_e660.pixel, _e683, _e660.has_moved);
-                    if _e683 {
-                        phi_883_ = false;
+                let _e625 = phi_734_;
+                let _e627 = phi_735_;
+                let _e629 = phi_736_;
+                let _e639 = lt_mask_Reprojection(vec2<u32>(_e629.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e646 = lt_mask_Reprojection(vec2<u32>(_e639.pixel.x, _e629.y), _e639.is_valid, _e639.has_moved);
+                let _e650 = lt_mask_Reprojection(_e646.pixel, _e627, _e646.has_moved);
+                let _e654 = lt_mask_Reprojection(_e650.pixel, _e650.is_valid, !(_e625));
+                if _e627 {
+                    let _e657 = p.member.previous.eye;
+                    let _e668 = p.member.previous.forward;
+                    let _e677 = (((((_e84.x - _e657.x) * _e668.x) + ((_e84.y - _e657.y) * _e668.y)) + ((_e84.z - _e657.z) * _e668.z)) > 0f);
+                    let _e681 = lt_mask_Reprojection(_e654.pixel, _e677, _e654.has_moved);
+                    if _e677 {
+                        phi_774_ = false;
                     } else {
-                        phi_883_ = true;
+                        phi_774_ = true;
                     }
-                    let _e689 = phi_883_;
-                    phi_885_ = _e687;
-                    phi_886_ = _e687;
-                    phi_887_ = _e689;
+                    let _e683 = phi_774_;
+                    phi_776_ = _e681;
+                    phi_777_ = _e681;
+                    phi_778_ = _e683;
                 } else {
-                    phi_885_ = lt_mask_Reprojection();
-                    phi_886_ = lt_mask_Reprojection(_e660.pixel, false, _e660.has_moved);
-                    phi_887_ = true;
+                    phi_776_ = lt_mask_Reprojection();
+                    phi_777_ = lt_mask_Reprojection(_e654.pixel, false, _e654.has_moved);
+                    phi_778_ = true;
                 }
-                let _e695 = phi_885_;
-                let _e697 = phi_886_;
-                let _e699 = phi_887_;
-                if _e699 {
-                    phi_891_ = false;
+                let _e689 = phi_776_;
+                let _e691 = phi_777_;
+                let _e693 = phi_778_;
+                if _e693 {
+                    phi_782_ = false;
                 } else {
-                    phi_891_ = true;
+                    phi_782_ = true;
                 }
-                let _e701 = phi_891_;
-                phi_892_ = _e695;
-                phi_893_ = _e697;
-                phi_894_ = _e701;
+                let _e695 = phi_782_;
+                phi_783_ = _e689;
+                phi_784_ = _e691;
+                phi_785_ = _e695;
             }
-            let _e703 = phi_892_;
-            let _e705 = phi_893_;
-            let _e707 = phi_894_;
-            if _e707 {
-                let _e709 = p.member.flags;
-                phi_902_ = ((_e709 & 1u) != 0u);
-                phi_903_ = _e703;
+            let _e697 = phi_783_;
+            let _e699 = phi_784_;
+            let _e701 = phi_785_;
+            if _e701 {
+                let _e703 = p.member.flags;
+                phi_793_ = ((_e703 & 1u) != 0u);
+                phi_794_ = _e697;
             } else {
-                phi_902_ = false;
-                phi_903_ = _e705;
+                phi_793_ = false;
+                phi_794_ = _e699;
             }
-            let _e713 = phi_902_;
-            let _e715 = phi_903_;
-            let _e719 = lt_mask_Reprojection(_e715.pixel, _e713, _e715.has_moved);
-            let _e721 = p.member.flags;
-            let _e723 = ((_e721 & 2u) != 0u);
-            let _e725 = p.member.flags;
-            if ((_e725 & 4u) == 0u) {
-                phi_977_ = u32();
-                phi_978_ = true;
-                phi_979_ = false;
+            let _e707 = phi_793_;
+            let _e709 = phi_794_;
+            let _e713 = lt_mask_Reprojection(_e709.pixel, _e707, _e709.has_moved);
+            let _e715 = p.member.flags;
+            let _e717 = ((_e715 & 2u) != 0u);
+            let _e719 = p.member.flags;
+            if ((_e719 & 4u) == 0u) {
+                phi_872_ = u32();
+                phi_873_ = true;
+                phi_874_ = false;
             } else {
-                if _e713 {
-                    if !(_e719.has_moved) {
-                        let _e733 = ((((_e55.y * _e87) + _e55.x) * _e83) + _e80);
-                        if (_e81 > 29u) {
-                            let _e735 = (_e733 + 1u);
-                            if (_e735 < _e61) {
-                            } else {
-                                return;
-                            }
-                            let _e739 = last_bits.member[(0u + _e735)];
-                            phi_944_ = _e739;
-                        } else {
-                            phi_944_ = 0u;
-                        }
-                        let _e741 = phi_944_;
-                        if (_e733 < _e61) {
+                if _e707 {
+                    if !(_e713.has_moved) {
+                        let _e728 = ((((_e49.y * _e81) + (_e49.x / 32u)) * 6u) + 4u);
+                        if (_e728 < _e55) {
                         } else {
                             return;
                         }
-                        let _e745 = last_bits.member[(0u + _e733)];
-                        let _e748 = (_e745 >> bitcast<u32>((_e81 & 31u)));
-                        if (_e81 > 29u) {
-                            phi_963_ = (_e748 | (_e741 << bitcast<u32>(((32u - _e81) & 31u))));
+                        let _e732 = heard.member[(0u + _e728)];
+                        if (((_e732 >> bitcast<u32>(((_e49.x % 32u) & 31u))) & 1u) != 0u) {
+                            let _e743 = ((((_e49.y * _e81) + (_e49.x / 32u)) * 6u) + 5u);
+                            if (_e743 < _e55) {
+                            } else {
+                                return;
+                            }
+                            let _e747 = heard.member[(0u + _e743)];
+                            if false {
+                                phi_860_ = (2u | 1u);
+                            } else {
+                                phi_860_ = 2u;
+                            }
+                            let _e756 = phi_860_;
+                            if (((_e747 >> bitcast<u32>(((_e49.x % 32u) & 31u))) & 1u) != 0u) {
+                                phi_865_ = (_e756 | 4u);
+                            } else {
+                                phi_865_ = _e756;
+                            }
+                            let _e759 = phi_865_;
+                            phi_866_ = _e759;
                         } else {
-                            phi_963_ = _e748;
+                            phi_866_ = 0u;
                         }
-                        let _e756 = phi_963_;
-                        if ((_e756 & 2u) == 0u) {
-                            phi_971_ = (_e756 & 1u);
-                        } else {
-                            phi_971_ = (_e756 & 7u);
-                        }
-                        let _e762 = phi_971_;
-                        phi_972_ = _e762;
-                        phi_973_ = false;
+                        let _e761 = phi_866_;
+                        phi_867_ = _e761;
+                        phi_868_ = false;
                     } else {
-                        phi_972_ = u32();
-                        phi_973_ = true;
+                        phi_867_ = u32();
+                        phi_868_ = true;
                     }
-                    let _e764 = phi_972_;
-                    let _e766 = phi_973_;
-                    phi_974_ = _e764;
-                    phi_975_ = false;
-                    phi_976_ = _e766;
+                    let _e763 = phi_867_;
+                    let _e765 = phi_868_;
+                    phi_869_ = _e763;
+                    phi_870_ = false;
+                    phi_871_ = _e765;
                 } else {
-                    phi_974_ = u32();
-                    phi_975_ = true;
-                    phi_976_ = false;
+                    phi_869_ = u32();
+                    phi_870_ = true;
+                    phi_871_ = false;
                 }
-                let _e768 = phi_974_;
-                let _e770 = phi_975_;
-                let _e772 = phi_976_;
-                phi_977_ = _e768;
-                phi_978_ = _e770;
-                phi_979_ = _e772;
+                let _e767 = phi_869_;
+                let _e769 = phi_870_;
+                let _e771 = phi_871_;
+                phi_872_ = _e767;
+                phi_873_ = _e769;
+                phi_874_ = _e771;
             }
-            let _e774 = phi_977_;
-            let _e776 = phi_978_;
-            let _e778 = phi_979_;
-            if _e776 {
-                phi_983_ = true;
+            let _e773 = phi_872_;
+            let _e775 = phi_873_;
+            let _e777 = phi_874_;
+            if _e775 {
+                phi_878_ = true;
             } else {
-                phi_983_ = _e778;
+                phi_878_ = _e777;
             }
-            let _e780 = phi_983_;
-            if _e780 {
-                phi_987_ = 0u;
+            let _e779 = phi_878_;
+            if _e779 {
+                phi_882_ = 0u;
             } else {
-                phi_987_ = _e774;
+                phi_882_ = _e773;
             }
-            let _e782 = phi_987_;
-            let _e783 = lt_mask_Neighbourhood(false, true);
-            if _e254 {
-                phi_992_ = _e723;
+            let _e781 = phi_882_;
+            let _e782 = lt_mask_Neighbourhood(false, true);
+            if _e248 {
+                phi_887_ = _e717;
             } else {
-                phi_992_ = false;
+                phi_887_ = false;
             }
-            let _e785 = phi_992_;
-            if _e785 {
-                if _e713 {
-                    if ((_e782 & 2u) != 0u) {
-                        phi_1285_ = _e783;
+            let _e784 = phi_887_;
+            if _e784 {
+                if _e707 {
+                    if ((_e781 & 2u) != 0u) {
+                        phi_927_ = _e782;
                     } else {
-                        let _e789 = p.member.expansion;
-                        if _e719.has_moved {
-                            let _e792 = p.member.moving_pattern;
-                            phi_1014_ = _e792;
+                        let _e801 = ((((_e713.pixel.y * _e81) + (_e713.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e244) | (select(0u, 1u, _e713.has_moved) << bitcast<u32>(1i))));
+                        if (_e801 < _e55) {
                         } else {
-                            let _e794 = p.member.still_pattern;
-                            phi_1014_ = _e794;
+                            return;
                         }
-                        let _e796 = phi_1014_;
-                        phi_1016_ = 0u;
-                        phi_1019_ = _e783;
-                        loop {
-                            let _e798 = phi_1016_;
-                            let _e800 = phi_1019_;
-                            local_1 = _e800;
-                            if (1u <= _e796) {
-                                if (_e796 <= 4u) {
-                                    phi_1031_ = false;
-                                } else {
-                                    phi_1031_ = true;
-                                }
-                                let _e804 = phi_1031_;
-                                phi_1032_ = _e804;
-                            } else {
-                                phi_1032_ = true;
-                            }
-                            let _e806 = phi_1032_;
-                            if _e806 {
-                                switch bitcast<i32>(_e796) {
-                                    case 5: {
-                                        phi_1041_ = 4u;
-                                        break;
-                                    }
-                                    case 6: {
-                                        phi_1041_ = 25u;
-                                        break;
-                                    }
-                                    case 7: {
-                                        phi_1041_ = 13u;
-                                        break;
-                                    }
-                                    default: {
-                                        phi_1041_ = 9u;
-                                        break;
-                                    }
-                                }
-                                let _e809 = phi_1041_;
-                                phi_1042_ = _e809;
-                            } else {
-                                phi_1042_ = 5u;
-                            }
-                            let _e811 = phi_1042_;
-                            let _e812 = (_e798 < _e811);
-                            if _e812 {
-                                let _e818 = p.member.frame;
-                                let _e822 = p.member.current.size[0u];
-                                let _e824 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e796) {
-                                    case 1: {
-                                        let _e834 = lt_mask_pattern_plus(_e798);
-                                        phi_1122_ = vec2<i32>(_e834.x, _e834.y);
-                                        break;
-                                    }
-                                    case 2: {
-                                        let _e838 = lt_mask_pattern_cross(_e798);
-                                        phi_1122_ = vec2<i32>(_e838.x, _e838.y);
-                                        break;
-                                    }
-                                    case 3: {
-                                        let _e844 = lt_mask_pattern_plus_or_cross(_e798, ((_e719.pixel.x + _e719.pixel.y) & 1u));
-                                        phi_1122_ = vec2<i32>(_e844.x, _e844.y);
-                                        break;
-                                    }
-                                    case 4: {
-                                        let _e849 = lt_mask_pattern_plus_or_cross(_e798, (_e818 & 1u));
-                                        phi_1122_ = vec2<i32>(_e849.x, _e849.y);
-                                        break;
-                                    }
-                                    case 5: {
-                                        switch bitcast<i32>((_e818 & 3u)) {
-                                            case 0: {
-                                                phi_1102_ = vec2(-1i);
-                                                break;
-                                            }
-                                            case 1: {
-                                                phi_1102_ = vec2(0i);
-                                                break;
-                                            }
-                                            case 2: {
-                                                phi_1102_ = vec2<i32>(0i, -1i);
-                                                break;
-                                            }
-                                            default: {
-                                                phi_1102_ = vec2<i32>(-1i, 0i);
-                                                break;
-                                            }
-                                        }
-                                        let _e860 = phi_1102_;
-                                        phi_1122_ = (_e860 + vec2<i32>(bitcast<i32>((_e798 & 1u)), bitcast<i32>(((_e798 >> bitcast<u32>(1i)) & 1u))));
-                                        break;
-                                    }
-                                    case 6: {
-                                        phi_1122_ = vec2<i32>((bitcast<i32>((_e798 % 5u)) - 2i), (bitcast<i32>(((_e798 / 5u) % 5u)) - 2i));
-                                        break;
-                                    }
-                                    case 7: {
-                                        let _e877 = lt_mask_pattern_diamond(_e798);
-                                        phi_1122_ = vec2<i32>(_e877.x, _e877.y);
-                                        break;
-                                    }
-                                    default: {
-                                        phi_1122_ = vec2<i32>((bitcast<i32>((_e798 % 3u)) - 1i), (bitcast<i32>(((_e798 / 3u) % 3u)) - 1i));
-                                        break;
-                                    }
-                                }
-                                let _e882 = phi_1122_;
-                                let _e885 = lt_mask_pattern_step_clamped(_e719.pixel.x, _e882.x, _e822);
-                                let _e886 = lt_mask_pattern_step_clamped(_e719.pixel.y, _e882.y, _e824);
-                                let _e890 = ((((_e886 * _e87) + _e885) * _e83) + _e80);
-                                if (_e81 > 29u) {
-                                    let _e892 = (_e890 + 1u);
-                                    if (_e892 < _e61) {
-                                    } else {
-                                        return;
-                                    }
-                                    let _e896 = last_bits.member[(0u + _e892)];
-                                    phi_1147_ = _e896;
-                                } else {
-                                    phi_1147_ = 0u;
-                                }
-                                let _e898 = phi_1147_;
-                                if (_e890 < _e61) {
-                                } else {
-                                    return;
-                                }
-                                let _e902 = last_bits.member[(0u + _e890)];
-                                let _e905 = (_e902 >> bitcast<u32>((_e81 & 31u)));
-                                if (_e81 > 29u) {
-                                    phi_1166_ = (_e905 | (_e898 << bitcast<u32>(((32u - _e81) & 31u))));
-                                } else {
-                                    phi_1166_ = _e905;
-                                }
-                                let _e913 = phi_1166_;
-                                if ((_e913 & 2u) == 0u) {
-                                    phi_1174_ = (_e913 & 1u);
-                                } else {
-                                    phi_1174_ = (_e913 & 7u);
-                                }
-                                let _e919 = phi_1174_;
-                                if _e800.any_expands {
-                                    phi_1262_ = true;
-                                } else {
-                                    if ((_e919 & 2u) != 0u) {
-                                        let _e926 = (((_e919 & 4u) != 0u) != _e250);
-                                        switch bitcast<i32>(_e789) {
-                                            case 1: {
-                                                phi_1202_ = bool();
-                                                phi_1203_ = false;
-                                                phi_1204_ = true;
-                                                phi_1205_ = false;
-                                                phi_1206_ = false;
-                                                break;
-                                            }
-                                            case 2: {
-                                                if _e926 {
-                                                    phi_1200_ = (((_e919 & 4u) != 0u) != ((_e919 & 1u) != 0u));
-                                                    phi_1201_ = false;
-                                                } else {
-                                                    phi_1200_ = bool();
-                                                    phi_1201_ = true;
-                                                }
-                                                let _e934 = phi_1200_;
-                                                let _e936 = phi_1201_;
-                                                phi_1202_ = _e934;
-                                                phi_1203_ = false;
-                                                phi_1204_ = false;
-                                                phi_1205_ = _e936;
-                                                phi_1206_ = _e926;
-                                                break;
-                                            }
-                                            default: {
-                                                phi_1202_ = bool();
-                                                phi_1203_ = true;
-                                                phi_1204_ = false;
-                                                phi_1205_ = false;
-                                                phi_1206_ = false;
-                                                break;
-                                            }
-                                        }
-                                        let _e938 = phi_1202_;
-                                        let _e940 = phi_1203_;
-                                        let _e942 = phi_1204_;
-                                        let _e944 = phi_1205_;
-                                        let _e946 = phi_1206_;
-                                        phi_1214_ = _e926;
-                                        phi_1215_ = _e938;
-                                        phi_1216_ = _e940;
-                                        phi_1217_ = _e942;
-                                        phi_1218_ = _e944;
-                                        phi_1219_ = _e946;
-                                    } else {
-                                        switch bitcast<i32>(_e789) {
-                                            case 1: {
-                                                phi_1211_ = false;
-                                                phi_1212_ = true;
-                                                phi_1213_ = false;
-                                                break;
-                                            }
-                                            case 2: {
-                                                phi_1211_ = false;
-                                                phi_1212_ = false;
-                                                phi_1213_ = true;
-                                                break;
-                                            }
-                                            default: {
-                                                phi_1211_ = true;
-                                                phi_1212_ = false;
-                                                phi_1213_ = false;
-                                                break;
-                                            }
-                                        }
-                                        let _e949 = phi_1211_;
-                                        let _e951 = phi_1212_;
-                                        let _e953 = phi_1213_;
-                                        phi_1214_ = false;
-                                        phi_1215_ = bool();
-                                        phi_1216_ = _e949;
-                                        phi_1217_ = _e951;
-                                        phi_1218_ = _e953;
-                                        phi_1219_ = false;
-                                    }
-                                    let _e955 = phi_1214_;
-                                    let _e957 = phi_1215_;
-                                    let _e959 = phi_1216_;
-                                    let _e961 = phi_1217_;
-                                    let _e963 = phi_1218_;
-                                    let _e965 = phi_1219_;
-                                    if _e959 {
-                                        if ((_e919 & 2u) != 0u) {
-                                            if (((_e919 & 4u) != 0u) != _e250) {
-                                                phi_1234_ = false;
-                                            } else {
-                                                phi_1234_ = true;
-                                            }
-                                            let _e972 = phi_1234_;
-                                            phi_1235_ = _e972;
-                                        } else {
-                                            phi_1235_ = true;
-                                        }
-                                        let _e974 = phi_1235_;
-                                        if _e974 {
-                                            phi_1242_ = (((_e919 & 1u) != 0u) != _e250);
-                                        } else {
-                                            phi_1242_ = true;
-                                        }
-                                        let _e979 = phi_1242_;
-                                        phi_1243_ = _e979;
-                                        phi_1244_ = false;
-                                        phi_1245_ = false;
-                                        phi_1246_ = false;
-                                    } else {
-                                        phi_1243_ = bool();
-                                        phi_1244_ = _e961;
-                                        phi_1245_ = _e963;
-                                        phi_1246_ = _e965;
-                                    }
-                                    let _e981 = phi_1243_;
-                                    let _e983 = phi_1244_;
-                                    let _e985 = phi_1245_;
-                                    let _e987 = phi_1246_;
-                                    if _e983 {
-                                        phi_1250_ = _e955;
-                                        phi_1251_ = false;
-                                        phi_1252_ = false;
-                                    } else {
-                                        phi_1250_ = _e981;
-                                        phi_1251_ = _e985;
-                                        phi_1252_ = _e987;
-                                    }
-                                    let _e989 = phi_1250_;
-                                    let _e991 = phi_1251_;
-                                    let _e993 = phi_1252_;
-                                    if _e991 {
-                                        phi_1256_ = false;
-                                        phi_1257_ = true;
-                                    } else {
-                                        phi_1256_ = _e957;
-                                        phi_1257_ = _e993;
-                                    }
-                                    let _e995 = phi_1256_;
-                                    let _e997 = phi_1257_;
-                                    if _e997 {
-                                        phi_1261_ = _e995;
-                                    } else {
-                                        phi_1261_ = _e989;
-                                    }
-                                    let _e999 = phi_1261_;
-                                    phi_1262_ = _e999;
-                                }
-                                let _e1001 = phi_1262_;
-                                if _e800.all_remove {
-                                    if (((_e919 & 1u) != 0u) == _e250) {
-                                        if ((_e919 & 2u) != 0u) {
-                                            phi_1280_ = (((_e919 & 4u) != 0u) == _e250);
-                                        } else {
-                                            phi_1280_ = true;
-                                        }
-                                        let _e1011 = phi_1280_;
-                                        phi_1281_ = _e1011;
-                                    } else {
-                                        phi_1281_ = false;
-                                    }
-                                    let _e1013 = phi_1281_;
-                                    phi_1282_ = _e1013;
-                                } else {
-                                    phi_1282_ = false;
-                                }
-                                let _e1015 = phi_1282_;
-                                phi_1017_ = (_e798 + 1u);
-                                phi_1020_ = lt_mask_Neighbourhood(_e1001, _e1015);
-                            } else {
-                                phi_1017_ = u32();
-                                phi_1020_ = lt_mask_Neighbourhood();
-                            }
-                            let _e1019 = phi_1017_;
-                            let _e1021 = phi_1020_;
-                            continue;
-                            continuing {
-                                phi_1016_ = _e1019;
-                                phi_1019_ = _e1021;
-                                break if !(_e812);
-                            }
-                        }
-                        let _e1331 = local_1;
-                        phi_1285_ = _e1331;
+                        let _e805 = heard.member[(0u + _e801)];
+                        let _e811 = (((_e805 >> bitcast<u32>(((_e713.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_927_ = lt_mask_Neighbourhood(_e811, !(_e811));
                     }
-                    let _e1024 = phi_1285_;
-                    phi_1286_ = _e1024;
+                    let _e815 = phi_927_;
+                    phi_928_ = _e815;
                 } else {
-                    phi_1286_ = _e783;
+                    phi_928_ = _e782;
                 }
-                let _e1026 = phi_1286_;
-                phi_1287_ = _e1026;
+                let _e817 = phi_928_;
+                phi_929_ = _e817;
             } else {
-                phi_1287_ = _e783;
+                phi_929_ = _e782;
             }
-            let _e1028 = phi_1287_;
-            let _e1031 = p.member.frame;
-            let _e1033 = p.member.refresh;
-            if (_e1033 == 0u) {
-                phi_1320_ = false;
+            let _e819 = phi_929_;
+            let _e822 = p.member.frame;
+            let _e824 = p.member.refresh;
+            if (_e824 == 0u) {
+                phi_962_ = false;
             } else {
-                if (_e1033 == 0u) {
+                if (_e824 == 0u) {
                     return;
                 }
-                let _e1042 = ((_e55.x + (_e55.y * (((_e1033 * 5u) / 8u) | 1u))) + (_e1031 % _e1033));
-                if (_e1033 == 0u) {
-                    phi_1319_ = (_e1042 == 0u);
+                let _e833 = ((_e49.x + (_e49.y * (((_e824 * 5u) / 8u) | 1u))) + (_e822 % _e824));
+                if (_e824 == 0u) {
+                    phi_961_ = (_e833 == 0u);
                 } else {
-                    if (_e1033 == 0u) {
+                    if (_e824 == 0u) {
                         return;
                     }
-                    phi_1319_ = ((_e1042 % _e1033) == 0u);
+                    phi_961_ = ((_e833 % _e824) == 0u);
                 }
-                let _e1049 = phi_1319_;
-                phi_1320_ = _e1049;
+                let _e840 = phi_961_;
+                phi_962_ = _e840;
             }
-            let _e1051 = phi_1320_;
-            if _e713 {
-                if _e1051 {
-                    phi_1342_ = bool();
+            let _e842 = phi_962_;
+            if _e707 {
+                if _e842 {
+                    phi_984_ = bool();
                 } else {
-                    phi_1342_ = ((_e782 & 2u) != 0u);
+                    phi_984_ = ((_e781 & 2u) != 0u);
                 }
-                let _e1057 = phi_1342_;
-                phi_1343_ = _e1057;
-                phi_1344_ = _e1051;
+                let _e848 = phi_984_;
+                phi_985_ = _e848;
+                phi_986_ = _e842;
             } else {
-                phi_1343_ = bool();
-                phi_1344_ = true;
+                phi_985_ = bool();
+                phi_986_ = true;
             }
-            let _e1059 = phi_1343_;
-            let _e1061 = phi_1344_;
-            if _e1061 {
-                phi_1348_ = false;
+            let _e850 = phi_985_;
+            let _e852 = phi_986_;
+            if _e852 {
+                phi_990_ = false;
             } else {
-                phi_1348_ = _e1059;
+                phi_990_ = _e850;
             }
-            let _e1063 = phi_1348_;
-            if _e1063 {
-                phi_1399_ = 7u;
+            let _e854 = phi_990_;
+            if _e854 {
+                phi_1041_ = 7u;
             } else {
-                if (_e92 != 0.5f) {
-                    if _e713 {
-                        if _e1051 {
-                            phi_1396_ = 6u;
+                if (_e86 != 0.5f) {
+                    if _e707 {
+                        if _e842 {
+                            phi_1038_ = 6u;
                         } else {
-                            if _e254 {
-                                phi_1371_ = true;
+                            if _e248 {
+                                phi_1013_ = true;
                             } else {
-                                if _e1028.any_expands {
-                                    phi_1370_ = false;
+                                if _e819.any_expands {
+                                    phi_1012_ = false;
                                 } else {
-                                    phi_1370_ = true;
+                                    phi_1012_ = true;
                                 }
-                                let _e1065 = phi_1370_;
-                                phi_1371_ = _e1065;
+                                let _e856 = phi_1012_;
+                                phi_1013_ = _e856;
                             }
-                            let _e1067 = phi_1371_;
-                            if _e1067 {
-                                if _e254 {
-                                    if _e723 {
-                                        if _e1028.all_remove {
-                                            phi_1384_ = false;
+                            let _e858 = phi_1013_;
+                            if _e858 {
+                                if _e248 {
+                                    if _e717 {
+                                        if _e819.all_remove {
+                                            phi_1026_ = false;
                                         } else {
-                                            phi_1384_ = true;
+                                            phi_1026_ = true;
                                         }
-                                        let _e1069 = phi_1384_;
-                                        phi_1385_ = _e1069;
+                                        let _e860 = phi_1026_;
+                                        phi_1027_ = _e860;
                                     } else {
-                                        phi_1385_ = true;
+                                        phi_1027_ = true;
                                     }
-                                    let _e1071 = phi_1385_;
-                                    phi_1386_ = _e1071;
+                                    let _e862 = phi_1027_;
+                                    phi_1028_ = _e862;
                                 } else {
-                                    phi_1386_ = true;
+                                    phi_1028_ = true;
                                 }
-                                let _e1073 = phi_1386_;
-                                if _e1073 {
-                                    if _e254 {
-                                        phi_1393_ = 1u;
+                                let _e864 = phi_1028_;
+                                if _e864 {
+                                    if _e248 {
+                                        phi_1035_ = 1u;
                                     } else {
-                                        phi_1393_ = 0u;
+                                        phi_1035_ = 0u;
                                     }
-                                    let _e1075 = phi_1393_;
-                                    phi_1394_ = _e1075;
+                                    let _e866 = phi_1035_;
+                                    phi_1036_ = _e866;
                                 } else {
-                                    phi_1394_ = 5u;
+                                    phi_1036_ = 5u;
                                 }
-                                let _e1077 = phi_1394_;
-                                phi_1395_ = _e1077;
+                                let _e868 = phi_1036_;
+                                phi_1037_ = _e868;
                             } else {
-                                phi_1395_ = 4u;
+                                phi_1037_ = 4u;
                             }
-                            let _e1079 = phi_1395_;
-                            phi_1396_ = _e1079;
+                            let _e870 = phi_1037_;
+                            phi_1038_ = _e870;
                         }
-                        let _e1081 = phi_1396_;
-                        phi_1397_ = _e1081;
+                        let _e872 = phi_1038_;
+                        phi_1039_ = _e872;
                     } else {
-                        phi_1397_ = 3u;
+                        phi_1039_ = 3u;
                     }
-                    let _e1083 = phi_1397_;
-                    phi_1398_ = _e1083;
+                    let _e874 = phi_1039_;
+                    phi_1040_ = _e874;
                 } else {
-                    phi_1398_ = 2u;
+                    phi_1040_ = 2u;
                 }
-                let _e1085 = phi_1398_;
-                phi_1399_ = _e1085;
+                let _e876 = phi_1040_;
+                phi_1041_ = _e876;
             }
-            let _e1087 = phi_1399_;
-            if !((_e1087 == 0u)) {
-                if !((_e1087 == 5u)) {
-                    phi_1411_ = !(_e1063);
-                    phi_1412_ = false;
+            let _e878 = phi_1041_;
+            if !((_e878 == 0u)) {
+                if !((_e878 == 5u)) {
+                    phi_1053_ = !(_e854);
+                    phi_1054_ = false;
                 } else {
-                    phi_1411_ = bool();
-                    phi_1412_ = true;
+                    phi_1053_ = bool();
+                    phi_1054_ = true;
                 }
-                let _e1094 = phi_1411_;
-                let _e1096 = phi_1412_;
-                phi_1413_ = _e1094;
-                phi_1414_ = _e1096;
+                let _e885 = phi_1053_;
+                let _e887 = phi_1054_;
+                phi_1055_ = _e885;
+                phi_1056_ = _e887;
             } else {
-                phi_1413_ = bool();
-                phi_1414_ = true;
+                phi_1055_ = bool();
+                phi_1056_ = true;
             }
-            let _e1098 = phi_1413_;
-            let _e1100 = phi_1414_;
-            if _e1100 {
-                phi_1418_ = false;
+            let _e889 = phi_1055_;
+            let _e891 = phi_1056_;
+            if _e891 {
+                phi_1060_ = false;
             } else {
-                phi_1418_ = _e1098;
+                phi_1060_ = _e889;
             }
-            let _e1102 = phi_1418_;
-            if _e1063 {
-                phi_1424_ = ((_e782 & 4u) != 0u);
+            let _e893 = phi_1060_;
+            if _e854 {
+                phi_1066_ = ((_e781 & 4u) != 0u);
             } else {
-                phi_1424_ = _e250;
+                phi_1066_ = _e244;
             }
-            let _e1106 = phi_1424_;
-            if _e1102 {
-                if _e250 {
-                    phi_1432_ = (2u | 1u);
+            let _e897 = phi_1066_;
+            if _e893 {
+                if _e244 {
+                    phi_1074_ = (2u | 1u);
                 } else {
-                    phi_1432_ = 2u;
+                    phi_1074_ = 2u;
                 }
-                let _e1109 = phi_1432_;
+                let _e900 = phi_1074_;
                 if false {
-                    phi_1437_ = (_e1109 | 4u);
+                    phi_1079_ = (_e900 | 4u);
                 } else {
-                    phi_1437_ = _e1109;
+                    phi_1079_ = _e900;
                 }
-                let _e1112 = phi_1437_;
-                phi_1457_ = _e1112;
+                let _e903 = phi_1079_;
+                phi_1099_ = _e903;
             } else {
-                if (_e1087 == 7u) {
-                    if _e250 {
-                        phi_1446_ = (2u | 1u);
+                if (_e878 == 7u) {
+                    if _e244 {
+                        phi_1088_ = (2u | 1u);
                     } else {
-                        phi_1446_ = 2u;
+                        phi_1088_ = 2u;
                     }
-                    let _e1116 = phi_1446_;
-                    if _e1106 {
-                        phi_1451_ = (_e1116 | 4u);
+                    let _e907 = phi_1088_;
+                    if _e897 {
+                        phi_1093_ = (_e907 | 4u);
                     } else {
-                        phi_1451_ = _e1116;
+                        phi_1093_ = _e907;
                     }
-                    let _e1119 = phi_1451_;
-                    phi_1456_ = _e1119;
+                    let _e910 = phi_1093_;
+                    phi_1098_ = _e910;
                 } else {
-                    if _e250 {
-                        phi_1455_ = 1u;
+                    if _e244 {
+                        phi_1097_ = 1u;
                     } else {
-                        phi_1455_ = 0u;
+                        phi_1097_ = 0u;
                     }
-                    let _e1121 = phi_1455_;
-                    phi_1456_ = _e1121;
+                    let _e912 = phi_1097_;
+                    phi_1098_ = _e912;
                 }
-                let _e1123 = phi_1456_;
-                phi_1457_ = _e1123;
+                let _e914 = phi_1098_;
+                phi_1099_ = _e914;
             }
-            let _e1125 = phi_1457_;
-            if _e1106 {
-                phi_1461_ = 0f;
+            let _e916 = phi_1099_;
+            if _e897 {
+                phi_1103_ = 0f;
             } else {
-                phi_1461_ = 1f;
+                phi_1103_ = 1f;
             }
-            let _e1127 = phi_1461_;
-            phi_1463_ = mask_Masked(_e1127, _e1125, _e1102);
+            let _e918 = phi_1103_;
+            phi_1105_ = mask_Masked(_e918, _e916, _e893);
         }
-        let _e1130 = phi_1463_;
-        visibility.member[_e71.shift] = _e1130.visibility;
-        let _e1135 = p.member.light.number;
-        let _e1136 = (_e1135 * 3u);
-        let _e1138 = (_e1136 % 32u);
-        let _e1140 = p.member.light.mask_words;
-        let _e1142 = ((_e71.shift * _e1140) + (_e1136 / 32u));
-        let _e1144 = bits.member[_e1142];
-        bits.member[_e1142] = ((_e1144 & ~((7u << bitcast<u32>((_e1138 & 31u))))) | (_e1130.bits << bitcast<u32>((_e1138 & 31u))));
-        if (_e1138 > 29u) {
-            let _e1159 = bits.member[(_e1142 + 1u)];
-            let _e1161 = (32u - _e1138);
-            bits.member[(_e1142 + 1u)] = ((_e1159 & ~((7u >> bitcast<u32>((_e1161 & 31u))))) | (_e1130.bits >> bitcast<u32>((_e1161 & 31u))));
+        let _e921 = phi_1105_;
+        visibility.member[_e65.first_primitive] = _e921.visibility;
+        let _e926 = p.member.light.number;
+        let _e927 = (_e926 * 3u);
+        let _e929 = (_e927 % 32u);
+        let _e931 = p.member.light.mask_words;
+        let _e933 = ((_e65.first_primitive * _e931) + (_e927 / 32u));
+        let _e935 = bits.member[_e933];
+        bits.member[_e933] = ((_e935 & ~((7u << bitcast<u32>((_e929 & 31u))))) | (_e921.bits << bitcast<u32>((_e929 & 31u))));
+        if (_e929 > 29u) {
+            let _e950 = bits.member[(_e933 + 1u)];
+            let _e952 = (32u - _e929);
+            bits.member[(_e933 + 1u)] = ((_e950 & ~((7u >> bitcast<u32>((_e952 & 31u))))) | (_e921.bits >> bitcast<u32>((_e952 & 31u))));
         }
-        phi_1513_ = _e1130.needs_ray;
-        phi_1514_ = _e71.shift;
+        phi_1155_ = _e921.needs_ray;
+        phi_1156_ = _e65.first_primitive;
     } else {
-        phi_1513_ = false;
-        phi_1514_ = 0u;
+        phi_1155_ = false;
+        phi_1156_ = 0u;
     }
-    let _e1175 = phi_1513_;
-    let _e1177 = phi_1514_;
-    if (_e56 == 0u) {
+    let _e966 = phi_1155_;
+    let _e968 = phi_1156_;
+    if (_e50 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1175 {
-        let _e1181 = atomicAdd((&shared_[0u]), 1u);
-        phi_1525_ = _e1181;
+    if _e966 {
+        let _e972 = atomicAdd((&shared_[0u]), 1u);
+        phi_1167_ = _e972;
     } else {
-        phi_1525_ = 0u;
+        phi_1167_ = 0u;
     }
-    let _e1183 = phi_1525_;
+    let _e974 = phi_1167_;
     workgroupBarrier();
-    if (_e56 == 0u) {
-        let _e1187 = atomicLoad((&shared_[0u]));
-        let _e1188 = atomicAdd((&list.member[3u]), _e1187);
-        atomicStore((&shared_[1u]), _e1188);
+    if (_e50 == 0u) {
+        let _e978 = atomicLoad((&shared_[0u]));
+        let _e979 = atomicAdd((&list.member[3u]), _e978);
+        atomicStore((&shared_[1u]), _e979);
     }
     workgroupBarrier();
-    if _e1175 {
-        let _e1191 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1191) + _e1183)]), _e1177);
+    if _e966 {
+        let _e982 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e982) + _e974)]), _e968);
     }
     return;
 }
@@ -1546,6 +1059,6 @@ fn function_() {
 @compute @workgroup_size(8, 8, 1) 
 fn entry_mask_mask_motion_rr_cs(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     id_1 = id;
-    local_2 = local;
+    local_1 = local;
     function_();
 }

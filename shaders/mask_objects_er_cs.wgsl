@@ -25,18 +25,29 @@ struct abi_MaskParams {
     current: abi_CameraParams,
     previous: abi_CameraParams,
     light: abi_LightParams,
+    still: vec2<u32>,
+    moving: vec2<u32>,
     frame: u32,
-    still_pattern: u32,
-    moving_pattern: u32,
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
     expansion: u32,
     pad0_: u32,
+    pad1_: u32,
+    pad2_: u32,
 }
 
-struct type_9 {
+struct type_8 {
     member: abi_MaskParams,
+}
+
+struct type_12 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
 }
 
 struct abi_Sample {
@@ -48,21 +59,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_13 {
+struct type_23 {
     member: array<abi_Sample>,
 }
 
-struct type_17 {
-    member: array<u32>,
-}
-
-struct type_21 {
+struct type_27 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -92,1366 +94,878 @@ struct lt_mask_Neighbourhood {
     all_remove: bool,
 }
 
-struct type_44 {
+struct type_43 {
     member: array<vec4<f32>>,
 }
 
-struct type_49 {
+struct type_48 {
     member: array<atomic<u32>>,
 }
 
 var<private> id_1: vec3<u32>;
-var<private> local_2: u32;
 @group(0) @binding(0) 
-var<uniform> p: type_9;
+var<uniform> p: type_8;
+var<private> local_1: u32;
 @group(0) @binding(1) 
-var<storage> samples: type_13;
+var<storage> samples: type_23;
 @group(0) @binding(2) 
-var<storage> last_bits: type_17;
+var<storage> heard: type_12;
 @group(0) @binding(3) 
-var<storage, read_write> bits: type_17;
+var<storage, read_write> bits: type_12;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_21;
+var<storage, read_write> visibility: type_27;
 @group(0) @binding(5) 
-var<storage, read_write> list: type_49;
+var<storage, read_write> list: type_48;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(6) 
-var<storage> past: type_44;
+var<storage> past: type_43;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_178_: lt_mask_LightPlace;
-    var phi_179_: bool;
-    var phi_180_: lt_mask_LightPlace;
-    var phi_181_: bool;
-    var phi_186_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_163_: lt_bvh_traverse_Tree;
+    var phi_164_: bool;
+    var phi_165_: lt_bvh_traverse_Tree;
+    var phi_166_: bool;
+    var phi_171_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_178_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_179_ = false;
+            phi_163_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_164_ = false;
         } else {
-            phi_178_ = lt_mask_LightPlace();
-            phi_179_ = true;
+            phi_163_ = lt_bvh_traverse_Tree();
+            phi_164_ = true;
         }
-        let _e69 = phi_178_;
-        let _e71 = phi_179_;
-        phi_180_ = _e69;
-        phi_181_ = _e71;
+        let _e62 = phi_163_;
+        let _e64 = phi_164_;
+        phi_165_ = _e62;
+        phi_166_ = _e64;
     } else {
-        phi_180_ = lt_mask_LightPlace();
-        phi_181_ = true;
+        phi_165_ = lt_bvh_traverse_Tree();
+        phi_166_ = true;
     }
-    let _e73 = phi_180_;
-    let _e75 = phi_181_;
-    if _e75 {
-        phi_186_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e66 = phi_165_;
+    let _e68 = phi_166_;
+    if _e68 {
+        phi_171_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_186_ = _e73;
+        phi_171_ = _e66;
     }
-    let _e80 = phi_186_;
-    return lt_mask_LightPlace(_e80.word, _e80.shift);
-}
-
-fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_204_: vec2<i32>;
-
-    switch bitcast<i32>((param_3 % 5u)) {
-        case 0: {
-            phi_204_ = vec2(0i);
-            break;
-        }
-        case 1: {
-            phi_204_ = vec2<i32>(0i, -1i);
-            break;
-        }
-        case 2: {
-            phi_204_ = vec2<i32>(-1i, 0i);
-            break;
-        }
-        case 3: {
-            phi_204_ = vec2<i32>(1i, 0i);
-            break;
-        }
-        default: {
-            phi_204_ = vec2<i32>(0i, 1i);
-            break;
-        }
-    }
-    let _e65 = phi_204_;
-    return vec2<i32>(_e65.x, _e65.y);
-}
-
-fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_222_: vec2<i32>;
-
-    switch bitcast<i32>((param_4 % 5u)) {
-        case 0: {
-            phi_222_ = vec2(0i);
-            break;
-        }
-        case 1: {
-            phi_222_ = vec2(-1i);
-            break;
-        }
-        case 2: {
-            phi_222_ = vec2<i32>(1i, -1i);
-            break;
-        }
-        case 3: {
-            phi_222_ = vec2<i32>(-1i, 1i);
-            break;
-        }
-        default: {
-            phi_222_ = vec2(1i);
-            break;
-        }
-    }
-    let _e65 = phi_222_;
-    return vec2<i32>(_e65.x, _e65.y);
-}
-
-fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_241_: vec2<i32>;
-
-    if (param_6 == 0u) {
-        let _e59 = lt_mask_pattern_plus(param_5);
-        phi_241_ = vec2<i32>(_e59.x, _e59.y);
-    } else {
-        let _e63 = lt_mask_pattern_cross(param_5);
-        phi_241_ = vec2<i32>(_e63.x, _e63.y);
-    }
-    let _e68 = phi_241_;
-    return vec2<i32>(_e68.x, _e68.y);
-}
-
-fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_266_: vec2<i32>;
-
-    let _e57 = (param_7 % 13u);
-    switch bitcast<i32>(_e57) {
-        case 9: {
-            phi_266_ = vec2<i32>(0i, -2i);
-            break;
-        }
-        case 10: {
-            phi_266_ = vec2<i32>(-2i, 0i);
-            break;
-        }
-        case 11: {
-            phi_266_ = vec2<i32>(2i, 0i);
-            break;
-        }
-        case 12: {
-            phi_266_ = vec2<i32>(0i, 2i);
-            break;
-        }
-        default: {
-            phi_266_ = vec2<i32>((bitcast<i32>((_e57 % 3u)) - 1i), (bitcast<i32>(((_e57 / 3u) % 3u)) - 1i));
-            break;
-        }
-    }
-    let _e72 = phi_266_;
-    return vec2<i32>(_e72.x, _e72.y);
-}
-
-fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_287_: u32;
-    var phi_288_: u32;
-
-    let _e60 = (bitcast<i32>(param_8) + param_9);
-    if (_e60 < 0i) {
-        phi_288_ = 0u;
-    } else {
-        if (_e60 >= bitcast<i32>(param_10)) {
-            phi_287_ = (param_10 - 1u);
-        } else {
-            phi_287_ = bitcast<u32>(_e60);
-        }
-        let _e67 = phi_287_;
-        phi_288_ = _e67;
-    }
-    let _e69 = phi_288_;
-    return _e69;
+    let _e73 = phi_171_;
+    return lt_bvh_traverse_Tree(_e73.root, _e73.first_primitive);
 }
 
 fn function_() {
-    var phi_364_: bool;
-    var phi_365_: bool;
-    var phi_366_: bool;
-    var phi_367_: bool;
-    var phi_371_: bool;
-    var phi_441_: bool;
-    var phi_442_: bool;
-    var phi_453_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_454_: bool;
-    var phi_455_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_456_: bool;
-    var phi_463_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_467_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_480_: bool;
-    var phi_508_: bool;
-    var phi_509_: bool;
-    var phi_510_: bool;
-    var phi_511_: bool;
-    var phi_515_: bool;
-    var phi_516_: bool;
-    var phi_724_: f32;
-    var phi_729_: f32;
+    var phi_217_: u32;
+    var phi_254_: bool;
+    var phi_255_: bool;
+    var phi_256_: bool;
+    var phi_257_: bool;
+    var phi_261_: bool;
+    var phi_331_: bool;
+    var phi_332_: bool;
+    var phi_343_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_344_: bool;
+    var phi_345_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_346_: bool;
+    var phi_353_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_357_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_370_: bool;
+    var phi_398_: bool;
+    var phi_399_: bool;
+    var phi_400_: bool;
+    var phi_401_: bool;
+    var phi_405_: bool;
+    var phi_406_: bool;
+    var phi_614_: f32;
+    var phi_619_: f32;
+    var phi_620_: bool;
+    var phi_621_: f32;
+    var phi_622_: bool;
+    var phi_626_: f32;
+    var phi_647_: f32;
+    var phi_652_: f32;
+    var phi_653_: bool;
+    var phi_654_: f32;
+    var phi_655_: bool;
+    var phi_659_: f32;
+    var phi_680_: bool;
+    var phi_699_: vec2<u32>;
+    var phi_700_: bool;
+    var phi_701_: bool;
+    var phi_702_: bool;
+    var phi_703_: vec2<u32>;
+    var phi_704_: bool;
+    var phi_705_: bool;
+    var phi_706_: bool;
+    var phi_707_: bool;
+    var phi_708_: bool;
+    var phi_709_: bool;
+    var phi_710_: vec2<u32>;
+    var phi_711_: bool;
+    var phi_712_: bool;
+    var phi_713_: bool;
+    var phi_714_: bool;
+    var phi_715_: bool;
+    var phi_716_: bool;
+    var phi_717_: vec2<u32>;
+    var phi_718_: bool;
+    var phi_719_: bool;
+    var phi_720_: bool;
+    var phi_721_: bool;
     var phi_730_: bool;
-    var phi_731_: f32;
+    var phi_731_: bool;
     var phi_732_: bool;
-    var phi_736_: f32;
-    var phi_757_: f32;
-    var phi_762_: f32;
-    var phi_763_: bool;
-    var phi_764_: f32;
-    var phi_765_: bool;
-    var phi_769_: f32;
-    var phi_790_: bool;
-    var phi_809_: vec2<u32>;
-    var phi_810_: bool;
-    var phi_811_: bool;
-    var phi_812_: bool;
-    var phi_813_: vec2<u32>;
-    var phi_814_: bool;
-    var phi_815_: bool;
-    var phi_816_: bool;
-    var phi_817_: bool;
-    var phi_818_: bool;
-    var phi_819_: bool;
-    var phi_820_: vec2<u32>;
-    var phi_821_: bool;
-    var phi_822_: bool;
-    var phi_823_: bool;
-    var phi_824_: bool;
-    var phi_825_: bool;
-    var phi_826_: bool;
-    var phi_827_: vec2<u32>;
-    var phi_828_: bool;
-    var phi_829_: bool;
-    var phi_830_: bool;
-    var phi_831_: bool;
-    var phi_840_: bool;
-    var phi_841_: bool;
-    var phi_842_: bool;
-    var phi_843_: bool;
-    var phi_847_: bool;
-    var phi_848_: bool;
-    var phi_849_: vec2<u32>;
-    var phi_884_: bool;
-    var phi_886_: lt_mask_Reprojection;
-    var phi_887_: lt_mask_Reprojection;
-    var phi_888_: bool;
-    var phi_892_: bool;
-    var phi_893_: lt_mask_Reprojection;
-    var phi_894_: lt_mask_Reprojection;
-    var phi_895_: bool;
+    var phi_733_: bool;
+    var phi_737_: bool;
+    var phi_738_: bool;
+    var phi_739_: vec2<u32>;
+    var phi_774_: bool;
+    var phi_776_: lt_mask_Reprojection;
+    var phi_777_: lt_mask_Reprojection;
+    var phi_778_: bool;
+    var phi_782_: bool;
+    var phi_783_: lt_mask_Reprojection;
+    var phi_784_: lt_mask_Reprojection;
+    var phi_785_: bool;
+    var phi_793_: bool;
+    var phi_794_: lt_mask_Reprojection;
+    var phi_800_: bool;
+    var phi_840_: lt_mask_Neighbourhood;
+    var phi_841_: lt_mask_Neighbourhood;
+    var phi_842_: lt_mask_Neighbourhood;
+    var phi_874_: bool;
+    var phi_875_: bool;
+    var phi_897_: bool;
+    var phi_898_: bool;
+    var phi_899_: bool;
     var phi_903_: bool;
-    var phi_904_: lt_mask_Reprojection;
-    var phi_910_: bool;
-    var phi_932_: u32;
-    var phi_934_: u32;
-    var phi_937_: lt_mask_Neighbourhood;
-    var phi_949_: bool;
-    var phi_950_: bool;
-    var phi_959_: u32;
-    var phi_960_: u32;
-    var phi_1020_: vec2<i32>;
-    var phi_1040_: vec2<i32>;
-    var phi_1065_: u32;
-    var phi_1084_: u32;
-    var phi_1092_: u32;
-    var phi_1118_: bool;
-    var phi_1119_: bool;
-    var phi_1120_: bool;
-    var phi_1121_: bool;
-    var phi_1122_: bool;
-    var phi_1123_: bool;
-    var phi_1124_: bool;
-    var phi_1129_: bool;
-    var phi_1130_: bool;
-    var phi_1131_: bool;
-    var phi_1132_: bool;
-    var phi_1133_: bool;
-    var phi_1134_: bool;
-    var phi_1135_: bool;
-    var phi_1136_: bool;
-    var phi_1137_: bool;
-    var phi_1152_: bool;
-    var phi_1153_: bool;
-    var phi_1160_: bool;
-    var phi_1161_: bool;
-    var phi_1162_: bool;
-    var phi_1163_: bool;
-    var phi_1164_: bool;
-    var phi_1168_: bool;
-    var phi_1169_: bool;
-    var phi_1170_: bool;
-    var phi_1174_: bool;
-    var phi_1175_: bool;
-    var phi_1179_: bool;
-    var phi_1180_: bool;
-    var phi_1198_: bool;
-    var phi_1199_: bool;
-    var phi_1200_: bool;
-    var phi_935_: u32;
-    var phi_938_: lt_mask_Neighbourhood;
-    var phi_1203_: lt_mask_Neighbourhood;
-    var phi_1204_: lt_mask_Neighbourhood;
-    var phi_1205_: lt_mask_Neighbourhood;
-    var phi_1237_: bool;
-    var phi_1238_: bool;
-    var phi_1260_: bool;
-    var phi_1261_: bool;
-    var phi_1262_: bool;
-    var phi_1266_: bool;
-    var phi_1288_: bool;
-    var phi_1289_: bool;
-    var phi_1302_: bool;
-    var phi_1303_: bool;
-    var phi_1304_: bool;
-    var phi_1311_: u32;
-    var phi_1312_: u32;
-    var phi_1313_: u32;
-    var phi_1314_: u32;
-    var phi_1315_: u32;
-    var phi_1316_: u32;
-    var phi_1317_: u32;
-    var phi_1329_: bool;
-    var phi_1330_: bool;
-    var phi_1331_: bool;
-    var phi_1332_: bool;
-    var phi_1336_: bool;
-    var phi_1342_: bool;
-    var phi_1350_: u32;
-    var phi_1355_: u32;
-    var phi_1364_: u32;
-    var phi_1369_: u32;
-    var phi_1373_: u32;
-    var phi_1374_: u32;
-    var phi_1375_: u32;
-    var phi_1379_: f32;
-    var phi_1381_: mask_Masked;
-    var phi_1431_: bool;
-    var phi_1432_: u32;
-    var phi_1443_: u32;
-    var local_1: lt_mask_Neighbourhood;
+    var phi_925_: bool;
+    var phi_926_: bool;
+    var phi_939_: bool;
+    var phi_940_: bool;
+    var phi_941_: bool;
+    var phi_948_: u32;
+    var phi_949_: u32;
+    var phi_950_: u32;
+    var phi_951_: u32;
+    var phi_952_: u32;
+    var phi_953_: u32;
+    var phi_954_: u32;
+    var phi_966_: bool;
+    var phi_967_: bool;
+    var phi_968_: bool;
+    var phi_969_: bool;
+    var phi_973_: bool;
+    var phi_979_: bool;
+    var phi_987_: u32;
+    var phi_992_: u32;
+    var phi_1001_: u32;
+    var phi_1006_: u32;
+    var phi_1010_: u32;
+    var phi_1011_: u32;
+    var phi_1012_: u32;
+    var phi_1016_: f32;
+    var phi_1018_: mask_Masked;
+    var phi_1068_: bool;
+    var phi_1069_: u32;
+    var phi_1080_: u32;
 
-    let _e56 = id_1;
-    let _e57 = local_2;
-    let _e62 = arrayLength((&last_bits.member));
-    let _e70 = p.member.current.size[0u];
-    let _e72 = p.member.current.size[1u];
-    let _e73 = lt_shaders_entry_pixel_index(_e56, _e70, _e72);
-    if (bitcast<i32>(_e73.word) != 0i) {
-        let _e80 = p.member.light.number;
-        let _e81 = (_e80 * 3u);
-        let _e83 = (_e81 % 32u);
-        let _e85 = p.member.light.mask_words;
-        let _e89 = p.member.current.size[0u];
-        let _e92 = past.member[_e73.shift];
-        let _e97 = visibility.member[_e73.shift];
-        let _e103 = samples.member[_e73.shift].normal[0u];
-        let _e105 = global[0u];
-        if (_e103 == _e105) {
-            let _e108 = samples.member[_e73.shift].normal[1u];
-            let _e110 = global[1u];
-            if (_e108 == _e110) {
-                let _e113 = samples.member[_e73.shift].normal[2u];
-                let _e115 = global[2u];
-                phi_364_ = (_e113 == _e115);
-                phi_365_ = false;
-            } else {
-                phi_364_ = bool();
-                phi_365_ = true;
-            }
-            let _e118 = phi_364_;
-            let _e120 = phi_365_;
-            phi_366_ = _e118;
-            phi_367_ = _e120;
-        } else {
-            phi_366_ = bool();
-            phi_367_ = true;
+    let _e49 = id_1;
+    let _e50 = local_1;
+    let _e63 = p.member.current.size[0u];
+    let _e65 = p.member.current.size[1u];
+    let _e66 = lt_shaders_entry_pixel_index(_e49, _e63, _e65);
+    if (bitcast<i32>(_e66.root) != 0i) {
+        let _e74 = p.member.current.size[0u];
+        if (32u == 0u) {
+            return;
         }
-        let _e122 = phi_366_;
-        let _e124 = phi_367_;
-        if _e124 {
-            phi_371_ = false;
-        } else {
-            phi_371_ = _e122;
+        let _e76 = (_e74 / 32u);
+        if (32u == 0u) {
+            return;
         }
-        let _e126 = phi_371_;
-        if !(_e126) {
-            let _e129 = samples.member[_e73.shift].position;
-            let _e131 = p.member.light.place;
-            let _e137 = p.member.light.place[3u];
-            let _e144 = (_e131.x - (_e129.x * _e137));
-            let _e145 = (_e131.y - (_e129.y * _e137));
-            let _e146 = (_e131.z - (_e129.z * _e137));
-            let _e148 = samples.member[_e73.shift].normal;
-            if ((((_e148.x * _e144) + (_e148.y * _e145)) + (_e148.z * _e146)) > 0f) {
-                let _e162 = (((_e144 * _e144) + (_e145 * _e145)) + (_e146 * _e146));
-                let _e164 = p.member.light.axis;
-                let _e176 = p.member.light.place[3u];
-                if (_e176 == 0f) {
-                    phi_442_ = true;
-                } else {
-                    let _e179 = p.member.light.range_squared;
-                    if (_e162 <= _e179) {
-                        let _e182 = p.member.light.cos_outer;
-                        phi_441_ = (-((((_e144 * _e164.x) + (_e145 * _e164.y)) + (_e146 * _e164.z))) >= (_e182 * sqrt(_e162)));
-                    } else {
-                        phi_441_ = false;
-                    }
-                    let _e187 = phi_441_;
-                    phi_442_ = _e187;
-                }
-                let _e189 = phi_442_;
-                if _e189 {
-                    let _e191 = samples.member[_e73.shift].flags;
-                    let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e205 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e199.unnamed.visibility, false), _e199.unnamed_1);
-                    phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e205.unnamed, ((_e191 & 1u) == 0u));
-                    phi_454_ = false;
-                } else {
-                    phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_454_ = true;
-                }
-                let _e210 = phi_453_;
-                let _e212 = phi_454_;
-                phi_455_ = _e210;
-                phi_456_ = _e212;
-            } else {
-                phi_455_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_456_ = true;
-            }
-            let _e214 = phi_455_;
-            let _e216 = phi_456_;
-            if _e216 {
-                let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
-                phi_463_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, true);
-            } else {
-                phi_463_ = _e214;
-            }
-            let _e233 = phi_463_;
-            phi_467_ = _e233;
+        if ((_e74 % 32u) > 0u) {
+            phi_217_ = (_e76 + 1u);
         } else {
-            let _e239 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e245 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e239.unnamed.visibility, false), _e239.unnamed_1);
-            phi_467_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e245.unnamed, true);
+            phi_217_ = _e76;
         }
-        let _e250 = phi_467_;
-        if _e250.unnamed_1 {
-            phi_1381_ = mask_Masked(_e250.unnamed.visibility, 0u, false);
+        let _e82 = phi_217_;
+        let _e85 = past.member[_e66.first_primitive];
+        let _e90 = visibility.member[_e66.first_primitive];
+        let _e96 = samples.member[_e66.first_primitive].normal[0u];
+        let _e98 = global[0u];
+        if (_e96 == _e98) {
+            let _e101 = samples.member[_e66.first_primitive].normal[1u];
+            let _e103 = global[1u];
+            if (_e101 == _e103) {
+                let _e106 = samples.member[_e66.first_primitive].normal[2u];
+                let _e108 = global[2u];
+                phi_254_ = (_e106 == _e108);
+                phi_255_ = false;
+            } else {
+                phi_254_ = bool();
+                phi_255_ = true;
+            }
+            let _e111 = phi_254_;
+            let _e113 = phi_255_;
+            phi_256_ = _e111;
+            phi_257_ = _e113;
         } else {
-            let _e255 = (_e97 < 0.5f);
-            if (_e97 > 0f) {
-                phi_480_ = (_e97 < 1f);
-            } else {
-                phi_480_ = false;
-            }
-            let _e259 = phi_480_;
-            let _e266 = lt_mask_Reprojection(vec2<u32>(_e56.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e273 = lt_mask_Reprojection(vec2<u32>(_e266.pixel.x, _e56.y), _e266.is_valid, _e266.has_moved);
-            let _e277 = lt_mask_Reprojection(_e273.pixel, true, _e273.has_moved);
-            let _e283 = p.member.flags;
-            if ((_e283 & 16u) == 0u) {
-                phi_516_ = false;
-            } else {
-                let _e288 = samples.member[_e73.shift].position[0u];
-                if (_e92.x == _e288) {
-                    let _e291 = samples.member[_e73.shift].position[1u];
-                    if (_e92.y == _e291) {
-                        let _e294 = samples.member[_e73.shift].position[2u];
-                        phi_508_ = (_e92.z == _e294);
-                        phi_509_ = false;
-                    } else {
-                        phi_508_ = bool();
-                        phi_509_ = true;
-                    }
-                    let _e297 = phi_508_;
-                    let _e299 = phi_509_;
-                    phi_510_ = _e297;
-                    phi_511_ = _e299;
+            phi_256_ = bool();
+            phi_257_ = true;
+        }
+        let _e115 = phi_256_;
+        let _e117 = phi_257_;
+        if _e117 {
+            phi_261_ = false;
+        } else {
+            phi_261_ = _e115;
+        }
+        let _e119 = phi_261_;
+        if !(_e119) {
+            let _e122 = samples.member[_e66.first_primitive].position;
+            let _e124 = p.member.light.place;
+            let _e130 = p.member.light.place[3u];
+            let _e137 = (_e124.x - (_e122.x * _e130));
+            let _e138 = (_e124.y - (_e122.y * _e130));
+            let _e139 = (_e124.z - (_e122.z * _e130));
+            let _e141 = samples.member[_e66.first_primitive].normal;
+            if ((((_e141.x * _e137) + (_e141.y * _e138)) + (_e141.z * _e139)) > 0f) {
+                let _e155 = (((_e137 * _e137) + (_e138 * _e138)) + (_e139 * _e139));
+                let _e157 = p.member.light.axis;
+                let _e169 = p.member.light.place[3u];
+                if (_e169 == 0f) {
+                    phi_332_ = true;
                 } else {
-                    phi_510_ = bool();
-                    phi_511_ = true;
-                }
-                let _e301 = phi_510_;
-                let _e303 = phi_511_;
-                if _e303 {
-                    phi_515_ = false;
-                } else {
-                    phi_515_ = _e301;
-                }
-                let _e305 = phi_515_;
-                phi_516_ = _e305;
-            }
-            let _e307 = phi_516_;
-            if _e307 {
-                phi_893_ = lt_mask_Reprojection(_e277.pixel, _e277.is_valid, false);
-                phi_894_ = lt_mask_Reprojection();
-                phi_895_ = true;
-            } else {
-                let _e309 = samples.member[_e73.shift].position;
-                let _e313 = p.member.previous.eye;
-                let _e315 = (_e92.x - _e313.x);
-                let _e317 = (_e92.y - _e313.y);
-                let _e319 = (_e92.z - _e313.z);
-                let _e321 = p.member.previous.forward;
-                let _e329 = (((_e315 * _e321.x) + (_e317 * _e321.y)) + (_e319 * _e321.z));
-                let _e331 = p.member.previous.right;
-                let _e341 = p.member.previous.right;
-                let _e356 = p.member.previous.up;
-                let _e366 = p.member.previous.up;
-                let _e381 = p.member.current.eye;
-                let _e384 = (_e309.x - _e381.x);
-                let _e387 = (_e309.y - _e381.y);
-                let _e390 = (_e309.z - _e381.z);
-                let _e392 = p.member.current.forward;
-                let _e400 = (((_e384 * _e392.x) + (_e387 * _e392.y)) + (_e390 * _e392.z));
-                let _e402 = p.member.current.right;
-                let _e412 = p.member.current.right;
-                let _e427 = p.member.current.up;
-                let _e437 = p.member.current.up;
-                let _e456 = p.member.current.size[0u];
-                let _e458 = (((((((_e315 * _e331.x) + (_e317 * _e331.y)) + (_e319 * _e331.z)) / ((((_e341.x * _e341.x) + (_e341.y * _e341.y)) + (_e341.z * _e341.z)) * _e329)) - ((((_e384 * _e402.x) + (_e387 * _e402.y)) + (_e390 * _e402.z)) / ((((_e412.x * _e412.x) + (_e412.y * _e412.y)) + (_e412.z * _e412.z)) * _e400))) * 0.5f) * f32(_e456));
-                let _e462 = p.member.current.size[1u];
-                let _e464 = (((((((_e315 * _e356.x) + (_e317 * _e356.y)) + (_e319 * _e356.z)) / ((((_e366.x * _e366.x) + (_e366.y * _e366.y)) + (_e366.z * _e366.z)) * _e329)) - ((((_e384 * _e427.x) + (_e387 * _e427.y)) + (_e390 * _e427.z)) / ((((_e437.x * _e437.x) + (_e437.y * _e437.y)) + (_e437.z * _e437.z)) * _e400))) * -0.5f) * f32(_e462));
-                let _e468 = p.member.current.grid[0u];
-                let _e470 = p.member.current.grid[1u];
-                let _e490 = p.member.current.size[0u];
-                let _e492 = p.member.current.size[1u];
-                let _e494 = ((f32(_e56.x) + ((f32((_e56.y & (_e470 - 1u))) + 0.5f) / f32(_e470))) + _e458);
-                if (_e494 > -8388608f) {
-                    let _e506 = f32(select(0i, select(select(i32(_e494), i32(-2147483648), (_e494 < bitcast<f32>(3472883712u))), 2147483647i, (_e494 > bitcast<f32>(1325400063u))), (_e494 == _e494)));
-                    if (_e506 > _e494) {
-                        phi_724_ = 1f;
+                    let _e172 = p.member.light.range_squared;
+                    if (_e155 <= _e172) {
+                        let _e175 = p.member.light.cos_outer;
+                        phi_331_ = (-((((_e137 * _e157.x) + (_e138 * _e157.y)) + (_e139 * _e157.z))) >= (_e175 * sqrt(_e155)));
                     } else {
-                        phi_724_ = 0f;
+                        phi_331_ = false;
                     }
-                    let _e509 = phi_724_;
-                    if (_e494 < 8388608f) {
-                        phi_729_ = (_e506 - _e509);
+                    let _e180 = phi_331_;
+                    phi_332_ = _e180;
+                }
+                let _e182 = phi_332_;
+                if _e182 {
+                    let _e184 = samples.member[_e66.first_primitive].flags;
+                    let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
+                    phi_343_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, ((_e184 & 1u) == 0u));
+                    phi_344_ = false;
+                } else {
+                    phi_343_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_344_ = true;
+                }
+                let _e203 = phi_343_;
+                let _e205 = phi_344_;
+                phi_345_ = _e203;
+                phi_346_ = _e205;
+            } else {
+                phi_345_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_346_ = true;
+            }
+            let _e207 = phi_345_;
+            let _e209 = phi_346_;
+            if _e209 {
+                let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e215.unnamed.visibility, false), _e215.unnamed_1);
+                phi_353_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e221.unnamed, true);
+            } else {
+                phi_353_ = _e207;
+            }
+            let _e226 = phi_353_;
+            phi_357_ = _e226;
+        } else {
+            let _e232 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e238 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e232.unnamed.visibility, false), _e232.unnamed_1);
+            phi_357_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e238.unnamed, true);
+        }
+        let _e243 = phi_357_;
+        if _e243.unnamed_1 {
+            phi_1018_ = mask_Masked(_e243.unnamed.visibility, 0u, false);
+        } else {
+            let _e248 = (_e90 < 0.5f);
+            if (_e90 > 0f) {
+                phi_370_ = (_e90 < 1f);
+            } else {
+                phi_370_ = false;
+            }
+            let _e252 = phi_370_;
+            let _e259 = lt_mask_Reprojection(vec2<u32>(_e49.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e266 = lt_mask_Reprojection(vec2<u32>(_e259.pixel.x, _e49.y), _e259.is_valid, _e259.has_moved);
+            let _e270 = lt_mask_Reprojection(_e266.pixel, true, _e266.has_moved);
+            let _e276 = p.member.flags;
+            if ((_e276 & 16u) == 0u) {
+                phi_406_ = false;
+            } else {
+                let _e281 = samples.member[_e66.first_primitive].position[0u];
+                if (_e85.x == _e281) {
+                    let _e284 = samples.member[_e66.first_primitive].position[1u];
+                    if (_e85.y == _e284) {
+                        let _e287 = samples.member[_e66.first_primitive].position[2u];
+                        phi_398_ = (_e85.z == _e287);
+                        phi_399_ = false;
+                    } else {
+                        phi_398_ = bool();
+                        phi_399_ = true;
+                    }
+                    let _e290 = phi_398_;
+                    let _e292 = phi_399_;
+                    phi_400_ = _e290;
+                    phi_401_ = _e292;
+                } else {
+                    phi_400_ = bool();
+                    phi_401_ = true;
+                }
+                let _e294 = phi_400_;
+                let _e296 = phi_401_;
+                if _e296 {
+                    phi_405_ = false;
+                } else {
+                    phi_405_ = _e294;
+                }
+                let _e298 = phi_405_;
+                phi_406_ = _e298;
+            }
+            let _e300 = phi_406_;
+            if _e300 {
+                phi_783_ = lt_mask_Reprojection(_e270.pixel, _e270.is_valid, false);
+                phi_784_ = lt_mask_Reprojection();
+                phi_785_ = true;
+            } else {
+                let _e302 = samples.member[_e66.first_primitive].position;
+                let _e306 = p.member.previous.eye;
+                let _e308 = (_e85.x - _e306.x);
+                let _e310 = (_e85.y - _e306.y);
+                let _e312 = (_e85.z - _e306.z);
+                let _e314 = p.member.previous.forward;
+                let _e322 = (((_e308 * _e314.x) + (_e310 * _e314.y)) + (_e312 * _e314.z));
+                let _e324 = p.member.previous.right;
+                let _e334 = p.member.previous.right;
+                let _e349 = p.member.previous.up;
+                let _e359 = p.member.previous.up;
+                let _e374 = p.member.current.eye;
+                let _e377 = (_e302.x - _e374.x);
+                let _e380 = (_e302.y - _e374.y);
+                let _e383 = (_e302.z - _e374.z);
+                let _e385 = p.member.current.forward;
+                let _e393 = (((_e377 * _e385.x) + (_e380 * _e385.y)) + (_e383 * _e385.z));
+                let _e395 = p.member.current.right;
+                let _e405 = p.member.current.right;
+                let _e420 = p.member.current.up;
+                let _e430 = p.member.current.up;
+                let _e449 = p.member.current.size[0u];
+                let _e451 = (((((((_e308 * _e324.x) + (_e310 * _e324.y)) + (_e312 * _e324.z)) / ((((_e334.x * _e334.x) + (_e334.y * _e334.y)) + (_e334.z * _e334.z)) * _e322)) - ((((_e377 * _e395.x) + (_e380 * _e395.y)) + (_e383 * _e395.z)) / ((((_e405.x * _e405.x) + (_e405.y * _e405.y)) + (_e405.z * _e405.z)) * _e393))) * 0.5f) * f32(_e449));
+                let _e455 = p.member.current.size[1u];
+                let _e457 = (((((((_e308 * _e349.x) + (_e310 * _e349.y)) + (_e312 * _e349.z)) / ((((_e359.x * _e359.x) + (_e359.y * _e359.y)) + (_e359.z * _e359.z)) * _e322)) - ((((_e377 * _e420.x) + (_e380 * _e420.y)) + (_e383 * _e420.z)) / ((((_e430.x * _e430.x) + (_e430.y * _e430.y)) + (_e430.z * _e430.z)) * _e393))) * -0.5f) * f32(_e455));
+                let _e461 = p.member.current.grid[0u];
+                let _e463 = p.member.current.grid[1u];
+                let _e483 = p.member.current.size[0u];
+                let _e485 = p.member.current.size[1u];
+                let _e487 = ((f32(_e49.x) + ((f32((_e49.y & (_e463 - 1u))) + 0.5f) / f32(_e463))) + _e451);
+                if (_e487 > -8388608f) {
+                    let _e499 = f32(select(0i, select(select(i32(_e487), i32(-2147483648), (_e487 < bitcast<f32>(3472883712u))), 2147483647i, (_e487 > bitcast<f32>(1325400063u))), (_e487 == _e487)));
+                    if (_e499 > _e487) {
+                        phi_614_ = 1f;
+                    } else {
+                        phi_614_ = 0f;
+                    }
+                    let _e502 = phi_614_;
+                    if (_e487 < 8388608f) {
+                        phi_619_ = (_e499 - _e502);
+                        phi_620_ = false;
+                    } else {
+                        phi_619_ = f32();
+                        phi_620_ = true;
+                    }
+                    let _e505 = phi_619_;
+                    let _e507 = phi_620_;
+                    phi_621_ = _e505;
+                    phi_622_ = _e507;
+                } else {
+                    phi_621_ = f32();
+                    phi_622_ = true;
+                }
+                let _e509 = phi_621_;
+                let _e511 = phi_622_;
+                if _e511 {
+                    phi_626_ = _e487;
+                } else {
+                    phi_626_ = _e509;
+                }
+                let _e513 = phi_626_;
+                let _e514 = ((f32(_e49.y) + ((f32((_e49.x & (_e461 - 1u))) + 0.5f) / f32(_e461))) + _e457);
+                if (_e514 > -8388608f) {
+                    let _e526 = f32(select(0i, select(select(i32(_e514), i32(-2147483648), (_e514 < bitcast<f32>(3472883712u))), 2147483647i, (_e514 > bitcast<f32>(1325400063u))), (_e514 == _e514)));
+                    if (_e526 > _e514) {
+                        phi_647_ = 1f;
+                    } else {
+                        phi_647_ = 0f;
+                    }
+                    let _e529 = phi_647_;
+                    if (_e514 < 8388608f) {
+                        phi_652_ = (_e526 - _e529);
+                        phi_653_ = false;
+                    } else {
+                        phi_652_ = f32();
+                        phi_653_ = true;
+                    }
+                    let _e532 = phi_652_;
+                    let _e534 = phi_653_;
+                    phi_654_ = _e532;
+                    phi_655_ = _e534;
+                } else {
+                    phi_654_ = f32();
+                    phi_655_ = true;
+                }
+                let _e536 = phi_654_;
+                let _e538 = phi_655_;
+                if _e538 {
+                    phi_659_ = _e514;
+                } else {
+                    phi_659_ = _e536;
+                }
+                let _e540 = phi_659_;
+                if (_e513 >= 0f) {
+                    if (_e540 >= 0f) {
+                        if (_e513 < f32(_e483)) {
+                            let _e546 = (_e540 < f32(_e485));
+                            if (_e451 == 0f) {
+                                phi_680_ = (_e457 == 0f);
+                            } else {
+                                phi_680_ = false;
+                            }
+                            let _e550 = phi_680_;
+                            if _e546 {
+                                phi_699_ = vec2<u32>(select(select(u32(_e513), 0u, (_e513 < bitcast<f32>(0u))), 4294967295u, (_e513 > bitcast<f32>(1333788671u))), select(select(u32(_e540), 0u, (_e540 < bitcast<f32>(0u))), 4294967295u, (_e540 > bitcast<f32>(1333788671u))));
+                                phi_700_ = false;
+                            } else {
+                                phi_699_ = vec2<u32>();
+                                phi_700_ = true;
+                            }
+                            let _e567 = phi_699_;
+                            let _e569 = phi_700_;
+                            phi_701_ = _e550;
+                            phi_702_ = _e546;
+                            phi_703_ = _e567;
+                            phi_704_ = _e550;
+                            phi_705_ = _e546;
+                            phi_706_ = false;
+                            phi_707_ = _e569;
+                        } else {
+                            phi_701_ = bool();
+                            phi_702_ = bool();
+                            phi_703_ = vec2<u32>();
+                            phi_704_ = bool();
+                            phi_705_ = bool();
+                            phi_706_ = true;
+                            phi_707_ = false;
+                        }
+                        let _e571 = phi_701_;
+                        let _e573 = phi_702_;
+                        let _e575 = phi_703_;
+                        let _e577 = phi_704_;
+                        let _e579 = phi_705_;
+                        let _e581 = phi_706_;
+                        let _e583 = phi_707_;
+                        phi_708_ = _e571;
+                        phi_709_ = _e573;
+                        phi_710_ = _e575;
+                        phi_711_ = _e577;
+                        phi_712_ = _e579;
+                        phi_713_ = _e581;
+                        phi_714_ = _e583;
+                    } else {
+                        phi_708_ = bool();
+                        phi_709_ = bool();
+                        phi_710_ = vec2<u32>();
+                        phi_711_ = bool();
+                        phi_712_ = bool();
+                        phi_713_ = true;
+                        phi_714_ = false;
+                    }
+                    let _e585 = phi_708_;
+                    let _e587 = phi_709_;
+                    let _e589 = phi_710_;
+                    let _e591 = phi_711_;
+                    let _e593 = phi_712_;
+                    let _e595 = phi_713_;
+                    let _e597 = phi_714_;
+                    phi_715_ = _e585;
+                    phi_716_ = _e587;
+                    phi_717_ = _e589;
+                    phi_718_ = _e591;
+                    phi_719_ = _e593;
+                    phi_720_ = _e595;
+                    phi_721_ = _e597;
+                } else {
+                    phi_715_ = bool();
+                    phi_716_ = bool();
+                    phi_717_ = vec2<u32>();
+                    phi_718_ = bool();
+                    phi_719_ = bool();
+                    phi_720_ = true;
+                    phi_721_ = false;
+                }
+                let _e599 = phi_715_;
+                let _e601 = phi_716_;
+                let _e603 = phi_717_;
+                let _e605 = phi_718_;
+                let _e607 = phi_719_;
+                let _e609 = phi_720_;
+                let _e611 = phi_721_;
+                if _e609 {
+                    if (_e451 == 0f) {
+                        phi_730_ = (_e457 == 0f);
+                    } else {
                         phi_730_ = false;
-                    } else {
-                        phi_729_ = f32();
-                        phi_730_ = true;
                     }
-                    let _e512 = phi_729_;
-                    let _e514 = phi_730_;
-                    phi_731_ = _e512;
-                    phi_732_ = _e514;
+                    let _e615 = phi_730_;
+                    phi_731_ = _e615;
+                    phi_732_ = false;
+                    phi_733_ = true;
                 } else {
-                    phi_731_ = f32();
-                    phi_732_ = true;
+                    phi_731_ = _e605;
+                    phi_732_ = _e607;
+                    phi_733_ = _e611;
                 }
-                let _e516 = phi_731_;
-                let _e518 = phi_732_;
-                if _e518 {
-                    phi_736_ = _e494;
+                let _e617 = phi_731_;
+                let _e619 = phi_732_;
+                let _e621 = phi_733_;
+                if _e621 {
+                    phi_737_ = _e617;
+                    phi_738_ = _e619;
+                    phi_739_ = vec2<u32>(_e49.x, _e49.y);
                 } else {
-                    phi_736_ = _e516;
+                    phi_737_ = _e599;
+                    phi_738_ = _e601;
+                    phi_739_ = _e603;
                 }
-                let _e520 = phi_736_;
-                let _e521 = ((f32(_e56.y) + ((f32((_e56.x & (_e468 - 1u))) + 0.5f) / f32(_e468))) + _e464);
-                if (_e521 > -8388608f) {
-                    let _e533 = f32(select(0i, select(select(i32(_e521), i32(-2147483648), (_e521 < bitcast<f32>(3472883712u))), 2147483647i, (_e521 > bitcast<f32>(1325400063u))), (_e521 == _e521)));
-                    if (_e533 > _e521) {
-                        phi_757_ = 1f;
+                let _e623 = phi_737_;
+                let _e625 = phi_738_;
+                let _e627 = phi_739_;
+                let _e637 = lt_mask_Reprojection(vec2<u32>(_e627.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e644 = lt_mask_Reprojection(vec2<u32>(_e637.pixel.x, _e627.y), _e637.is_valid, _e637.has_moved);
+                let _e648 = lt_mask_Reprojection(_e644.pixel, _e625, _e644.has_moved);
+                let _e652 = lt_mask_Reprojection(_e648.pixel, _e648.is_valid, !(_e623));
+                if _e625 {
+                    let _e655 = p.member.previous.eye;
+                    let _e663 = p.member.previous.forward;
+                    let _e672 = (((((_e85.x - _e655.x) * _e663.x) + ((_e85.y - _e655.y) * _e663.y)) + ((_e85.z - _e655.z) * _e663.z)) > 0f);
+                    let _e676 = lt_mask_Reprojection(_e652.pixel, _e672, _e652.has_moved);
+                    if _e672 {
+                        phi_774_ = false;
                     } else {
-                        phi_757_ = 0f;
+                        phi_774_ = true;
                     }
-                    let _e536 = phi_757_;
-                    if (_e521 < 8388608f) {
-                        phi_762_ = (_e533 - _e536);
-                        phi_763_ = false;
-                    } else {
-                        phi_762_ = f32();
-                        phi_763_ = true;
-                    }
-                    let _e539 = phi_762_;
-                    let _e541 = phi_763_;
-                    phi_764_ = _e539;
-                    phi_765_ = _e541;
+                    let _e678 = phi_774_;
+                    phi_776_ = _e676;
+                    phi_777_ = _e676;
+                    phi_778_ = _e678;
                 } else {
-                    phi_764_ = f32();
-                    phi_765_ = true;
+                    phi_776_ = lt_mask_Reprojection();
+                    phi_777_ = lt_mask_Reprojection(_e652.pixel, false, _e652.has_moved);
+                    phi_778_ = true;
                 }
-                let _e543 = phi_764_;
-                let _e545 = phi_765_;
-                if _e545 {
-                    phi_769_ = _e521;
+                let _e684 = phi_776_;
+                let _e686 = phi_777_;
+                let _e688 = phi_778_;
+                if _e688 {
+                    phi_782_ = false;
                 } else {
-                    phi_769_ = _e543;
+                    phi_782_ = true;
                 }
-                let _e547 = phi_769_;
-                if (_e520 >= 0f) {
-                    if (_e547 >= 0f) {
-                        if (_e520 < f32(_e490)) {
-                            let _e553 = (_e547 < f32(_e492));
-                            if (_e458 == 0f) {
-                                phi_790_ = (_e464 == 0f);
-                            } else {
-                                phi_790_ = false;
-                            }
-                            let _e557 = phi_790_;
-                            if _e553 {
-                                phi_809_ = vec2<u32>(select(select(u32(_e520), 0u, (_e520 < bitcast<f32>(0u))), 4294967295u, (_e520 > bitcast<f32>(1333788671u))), select(select(u32(_e547), 0u, (_e547 < bitcast<f32>(0u))), 4294967295u, (_e547 > bitcast<f32>(1333788671u))));
-                                phi_810_ = false;
-                            } else {
-                                phi_809_ = vec2<u32>();
-                                phi_810_ = true;
-                            }
-                            let _e574 = phi_809_;
-                            let _e576 = phi_810_;
-                            phi_811_ = _e557;
-                            phi_812_ = _e553;
-                            phi_813_ = _e574;
-                            phi_814_ = _e557;
-                            phi_815_ = _e553;
-                            phi_816_ = false;
-                            phi_817_ = _e576;
-                        } else {
-                            phi_811_ = bool();
-                            phi_812_ = bool();
-                            phi_813_ = vec2<u32>();
-                            phi_814_ = bool();
-                            phi_815_ = bool();
-                            phi_816_ = true;
-                            phi_817_ = false;
-                        }
-                        let _e578 = phi_811_;
-                        let _e580 = phi_812_;
-                        let _e582 = phi_813_;
-                        let _e584 = phi_814_;
-                        let _e586 = phi_815_;
-                        let _e588 = phi_816_;
-                        let _e590 = phi_817_;
-                        phi_818_ = _e578;
-                        phi_819_ = _e580;
-                        phi_820_ = _e582;
-                        phi_821_ = _e584;
-                        phi_822_ = _e586;
-                        phi_823_ = _e588;
-                        phi_824_ = _e590;
-                    } else {
-                        phi_818_ = bool();
-                        phi_819_ = bool();
-                        phi_820_ = vec2<u32>();
-                        phi_821_ = bool();
-                        phi_822_ = bool();
-                        phi_823_ = true;
-                        phi_824_ = false;
-                    }
-                    let _e592 = phi_818_;
-                    let _e594 = phi_819_;
-                    let _e596 = phi_820_;
-                    let _e598 = phi_821_;
-                    let _e600 = phi_822_;
-                    let _e602 = phi_823_;
-                    let _e604 = phi_824_;
-                    phi_825_ = _e592;
-                    phi_826_ = _e594;
-                    phi_827_ = _e596;
-                    phi_828_ = _e598;
-                    phi_829_ = _e600;
-                    phi_830_ = _e602;
-                    phi_831_ = _e604;
-                } else {
-                    phi_825_ = bool();
-                    phi_826_ = bool();
-                    phi_827_ = vec2<u32>();
-                    phi_828_ = bool();
-                    phi_829_ = bool();
-                    phi_830_ = true;
-                    phi_831_ = false;
-                }
-                let _e606 = phi_825_;
-                let _e608 = phi_826_;
-                let _e610 = phi_827_;
-                let _e612 = phi_828_;
-                let _e614 = phi_829_;
-                let _e616 = phi_830_;
-                let _e618 = phi_831_;
-                if _e616 {
-                    if (_e458 == 0f) {
-                        phi_840_ = (_e464 == 0f);
-                    } else {
-                        phi_840_ = false;
-                    }
-                    let _e622 = phi_840_;
-                    phi_841_ = _e622;
-                    phi_842_ = false;
-                    phi_843_ = true;
-                } else {
-                    phi_841_ = _e612;
-                    phi_842_ = _e614;
-                    phi_843_ = _e618;
-                }
-                let _e624 = phi_841_;
-                let _e626 = phi_842_;
-                let _e628 = phi_843_;
-                if _e628 {
-                    phi_847_ = _e624;
-                    phi_848_ = _e626;
-                    phi_849_ = vec2<u32>(_e56.x, _e56.y);
-                } else {
-                    phi_847_ = _e606;
-                    phi_848_ = _e608;
-                    phi_849_ = _e610;
-                }
-                let _e630 = phi_847_;
-                let _e632 = phi_848_;
-                let _e634 = phi_849_;
-                let _e644 = lt_mask_Reprojection(vec2<u32>(_e634.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e651 = lt_mask_Reprojection(vec2<u32>(_e644.pixel.x, _e634.y), _e644.is_valid, _e644.has_moved);
-                let _e655 = lt_mask_Reprojection(_e651.pixel, _e632, _e651.has_moved);
-                let _e659 = lt_mask_Reprojection(_e655.pixel, _e655.is_valid, !(_e630));
-                if _e632 {
-                    let _e662 = p.member.previous.eye;
-                    let _e670 = p.member.previous.forward;
-                    let _e679 = (((((_e92.x - _e662.x) * _e670.x) + ((_e92.y - _e662.y) * _e670.y)) + ((_e92.z - _e662.z) * _e670.z)) > 0f);
-                    let _e683 = lt_mask_Reprojection(_e659.pixel, _e679, _e659.has_moved);
-                    if _e679 {
-                        phi_884_ = false;
-                    } else {
-                        phi_884_ = true;
-                    }
-                    let _e685 = phi_884_;
-                    phi_886_ = _e683;
-                    phi_887_ = _e683;
-                    phi_888_ = _e685;
-                } else {
-                    phi_886_ = lt_mask_Reprojection();
-                    phi_887_ = lt_mask_Reprojection(_e659.pixel, false, _e659.has_moved);
-                    phi_888_ = true;
-                }
-                let _e691 = phi_886_;
-                let _e693 = phi_887_;
-                let _e695 = phi_888_;
-                if _e695 {
-                    phi_892_ = false;
-                } else {
-                    phi_892_ = true;
-                }
-                let _e697 = phi_892_;
-                phi_893_ = _e691;
-                phi_894_ = _e693;
-                phi_895_ = _e697;
+                let _e690 = phi_782_;
+                phi_783_ = _e684;
+                phi_784_ = _e686;
+                phi_785_ = _e690;
             }
-            let _e699 = phi_893_;
-            let _e701 = phi_894_;
-            let _e703 = phi_895_;
-            if _e703 {
-                let _e705 = p.member.flags;
-                phi_903_ = ((_e705 & 1u) != 0u);
-                phi_904_ = _e699;
+            let _e692 = phi_783_;
+            let _e694 = phi_784_;
+            let _e696 = phi_785_;
+            if _e696 {
+                let _e698 = p.member.flags;
+                phi_793_ = ((_e698 & 1u) != 0u);
+                phi_794_ = _e692;
             } else {
-                phi_903_ = false;
-                phi_904_ = _e701;
+                phi_793_ = false;
+                phi_794_ = _e694;
             }
-            let _e709 = phi_903_;
-            let _e711 = phi_904_;
-            let _e715 = lt_mask_Reprojection(_e711.pixel, _e709, _e711.has_moved);
-            let _e716 = lt_mask_Neighbourhood(false, true);
-            if _e259 {
-                phi_910_ = false;
+            let _e702 = phi_793_;
+            let _e704 = phi_794_;
+            let _e708 = lt_mask_Reprojection(_e704.pixel, _e702, _e704.has_moved);
+            let _e709 = lt_mask_Neighbourhood(false, true);
+            if _e252 {
+                phi_800_ = false;
             } else {
-                phi_910_ = true;
+                phi_800_ = true;
             }
-            let _e718 = phi_910_;
-            if _e718 {
-                if _e709 {
+            let _e711 = phi_800_;
+            if _e711 {
+                if _e702 {
                     if ((0u & 2u) != 0u) {
-                        phi_1203_ = _e716;
+                        phi_840_ = _e709;
                     } else {
-                        let _e722 = p.member.expansion;
-                        if _e715.has_moved {
-                            let _e725 = p.member.moving_pattern;
-                            phi_932_ = _e725;
+                        let _e728 = ((((_e708.pixel.y * _e82) + (_e708.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e248) | (select(0u, 1u, _e708.has_moved) << bitcast<u32>(1i))));
+                        if (_e728 < arrayLength((&heard.member))) {
                         } else {
-                            let _e727 = p.member.still_pattern;
-                            phi_932_ = _e727;
+                            return;
                         }
-                        let _e729 = phi_932_;
-                        phi_934_ = 0u;
-                        phi_937_ = _e716;
-                        loop {
-                            let _e731 = phi_934_;
-                            let _e733 = phi_937_;
-                            local_1 = _e733;
-                            if (1u <= _e729) {
-                                if (_e729 <= 4u) {
-                                    phi_949_ = false;
-                                } else {
-                                    phi_949_ = true;
-                                }
-                                let _e737 = phi_949_;
-                                phi_950_ = _e737;
-                            } else {
-                                phi_950_ = true;
-                            }
-                            let _e739 = phi_950_;
-                            if _e739 {
-                                switch bitcast<i32>(_e729) {
-                                    case 5: {
-                                        phi_959_ = 4u;
-                                        break;
-                                    }
-                                    case 6: {
-                                        phi_959_ = 25u;
-                                        break;
-                                    }
-                                    case 7: {
-                                        phi_959_ = 13u;
-                                        break;
-                                    }
-                                    default: {
-                                        phi_959_ = 9u;
-                                        break;
-                                    }
-                                }
-                                let _e742 = phi_959_;
-                                phi_960_ = _e742;
-                            } else {
-                                phi_960_ = 5u;
-                            }
-                            let _e744 = phi_960_;
-                            let _e745 = (_e731 < _e744);
-                            if _e745 {
-                                let _e751 = p.member.frame;
-                                let _e755 = p.member.current.size[0u];
-                                let _e757 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e729) {
-                                    case 1: {
-                                        let _e767 = lt_mask_pattern_plus(_e731);
-                                        phi_1040_ = vec2<i32>(_e767.x, _e767.y);
-                                        break;
-                                    }
-                                    case 2: {
-                                        let _e771 = lt_mask_pattern_cross(_e731);
-                                        phi_1040_ = vec2<i32>(_e771.x, _e771.y);
-                                        break;
-                                    }
-                                    case 3: {
-                                        let _e777 = lt_mask_pattern_plus_or_cross(_e731, ((_e715.pixel.x + _e715.pixel.y) & 1u));
-                                        phi_1040_ = vec2<i32>(_e777.x, _e777.y);
-                                        break;
-                                    }
-                                    case 4: {
-                                        let _e782 = lt_mask_pattern_plus_or_cross(_e731, (_e751 & 1u));
-                                        phi_1040_ = vec2<i32>(_e782.x, _e782.y);
-                                        break;
-                                    }
-                                    case 5: {
-                                        switch bitcast<i32>((_e751 & 3u)) {
-                                            case 0: {
-                                                phi_1020_ = vec2(-1i);
-                                                break;
-                                            }
-                                            case 1: {
-                                                phi_1020_ = vec2(0i);
-                                                break;
-                                            }
-                                            case 2: {
-                                                phi_1020_ = vec2<i32>(0i, -1i);
-                                                break;
-                                            }
-                                            default: {
-                                                phi_1020_ = vec2<i32>(-1i, 0i);
-                                                break;
-                                            }
-                                        }
-                                        let _e793 = phi_1020_;
-                                        phi_1040_ = (_e793 + vec2<i32>(bitcast<i32>((_e731 & 1u)), bitcast<i32>(((_e731 >> bitcast<u32>(1i)) & 1u))));
-                                        break;
-                                    }
-                                    case 6: {
-                                        phi_1040_ = vec2<i32>((bitcast<i32>((_e731 % 5u)) - 2i), (bitcast<i32>(((_e731 / 5u) % 5u)) - 2i));
-                                        break;
-                                    }
-                                    case 7: {
-                                        let _e810 = lt_mask_pattern_diamond(_e731);
-                                        phi_1040_ = vec2<i32>(_e810.x, _e810.y);
-                                        break;
-                                    }
-                                    default: {
-                                        phi_1040_ = vec2<i32>((bitcast<i32>((_e731 % 3u)) - 1i), (bitcast<i32>(((_e731 / 3u) % 3u)) - 1i));
-                                        break;
-                                    }
-                                }
-                                let _e815 = phi_1040_;
-                                let _e818 = lt_mask_pattern_step_clamped(_e715.pixel.x, _e815.x, _e755);
-                                let _e819 = lt_mask_pattern_step_clamped(_e715.pixel.y, _e815.y, _e757);
-                                let _e823 = ((((_e819 * _e89) + _e818) * _e85) + (_e81 / 32u));
-                                if (_e83 > 29u) {
-                                    let _e825 = (_e823 + 1u);
-                                    if (_e825 < _e62) {
-                                    } else {
-                                        return;
-                                    }
-                                    let _e829 = last_bits.member[(0u + _e825)];
-                                    phi_1065_ = _e829;
-                                } else {
-                                    phi_1065_ = 0u;
-                                }
-                                let _e831 = phi_1065_;
-                                if (_e823 < _e62) {
-                                } else {
-                                    return;
-                                }
-                                let _e835 = last_bits.member[(0u + _e823)];
-                                let _e838 = (_e835 >> bitcast<u32>((_e83 & 31u)));
-                                if (_e83 > 29u) {
-                                    phi_1084_ = (_e838 | (_e831 << bitcast<u32>(((32u - _e83) & 31u))));
-                                } else {
-                                    phi_1084_ = _e838;
-                                }
-                                let _e846 = phi_1084_;
-                                if ((_e846 & 2u) == 0u) {
-                                    phi_1092_ = (_e846 & 1u);
-                                } else {
-                                    phi_1092_ = (_e846 & 7u);
-                                }
-                                let _e852 = phi_1092_;
-                                if _e733.any_expands {
-                                    phi_1180_ = true;
-                                } else {
-                                    if ((_e852 & 2u) != 0u) {
-                                        let _e859 = (((_e852 & 4u) != 0u) != _e255);
-                                        switch bitcast<i32>(_e722) {
-                                            case 1: {
-                                                phi_1120_ = bool();
-                                                phi_1121_ = false;
-                                                phi_1122_ = true;
-                                                phi_1123_ = false;
-                                                phi_1124_ = false;
-                                                break;
-                                            }
-                                            case 2: {
-                                                if _e859 {
-                                                    phi_1118_ = (((_e852 & 4u) != 0u) != ((_e852 & 1u) != 0u));
-                                                    phi_1119_ = false;
-                                                } else {
-                                                    phi_1118_ = bool();
-                                                    phi_1119_ = true;
-                                                }
-                                                let _e867 = phi_1118_;
-                                                let _e869 = phi_1119_;
-                                                phi_1120_ = _e867;
-                                                phi_1121_ = false;
-                                                phi_1122_ = false;
-                                                phi_1123_ = _e869;
-                                                phi_1124_ = _e859;
-                                                break;
-                                            }
-                                            default: {
-                                                phi_1120_ = bool();
-                                                phi_1121_ = true;
-                                                phi_1122_ = false;
-                                                phi_1123_ = false;
-                                                phi_1124_ = false;
-                                                break;
-                                            }
-                                        }
-                                        let _e871 = phi_1120_;
-                                        let _e873 = phi_1121_;
-                                        let _e875 = phi_1122_;
-                                        let _e877 = phi_1123_;
-                                        let _e879 = phi_1124_;
-                                        phi_1132_ = _e859;
-                                        phi_1133_ = _e871;
-                                        phi_1134_ = _e873;
-                                        phi_1135_ = _e875;
-                                        phi_1136_ = _e877;
-                                        phi_1137_ = _e879;
-                                    } else {
-                                        switch bitcast<i32>(_e722) {
-                                            case 1: {
-                                                phi_1129_ = false;
-                                                phi_1130_ = true;
-                                                phi_1131_ = false;
-                                                break;
-                                            }
-                                            case 2: {
-                                                phi_1129_ = false;
-                                                phi_1130_ = false;
-                                                phi_1131_ = true;
-                                                break;
-                                            }
-                                            default: {
-                                                phi_1129_ = true;
-                                                phi_1130_ = false;
-                                                phi_1131_ = false;
-                                                break;
-                                            }
-                                        }
-                                        let _e882 = phi_1129_;
-                                        let _e884 = phi_1130_;
-                                        let _e886 = phi_1131_;
-                                        phi_1132_ = false;
-                                        phi_1133_ = bool();
-                                        phi_1134_ = _e882;
-                                        phi_1135_ = _e884;
-                                        phi_1136_ = _e886;
-                                        phi_1137_ = false;
-                                    }
-                                    let _e888 = phi_1132_;
-                                    let _e890 = phi_1133_;
-                                    let _e892 = phi_1134_;
-                                    let _e894 = phi_1135_;
-                                    let _e896 = phi_1136_;
-                                    let _e898 = phi_1137_;
-                                    if _e892 {
-                                        if ((_e852 & 2u) != 0u) {
-                                            if (((_e852 & 4u) != 0u) != _e255) {
-                                                phi_1152_ = false;
-                                            } else {
-                                                phi_1152_ = true;
-                                            }
-                                            let _e905 = phi_1152_;
-                                            phi_1153_ = _e905;
-                                        } else {
-                                            phi_1153_ = true;
-                                        }
-                                        let _e907 = phi_1153_;
-                                        if _e907 {
-                                            phi_1160_ = (((_e852 & 1u) != 0u) != _e255);
-                                        } else {
-                                            phi_1160_ = true;
-                                        }
-                                        let _e912 = phi_1160_;
-                                        phi_1161_ = _e912;
-                                        phi_1162_ = false;
-                                        phi_1163_ = false;
-                                        phi_1164_ = false;
-                                    } else {
-                                        phi_1161_ = bool();
-                                        phi_1162_ = _e894;
-                                        phi_1163_ = _e896;
-                                        phi_1164_ = _e898;
-                                    }
-                                    let _e914 = phi_1161_;
-                                    let _e916 = phi_1162_;
-                                    let _e918 = phi_1163_;
-                                    let _e920 = phi_1164_;
-                                    if _e916 {
-                                        phi_1168_ = _e888;
-                                        phi_1169_ = false;
-                                        phi_1170_ = false;
-                                    } else {
-                                        phi_1168_ = _e914;
-                                        phi_1169_ = _e918;
-                                        phi_1170_ = _e920;
-                                    }
-                                    let _e922 = phi_1168_;
-                                    let _e924 = phi_1169_;
-                                    let _e926 = phi_1170_;
-                                    if _e924 {
-                                        phi_1174_ = false;
-                                        phi_1175_ = true;
-                                    } else {
-                                        phi_1174_ = _e890;
-                                        phi_1175_ = _e926;
-                                    }
-                                    let _e928 = phi_1174_;
-                                    let _e930 = phi_1175_;
-                                    if _e930 {
-                                        phi_1179_ = _e928;
-                                    } else {
-                                        phi_1179_ = _e922;
-                                    }
-                                    let _e932 = phi_1179_;
-                                    phi_1180_ = _e932;
-                                }
-                                let _e934 = phi_1180_;
-                                if _e733.all_remove {
-                                    if (((_e852 & 1u) != 0u) == _e255) {
-                                        if ((_e852 & 2u) != 0u) {
-                                            phi_1198_ = (((_e852 & 4u) != 0u) == _e255);
-                                        } else {
-                                            phi_1198_ = true;
-                                        }
-                                        let _e944 = phi_1198_;
-                                        phi_1199_ = _e944;
-                                    } else {
-                                        phi_1199_ = false;
-                                    }
-                                    let _e946 = phi_1199_;
-                                    phi_1200_ = _e946;
-                                } else {
-                                    phi_1200_ = false;
-                                }
-                                let _e948 = phi_1200_;
-                                phi_935_ = (_e731 + 1u);
-                                phi_938_ = lt_mask_Neighbourhood(_e934, _e948);
-                            } else {
-                                phi_935_ = u32();
-                                phi_938_ = lt_mask_Neighbourhood();
-                            }
-                            let _e952 = phi_935_;
-                            let _e954 = phi_938_;
-                            continue;
-                            continuing {
-                                phi_934_ = _e952;
-                                phi_937_ = _e954;
-                                break if !(_e745);
-                            }
-                        }
-                        let _e1251 = local_1;
-                        phi_1203_ = _e1251;
+                        let _e732 = heard.member[(0u + _e728)];
+                        let _e738 = (((_e732 >> bitcast<u32>(((_e708.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_840_ = lt_mask_Neighbourhood(_e738, !(_e738));
                     }
-                    let _e957 = phi_1203_;
-                    phi_1204_ = _e957;
+                    let _e742 = phi_840_;
+                    phi_841_ = _e742;
                 } else {
-                    phi_1204_ = _e716;
+                    phi_841_ = _e709;
                 }
-                let _e959 = phi_1204_;
-                phi_1205_ = _e959;
+                let _e744 = phi_841_;
+                phi_842_ = _e744;
             } else {
-                phi_1205_ = _e716;
+                phi_842_ = _e709;
             }
-            let _e961 = phi_1205_;
-            let _e964 = p.member.frame;
-            let _e966 = p.member.refresh;
-            if (_e966 == 0u) {
-                phi_1238_ = false;
+            let _e746 = phi_842_;
+            let _e749 = p.member.frame;
+            let _e751 = p.member.refresh;
+            if (_e751 == 0u) {
+                phi_875_ = false;
             } else {
-                if (_e966 == 0u) {
+                if (_e751 == 0u) {
                     return;
                 }
-                let _e975 = ((_e56.x + (_e56.y * (((_e966 * 5u) / 8u) | 1u))) + (_e964 % _e966));
-                if (_e966 == 0u) {
-                    phi_1237_ = (_e975 == 0u);
+                let _e760 = ((_e49.x + (_e49.y * (((_e751 * 5u) / 8u) | 1u))) + (_e749 % _e751));
+                if (_e751 == 0u) {
+                    phi_874_ = (_e760 == 0u);
                 } else {
-                    if (_e966 == 0u) {
+                    if (_e751 == 0u) {
                         return;
                     }
-                    phi_1237_ = ((_e975 % _e966) == 0u);
+                    phi_874_ = ((_e760 % _e751) == 0u);
                 }
-                let _e982 = phi_1237_;
-                phi_1238_ = _e982;
+                let _e767 = phi_874_;
+                phi_875_ = _e767;
             }
-            let _e984 = phi_1238_;
-            if _e709 {
-                if _e984 {
-                    phi_1260_ = bool();
+            let _e769 = phi_875_;
+            if _e702 {
+                if _e769 {
+                    phi_897_ = bool();
                 } else {
-                    phi_1260_ = ((0u & 2u) != 0u);
+                    phi_897_ = ((0u & 2u) != 0u);
                 }
-                let _e990 = phi_1260_;
-                phi_1261_ = _e990;
-                phi_1262_ = _e984;
+                let _e775 = phi_897_;
+                phi_898_ = _e775;
+                phi_899_ = _e769;
             } else {
-                phi_1261_ = bool();
-                phi_1262_ = true;
+                phi_898_ = bool();
+                phi_899_ = true;
             }
-            let _e992 = phi_1261_;
-            let _e994 = phi_1262_;
-            if _e994 {
-                phi_1266_ = false;
+            let _e777 = phi_898_;
+            let _e779 = phi_899_;
+            if _e779 {
+                phi_903_ = false;
             } else {
-                phi_1266_ = _e992;
+                phi_903_ = _e777;
             }
-            let _e996 = phi_1266_;
-            if _e996 {
-                phi_1317_ = 7u;
+            let _e781 = phi_903_;
+            if _e781 {
+                phi_954_ = 7u;
             } else {
-                if (_e97 != 0.5f) {
-                    if _e709 {
-                        if _e984 {
-                            phi_1314_ = 6u;
+                if (_e90 != 0.5f) {
+                    if _e702 {
+                        if _e769 {
+                            phi_951_ = 6u;
                         } else {
-                            if _e259 {
-                                phi_1289_ = true;
+                            if _e252 {
+                                phi_926_ = true;
                             } else {
-                                if _e961.any_expands {
-                                    phi_1288_ = false;
+                                if _e746.any_expands {
+                                    phi_925_ = false;
                                 } else {
-                                    phi_1288_ = true;
+                                    phi_925_ = true;
                                 }
-                                let _e998 = phi_1288_;
-                                phi_1289_ = _e998;
+                                let _e783 = phi_925_;
+                                phi_926_ = _e783;
                             }
-                            let _e1000 = phi_1289_;
-                            if _e1000 {
-                                if _e259 {
+                            let _e785 = phi_926_;
+                            if _e785 {
+                                if _e252 {
                                     if false {
-                                        if _e961.all_remove {
-                                            phi_1302_ = false;
+                                        if _e746.all_remove {
+                                            phi_939_ = false;
                                         } else {
-                                            phi_1302_ = true;
+                                            phi_939_ = true;
                                         }
-                                        let _e1002 = phi_1302_;
-                                        phi_1303_ = _e1002;
+                                        let _e787 = phi_939_;
+                                        phi_940_ = _e787;
                                     } else {
-                                        phi_1303_ = true;
+                                        phi_940_ = true;
                                     }
-                                    let _e1004 = phi_1303_;
-                                    phi_1304_ = _e1004;
+                                    let _e789 = phi_940_;
+                                    phi_941_ = _e789;
                                 } else {
-                                    phi_1304_ = true;
+                                    phi_941_ = true;
                                 }
-                                let _e1006 = phi_1304_;
-                                if _e1006 {
-                                    if _e259 {
-                                        phi_1311_ = 1u;
+                                let _e791 = phi_941_;
+                                if _e791 {
+                                    if _e252 {
+                                        phi_948_ = 1u;
                                     } else {
-                                        phi_1311_ = 0u;
+                                        phi_948_ = 0u;
                                     }
-                                    let _e1008 = phi_1311_;
-                                    phi_1312_ = _e1008;
+                                    let _e793 = phi_948_;
+                                    phi_949_ = _e793;
                                 } else {
-                                    phi_1312_ = 5u;
+                                    phi_949_ = 5u;
                                 }
-                                let _e1010 = phi_1312_;
-                                phi_1313_ = _e1010;
+                                let _e795 = phi_949_;
+                                phi_950_ = _e795;
                             } else {
-                                phi_1313_ = 4u;
+                                phi_950_ = 4u;
                             }
-                            let _e1012 = phi_1313_;
-                            phi_1314_ = _e1012;
+                            let _e797 = phi_950_;
+                            phi_951_ = _e797;
                         }
-                        let _e1014 = phi_1314_;
-                        phi_1315_ = _e1014;
+                        let _e799 = phi_951_;
+                        phi_952_ = _e799;
                     } else {
-                        phi_1315_ = 3u;
+                        phi_952_ = 3u;
                     }
-                    let _e1016 = phi_1315_;
-                    phi_1316_ = _e1016;
+                    let _e801 = phi_952_;
+                    phi_953_ = _e801;
                 } else {
-                    phi_1316_ = 2u;
+                    phi_953_ = 2u;
                 }
-                let _e1018 = phi_1316_;
-                phi_1317_ = _e1018;
+                let _e803 = phi_953_;
+                phi_954_ = _e803;
             }
-            let _e1020 = phi_1317_;
-            if !((_e1020 == 0u)) {
-                if !((_e1020 == 5u)) {
-                    phi_1329_ = !(_e996);
-                    phi_1330_ = false;
+            let _e805 = phi_954_;
+            if !((_e805 == 0u)) {
+                if !((_e805 == 5u)) {
+                    phi_966_ = !(_e781);
+                    phi_967_ = false;
                 } else {
-                    phi_1329_ = bool();
-                    phi_1330_ = true;
+                    phi_966_ = bool();
+                    phi_967_ = true;
                 }
-                let _e1027 = phi_1329_;
-                let _e1029 = phi_1330_;
-                phi_1331_ = _e1027;
-                phi_1332_ = _e1029;
+                let _e812 = phi_966_;
+                let _e814 = phi_967_;
+                phi_968_ = _e812;
+                phi_969_ = _e814;
             } else {
-                phi_1331_ = bool();
-                phi_1332_ = true;
+                phi_968_ = bool();
+                phi_969_ = true;
             }
-            let _e1031 = phi_1331_;
-            let _e1033 = phi_1332_;
-            if _e1033 {
-                phi_1336_ = false;
+            let _e816 = phi_968_;
+            let _e818 = phi_969_;
+            if _e818 {
+                phi_973_ = false;
             } else {
-                phi_1336_ = _e1031;
+                phi_973_ = _e816;
             }
-            let _e1035 = phi_1336_;
-            if _e996 {
-                phi_1342_ = ((0u & 4u) != 0u);
+            let _e820 = phi_973_;
+            if _e781 {
+                phi_979_ = ((0u & 4u) != 0u);
             } else {
-                phi_1342_ = _e255;
+                phi_979_ = _e248;
             }
-            let _e1039 = phi_1342_;
-            if _e1035 {
-                if _e255 {
-                    phi_1350_ = (2u | 1u);
+            let _e824 = phi_979_;
+            if _e820 {
+                if _e248 {
+                    phi_987_ = (2u | 1u);
                 } else {
-                    phi_1350_ = 2u;
+                    phi_987_ = 2u;
                 }
-                let _e1042 = phi_1350_;
+                let _e827 = phi_987_;
                 if false {
-                    phi_1355_ = (_e1042 | 4u);
+                    phi_992_ = (_e827 | 4u);
                 } else {
-                    phi_1355_ = _e1042;
+                    phi_992_ = _e827;
                 }
-                let _e1045 = phi_1355_;
-                phi_1375_ = _e1045;
+                let _e830 = phi_992_;
+                phi_1012_ = _e830;
             } else {
-                if (_e1020 == 7u) {
-                    if _e255 {
-                        phi_1364_ = (2u | 1u);
+                if (_e805 == 7u) {
+                    if _e248 {
+                        phi_1001_ = (2u | 1u);
                     } else {
-                        phi_1364_ = 2u;
+                        phi_1001_ = 2u;
                     }
-                    let _e1049 = phi_1364_;
-                    if _e1039 {
-                        phi_1369_ = (_e1049 | 4u);
+                    let _e834 = phi_1001_;
+                    if _e824 {
+                        phi_1006_ = (_e834 | 4u);
                     } else {
-                        phi_1369_ = _e1049;
+                        phi_1006_ = _e834;
                     }
-                    let _e1052 = phi_1369_;
-                    phi_1374_ = _e1052;
+                    let _e837 = phi_1006_;
+                    phi_1011_ = _e837;
                 } else {
-                    if _e255 {
-                        phi_1373_ = 1u;
+                    if _e248 {
+                        phi_1010_ = 1u;
                     } else {
-                        phi_1373_ = 0u;
+                        phi_1010_ = 0u;
                     }
-                    let _e1054 = phi_1373_;
-                    phi_1374_ = _e1054;
+                    let _e839 = phi_1010_;
+                    phi_1011_ = _e839;
                 }
-                let _e1056 = phi_1374_;
-                phi_1375_ = _e1056;
+                let _e841 = phi_1011_;
+                phi_1012_ = _e841;
             }
-            let _e1058 = phi_1375_;
-            if _e1039 {
-                phi_1379_ = 0f;
+            let _e843 = phi_1012_;
+            if _e824 {
+                phi_1016_ = 0f;
             } else {
-                phi_1379_ = 1f;
+                phi_1016_ = 1f;
             }
-            let _e1060 = phi_1379_;
-            phi_1381_ = mask_Masked(_e1060, _e1058, _e1035);
+            let _e845 = phi_1016_;
+            phi_1018_ = mask_Masked(_e845, _e843, _e820);
         }
-        let _e1063 = phi_1381_;
-        visibility.member[_e73.shift] = _e1063.visibility;
-        let _e1068 = p.member.light.number;
-        let _e1069 = (_e1068 * 3u);
-        let _e1071 = (_e1069 % 32u);
-        let _e1073 = p.member.light.mask_words;
-        let _e1075 = ((_e73.shift * _e1073) + (_e1069 / 32u));
-        let _e1077 = bits.member[_e1075];
-        bits.member[_e1075] = ((_e1077 & ~((7u << bitcast<u32>((_e1071 & 31u))))) | (_e1063.bits << bitcast<u32>((_e1071 & 31u))));
-        if (_e1071 > 29u) {
-            let _e1092 = bits.member[(_e1075 + 1u)];
-            let _e1094 = (32u - _e1071);
-            bits.member[(_e1075 + 1u)] = ((_e1092 & ~((7u >> bitcast<u32>((_e1094 & 31u))))) | (_e1063.bits >> bitcast<u32>((_e1094 & 31u))));
+        let _e848 = phi_1018_;
+        visibility.member[_e66.first_primitive] = _e848.visibility;
+        let _e853 = p.member.light.number;
+        let _e854 = (_e853 * 3u);
+        let _e856 = (_e854 % 32u);
+        let _e858 = p.member.light.mask_words;
+        let _e860 = ((_e66.first_primitive * _e858) + (_e854 / 32u));
+        let _e862 = bits.member[_e860];
+        bits.member[_e860] = ((_e862 & ~((7u << bitcast<u32>((_e856 & 31u))))) | (_e848.bits << bitcast<u32>((_e856 & 31u))));
+        if (_e856 > 29u) {
+            let _e877 = bits.member[(_e860 + 1u)];
+            let _e879 = (32u - _e856);
+            bits.member[(_e860 + 1u)] = ((_e877 & ~((7u >> bitcast<u32>((_e879 & 31u))))) | (_e848.bits >> bitcast<u32>((_e879 & 31u))));
         }
-        phi_1431_ = _e1063.needs_ray;
-        phi_1432_ = _e73.shift;
+        phi_1068_ = _e848.needs_ray;
+        phi_1069_ = _e66.first_primitive;
     } else {
-        phi_1431_ = false;
-        phi_1432_ = 0u;
+        phi_1068_ = false;
+        phi_1069_ = 0u;
     }
-    let _e1108 = phi_1431_;
-    let _e1110 = phi_1432_;
-    if (_e57 == 0u) {
+    let _e893 = phi_1068_;
+    let _e895 = phi_1069_;
+    if (_e50 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1108 {
-        let _e1114 = atomicAdd((&shared_[0u]), 1u);
-        phi_1443_ = _e1114;
+    if _e893 {
+        let _e899 = atomicAdd((&shared_[0u]), 1u);
+        phi_1080_ = _e899;
     } else {
-        phi_1443_ = 0u;
+        phi_1080_ = 0u;
     }
-    let _e1116 = phi_1443_;
+    let _e901 = phi_1080_;
     workgroupBarrier();
-    if (_e57 == 0u) {
-        let _e1120 = atomicLoad((&shared_[0u]));
-        let _e1121 = atomicAdd((&list.member[3u]), _e1120);
-        atomicStore((&shared_[1u]), _e1121);
+    if (_e50 == 0u) {
+        let _e905 = atomicLoad((&shared_[0u]));
+        let _e906 = atomicAdd((&list.member[3u]), _e905);
+        atomicStore((&shared_[1u]), _e906);
     }
     workgroupBarrier();
-    if _e1108 {
-        let _e1124 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1124) + _e1116)]), _e1110);
+    if _e893 {
+        let _e909 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e909) + _e901)]), _e895);
     }
     return;
 }
@@ -1459,6 +973,6 @@ fn function_() {
 @compute @workgroup_size(8, 8, 1) 
 fn entry_mask_mask_objects_er_cs(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     id_1 = id;
-    local_2 = local;
+    local_1 = local;
     function_();
 }

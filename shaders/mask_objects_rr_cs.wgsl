@@ -25,18 +25,29 @@ struct abi_MaskParams {
     current: abi_CameraParams,
     previous: abi_CameraParams,
     light: abi_LightParams,
+    still: vec2<u32>,
+    moving: vec2<u32>,
     frame: u32,
-    still_pattern: u32,
-    moving_pattern: u32,
     flags: u32,
     depth_tolerance: f32,
     refresh: u32,
     expansion: u32,
     pad0_: u32,
+    pad1_: u32,
+    pad2_: u32,
 }
 
-struct type_9 {
+struct type_8 {
     member: abi_MaskParams,
+}
+
+struct type_12 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
 }
 
 struct abi_Sample {
@@ -48,21 +59,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_13 {
+struct type_23 {
     member: array<abi_Sample>,
 }
 
-struct type_17 {
-    member: array<u32>,
-}
-
-struct type_21 {
+struct type_27 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -92,1459 +94,970 @@ struct lt_mask_Neighbourhood {
     all_remove: bool,
 }
 
-struct type_44 {
+struct type_43 {
     member: array<vec4<f32>>,
 }
 
-struct type_49 {
+struct type_48 {
     member: array<atomic<u32>>,
 }
 
 var<private> id_1: vec3<u32>;
-var<private> local_2: u32;
 @group(0) @binding(0) 
-var<uniform> p: type_9;
+var<uniform> p: type_8;
+var<private> local_1: u32;
 @group(0) @binding(1) 
-var<storage> samples: type_13;
+var<storage> samples: type_23;
 @group(0) @binding(2) 
-var<storage> last_bits: type_17;
+var<storage> heard: type_12;
 @group(0) @binding(3) 
-var<storage, read_write> bits: type_17;
+var<storage, read_write> bits: type_12;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_21;
+var<storage, read_write> visibility: type_27;
 @group(0) @binding(5) 
-var<storage, read_write> list: type_49;
+var<storage, read_write> list: type_48;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 @group(0) @binding(6) 
-var<storage> past: type_44;
+var<storage> past: type_43;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_178_: lt_mask_LightPlace;
-    var phi_179_: bool;
-    var phi_180_: lt_mask_LightPlace;
-    var phi_181_: bool;
-    var phi_186_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_164_: lt_bvh_traverse_Tree;
+    var phi_165_: bool;
+    var phi_166_: lt_bvh_traverse_Tree;
+    var phi_167_: bool;
+    var phi_172_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_178_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
-            phi_179_ = false;
+            phi_164_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_165_ = false;
         } else {
-            phi_178_ = lt_mask_LightPlace();
-            phi_179_ = true;
+            phi_164_ = lt_bvh_traverse_Tree();
+            phi_165_ = true;
         }
-        let _e69 = phi_178_;
-        let _e71 = phi_179_;
-        phi_180_ = _e69;
-        phi_181_ = _e71;
+        let _e63 = phi_164_;
+        let _e65 = phi_165_;
+        phi_166_ = _e63;
+        phi_167_ = _e65;
     } else {
-        phi_180_ = lt_mask_LightPlace();
-        phi_181_ = true;
+        phi_166_ = lt_bvh_traverse_Tree();
+        phi_167_ = true;
     }
-    let _e73 = phi_180_;
-    let _e75 = phi_181_;
-    if _e75 {
-        phi_186_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+    let _e67 = phi_166_;
+    let _e69 = phi_167_;
+    if _e69 {
+        phi_172_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_186_ = _e73;
+        phi_172_ = _e67;
     }
-    let _e80 = phi_186_;
-    return lt_mask_LightPlace(_e80.word, _e80.shift);
-}
-
-fn lt_mask_pattern_plus(param_3: u32) -> vec2<i32> {
-    var phi_204_: vec2<i32>;
-
-    switch bitcast<i32>((param_3 % 5u)) {
-        case 0: {
-            phi_204_ = vec2(0i);
-            break;
-        }
-        case 1: {
-            phi_204_ = vec2<i32>(0i, -1i);
-            break;
-        }
-        case 2: {
-            phi_204_ = vec2<i32>(-1i, 0i);
-            break;
-        }
-        case 3: {
-            phi_204_ = vec2<i32>(1i, 0i);
-            break;
-        }
-        default: {
-            phi_204_ = vec2<i32>(0i, 1i);
-            break;
-        }
-    }
-    let _e65 = phi_204_;
-    return vec2<i32>(_e65.x, _e65.y);
-}
-
-fn lt_mask_pattern_cross(param_4: u32) -> vec2<i32> {
-    var phi_222_: vec2<i32>;
-
-    switch bitcast<i32>((param_4 % 5u)) {
-        case 0: {
-            phi_222_ = vec2(0i);
-            break;
-        }
-        case 1: {
-            phi_222_ = vec2(-1i);
-            break;
-        }
-        case 2: {
-            phi_222_ = vec2<i32>(1i, -1i);
-            break;
-        }
-        case 3: {
-            phi_222_ = vec2<i32>(-1i, 1i);
-            break;
-        }
-        default: {
-            phi_222_ = vec2(1i);
-            break;
-        }
-    }
-    let _e65 = phi_222_;
-    return vec2<i32>(_e65.x, _e65.y);
-}
-
-fn lt_mask_pattern_plus_or_cross(param_5: u32, param_6: u32) -> vec2<i32> {
-    var phi_241_: vec2<i32>;
-
-    if (param_6 == 0u) {
-        let _e59 = lt_mask_pattern_plus(param_5);
-        phi_241_ = vec2<i32>(_e59.x, _e59.y);
-    } else {
-        let _e63 = lt_mask_pattern_cross(param_5);
-        phi_241_ = vec2<i32>(_e63.x, _e63.y);
-    }
-    let _e68 = phi_241_;
-    return vec2<i32>(_e68.x, _e68.y);
-}
-
-fn lt_mask_pattern_diamond(param_7: u32) -> vec2<i32> {
-    var phi_266_: vec2<i32>;
-
-    let _e57 = (param_7 % 13u);
-    switch bitcast<i32>(_e57) {
-        case 9: {
-            phi_266_ = vec2<i32>(0i, -2i);
-            break;
-        }
-        case 10: {
-            phi_266_ = vec2<i32>(-2i, 0i);
-            break;
-        }
-        case 11: {
-            phi_266_ = vec2<i32>(2i, 0i);
-            break;
-        }
-        case 12: {
-            phi_266_ = vec2<i32>(0i, 2i);
-            break;
-        }
-        default: {
-            phi_266_ = vec2<i32>((bitcast<i32>((_e57 % 3u)) - 1i), (bitcast<i32>(((_e57 / 3u) % 3u)) - 1i));
-            break;
-        }
-    }
-    let _e72 = phi_266_;
-    return vec2<i32>(_e72.x, _e72.y);
-}
-
-fn lt_mask_pattern_step_clamped(param_8: u32, param_9: i32, param_10: u32) -> u32 {
-    var phi_287_: u32;
-    var phi_288_: u32;
-
-    let _e60 = (bitcast<i32>(param_8) + param_9);
-    if (_e60 < 0i) {
-        phi_288_ = 0u;
-    } else {
-        if (_e60 >= bitcast<i32>(param_10)) {
-            phi_287_ = (param_10 - 1u);
-        } else {
-            phi_287_ = bitcast<u32>(_e60);
-        }
-        let _e67 = phi_287_;
-        phi_288_ = _e67;
-    }
-    let _e69 = phi_288_;
-    return _e69;
+    let _e74 = phi_172_;
+    return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
 }
 
 fn function_() {
-    var phi_364_: bool;
-    var phi_365_: bool;
-    var phi_366_: bool;
-    var phi_367_: bool;
+    var phi_218_: u32;
+    var phi_255_: bool;
+    var phi_256_: bool;
+    var phi_257_: bool;
+    var phi_258_: bool;
+    var phi_262_: bool;
+    var phi_332_: bool;
+    var phi_333_: bool;
+    var phi_344_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_345_: bool;
+    var phi_346_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_347_: bool;
+    var phi_354_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_358_: u0028_evaluate_Verdict_u0020_bool_u0029_;
     var phi_371_: bool;
-    var phi_441_: bool;
-    var phi_442_: bool;
-    var phi_453_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_454_: bool;
-    var phi_455_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_456_: bool;
-    var phi_463_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_467_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_480_: bool;
-    var phi_508_: bool;
-    var phi_509_: bool;
-    var phi_510_: bool;
-    var phi_511_: bool;
-    var phi_515_: bool;
-    var phi_516_: bool;
-    var phi_724_: f32;
-    var phi_729_: f32;
-    var phi_730_: bool;
-    var phi_731_: f32;
+    var phi_399_: bool;
+    var phi_400_: bool;
+    var phi_401_: bool;
+    var phi_402_: bool;
+    var phi_406_: bool;
+    var phi_407_: bool;
+    var phi_615_: f32;
+    var phi_620_: f32;
+    var phi_621_: bool;
+    var phi_622_: f32;
+    var phi_623_: bool;
+    var phi_627_: f32;
+    var phi_648_: f32;
+    var phi_653_: f32;
+    var phi_654_: bool;
+    var phi_655_: f32;
+    var phi_656_: bool;
+    var phi_660_: f32;
+    var phi_681_: bool;
+    var phi_700_: vec2<u32>;
+    var phi_701_: bool;
+    var phi_702_: bool;
+    var phi_703_: bool;
+    var phi_704_: vec2<u32>;
+    var phi_705_: bool;
+    var phi_706_: bool;
+    var phi_707_: bool;
+    var phi_708_: bool;
+    var phi_709_: bool;
+    var phi_710_: bool;
+    var phi_711_: vec2<u32>;
+    var phi_712_: bool;
+    var phi_713_: bool;
+    var phi_714_: bool;
+    var phi_715_: bool;
+    var phi_716_: bool;
+    var phi_717_: bool;
+    var phi_718_: vec2<u32>;
+    var phi_719_: bool;
+    var phi_720_: bool;
+    var phi_721_: bool;
+    var phi_722_: bool;
+    var phi_731_: bool;
     var phi_732_: bool;
-    var phi_736_: f32;
-    var phi_757_: f32;
-    var phi_762_: f32;
-    var phi_763_: bool;
-    var phi_764_: f32;
-    var phi_765_: bool;
-    var phi_769_: f32;
-    var phi_790_: bool;
-    var phi_809_: vec2<u32>;
-    var phi_810_: bool;
-    var phi_811_: bool;
-    var phi_812_: bool;
-    var phi_813_: vec2<u32>;
-    var phi_814_: bool;
-    var phi_815_: bool;
-    var phi_816_: bool;
-    var phi_817_: bool;
-    var phi_818_: bool;
-    var phi_819_: bool;
-    var phi_820_: vec2<u32>;
-    var phi_821_: bool;
-    var phi_822_: bool;
-    var phi_823_: bool;
-    var phi_824_: bool;
-    var phi_825_: bool;
-    var phi_826_: bool;
-    var phi_827_: vec2<u32>;
-    var phi_828_: bool;
-    var phi_829_: bool;
-    var phi_830_: bool;
-    var phi_831_: bool;
-    var phi_840_: bool;
-    var phi_841_: bool;
-    var phi_842_: bool;
-    var phi_843_: bool;
-    var phi_847_: bool;
-    var phi_848_: bool;
-    var phi_849_: vec2<u32>;
-    var phi_884_: bool;
-    var phi_886_: lt_mask_Reprojection;
-    var phi_887_: lt_mask_Reprojection;
+    var phi_733_: bool;
+    var phi_734_: bool;
+    var phi_738_: bool;
+    var phi_739_: bool;
+    var phi_740_: vec2<u32>;
+    var phi_775_: bool;
+    var phi_777_: lt_mask_Reprojection;
+    var phi_778_: lt_mask_Reprojection;
+    var phi_779_: bool;
+    var phi_783_: bool;
+    var phi_784_: lt_mask_Reprojection;
+    var phi_785_: lt_mask_Reprojection;
+    var phi_786_: bool;
+    var phi_794_: bool;
+    var phi_795_: lt_mask_Reprojection;
+    var phi_861_: u32;
+    var phi_866_: u32;
+    var phi_867_: u32;
+    var phi_868_: u32;
+    var phi_869_: bool;
+    var phi_870_: u32;
+    var phi_871_: bool;
+    var phi_872_: bool;
+    var phi_873_: u32;
+    var phi_874_: bool;
+    var phi_875_: bool;
+    var phi_879_: bool;
+    var phi_883_: u32;
     var phi_888_: bool;
-    var phi_892_: bool;
-    var phi_893_: lt_mask_Reprojection;
-    var phi_894_: lt_mask_Reprojection;
-    var phi_895_: bool;
-    var phi_903_: bool;
-    var phi_904_: lt_mask_Reprojection;
-    var phi_945_: u32;
-    var phi_964_: u32;
-    var phi_972_: u32;
-    var phi_973_: u32;
-    var phi_974_: bool;
-    var phi_975_: u32;
-    var phi_976_: bool;
-    var phi_977_: bool;
-    var phi_978_: u32;
-    var phi_979_: bool;
-    var phi_980_: bool;
-    var phi_984_: bool;
-    var phi_988_: u32;
-    var phi_993_: bool;
-    var phi_1015_: u32;
-    var phi_1017_: u32;
-    var phi_1020_: lt_mask_Neighbourhood;
-    var phi_1032_: bool;
-    var phi_1033_: bool;
+    var phi_928_: lt_mask_Neighbourhood;
+    var phi_929_: lt_mask_Neighbourhood;
+    var phi_930_: lt_mask_Neighbourhood;
+    var phi_962_: bool;
+    var phi_963_: bool;
+    var phi_985_: bool;
+    var phi_986_: bool;
+    var phi_987_: bool;
+    var phi_991_: bool;
+    var phi_1013_: bool;
+    var phi_1014_: bool;
+    var phi_1027_: bool;
+    var phi_1028_: bool;
+    var phi_1029_: bool;
+    var phi_1036_: u32;
+    var phi_1037_: u32;
+    var phi_1038_: u32;
+    var phi_1039_: u32;
+    var phi_1040_: u32;
+    var phi_1041_: u32;
     var phi_1042_: u32;
-    var phi_1043_: u32;
-    var phi_1103_: vec2<i32>;
-    var phi_1123_: vec2<i32>;
-    var phi_1148_: u32;
-    var phi_1167_: u32;
-    var phi_1175_: u32;
-    var phi_1201_: bool;
-    var phi_1202_: bool;
-    var phi_1203_: bool;
-    var phi_1204_: bool;
-    var phi_1205_: bool;
-    var phi_1206_: bool;
-    var phi_1207_: bool;
-    var phi_1212_: bool;
-    var phi_1213_: bool;
-    var phi_1214_: bool;
-    var phi_1215_: bool;
-    var phi_1216_: bool;
-    var phi_1217_: bool;
-    var phi_1218_: bool;
-    var phi_1219_: bool;
-    var phi_1220_: bool;
-    var phi_1235_: bool;
-    var phi_1236_: bool;
-    var phi_1243_: bool;
-    var phi_1244_: bool;
-    var phi_1245_: bool;
-    var phi_1246_: bool;
-    var phi_1247_: bool;
-    var phi_1251_: bool;
-    var phi_1252_: bool;
-    var phi_1253_: bool;
-    var phi_1257_: bool;
-    var phi_1258_: bool;
-    var phi_1262_: bool;
-    var phi_1263_: bool;
-    var phi_1281_: bool;
-    var phi_1282_: bool;
-    var phi_1283_: bool;
-    var phi_1018_: u32;
-    var phi_1021_: lt_mask_Neighbourhood;
-    var phi_1286_: lt_mask_Neighbourhood;
-    var phi_1287_: lt_mask_Neighbourhood;
-    var phi_1288_: lt_mask_Neighbourhood;
-    var phi_1320_: bool;
-    var phi_1321_: bool;
-    var phi_1343_: bool;
-    var phi_1344_: bool;
-    var phi_1345_: bool;
-    var phi_1349_: bool;
-    var phi_1371_: bool;
-    var phi_1372_: bool;
-    var phi_1385_: bool;
-    var phi_1386_: bool;
-    var phi_1387_: bool;
-    var phi_1394_: u32;
-    var phi_1395_: u32;
-    var phi_1396_: u32;
-    var phi_1397_: u32;
-    var phi_1398_: u32;
-    var phi_1399_: u32;
-    var phi_1400_: u32;
-    var phi_1412_: bool;
-    var phi_1413_: bool;
-    var phi_1414_: bool;
-    var phi_1415_: bool;
-    var phi_1419_: bool;
-    var phi_1425_: bool;
-    var phi_1433_: u32;
-    var phi_1438_: u32;
-    var phi_1447_: u32;
-    var phi_1452_: u32;
-    var phi_1456_: u32;
-    var phi_1457_: u32;
-    var phi_1458_: u32;
-    var phi_1462_: f32;
-    var phi_1464_: mask_Masked;
-    var phi_1514_: bool;
-    var phi_1515_: u32;
-    var phi_1526_: u32;
-    var local_1: lt_mask_Neighbourhood;
+    var phi_1054_: bool;
+    var phi_1055_: bool;
+    var phi_1056_: bool;
+    var phi_1057_: bool;
+    var phi_1061_: bool;
+    var phi_1067_: bool;
+    var phi_1075_: u32;
+    var phi_1080_: u32;
+    var phi_1089_: u32;
+    var phi_1094_: u32;
+    var phi_1098_: u32;
+    var phi_1099_: u32;
+    var phi_1100_: u32;
+    var phi_1104_: f32;
+    var phi_1106_: mask_Masked;
+    var phi_1156_: bool;
+    var phi_1157_: u32;
+    var phi_1168_: u32;
 
-    let _e56 = id_1;
-    let _e57 = local_2;
-    let _e62 = arrayLength((&last_bits.member));
-    let _e70 = p.member.current.size[0u];
-    let _e72 = p.member.current.size[1u];
-    let _e73 = lt_shaders_entry_pixel_index(_e56, _e70, _e72);
-    if (bitcast<i32>(_e73.word) != 0i) {
-        let _e80 = p.member.light.number;
-        let _e81 = (_e80 * 3u);
-        let _e82 = (_e81 / 32u);
-        let _e83 = (_e81 % 32u);
-        let _e85 = p.member.light.mask_words;
-        let _e89 = p.member.current.size[0u];
-        let _e92 = past.member[_e73.shift];
-        let _e97 = visibility.member[_e73.shift];
-        let _e103 = samples.member[_e73.shift].normal[0u];
-        let _e105 = global[0u];
-        if (_e103 == _e105) {
-            let _e108 = samples.member[_e73.shift].normal[1u];
-            let _e110 = global[1u];
-            if (_e108 == _e110) {
-                let _e113 = samples.member[_e73.shift].normal[2u];
-                let _e115 = global[2u];
-                phi_364_ = (_e113 == _e115);
-                phi_365_ = false;
-            } else {
-                phi_364_ = bool();
-                phi_365_ = true;
-            }
-            let _e118 = phi_364_;
-            let _e120 = phi_365_;
-            phi_366_ = _e118;
-            phi_367_ = _e120;
-        } else {
-            phi_366_ = bool();
-            phi_367_ = true;
+    let _e50 = id_1;
+    let _e51 = local_1;
+    let _e56 = arrayLength((&heard.member));
+    let _e64 = p.member.current.size[0u];
+    let _e66 = p.member.current.size[1u];
+    let _e67 = lt_shaders_entry_pixel_index(_e50, _e64, _e66);
+    if (bitcast<i32>(_e67.root) != 0i) {
+        let _e75 = p.member.current.size[0u];
+        if (32u == 0u) {
+            return;
         }
-        let _e122 = phi_366_;
-        let _e124 = phi_367_;
-        if _e124 {
-            phi_371_ = false;
-        } else {
-            phi_371_ = _e122;
+        let _e77 = (_e75 / 32u);
+        if (32u == 0u) {
+            return;
         }
-        let _e126 = phi_371_;
-        if !(_e126) {
-            let _e129 = samples.member[_e73.shift].position;
-            let _e131 = p.member.light.place;
-            let _e137 = p.member.light.place[3u];
-            let _e144 = (_e131.x - (_e129.x * _e137));
-            let _e145 = (_e131.y - (_e129.y * _e137));
-            let _e146 = (_e131.z - (_e129.z * _e137));
-            let _e148 = samples.member[_e73.shift].normal;
-            if ((((_e148.x * _e144) + (_e148.y * _e145)) + (_e148.z * _e146)) > 0f) {
-                let _e162 = (((_e144 * _e144) + (_e145 * _e145)) + (_e146 * _e146));
-                let _e164 = p.member.light.axis;
-                let _e176 = p.member.light.place[3u];
-                if (_e176 == 0f) {
-                    phi_442_ = true;
-                } else {
-                    let _e179 = p.member.light.range_squared;
-                    if (_e162 <= _e179) {
-                        let _e182 = p.member.light.cos_outer;
-                        phi_441_ = (-((((_e144 * _e164.x) + (_e145 * _e164.y)) + (_e146 * _e164.z))) >= (_e182 * sqrt(_e162)));
-                    } else {
-                        phi_441_ = false;
-                    }
-                    let _e187 = phi_441_;
-                    phi_442_ = _e187;
-                }
-                let _e189 = phi_442_;
-                if _e189 {
-                    let _e191 = samples.member[_e73.shift].flags;
-                    let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e205 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e199.unnamed.visibility, false), _e199.unnamed_1);
-                    phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e205.unnamed, ((_e191 & 1u) == 0u));
-                    phi_454_ = false;
-                } else {
-                    phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_454_ = true;
-                }
-                let _e210 = phi_453_;
-                let _e212 = phi_454_;
-                phi_455_ = _e210;
-                phi_456_ = _e212;
-            } else {
-                phi_455_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_456_ = true;
-            }
-            let _e214 = phi_455_;
-            let _e216 = phi_456_;
-            if _e216 {
-                let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
-                phi_463_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, true);
-            } else {
-                phi_463_ = _e214;
-            }
-            let _e233 = phi_463_;
-            phi_467_ = _e233;
+        if ((_e75 % 32u) > 0u) {
+            phi_218_ = (_e77 + 1u);
         } else {
-            let _e239 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e245 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e239.unnamed.visibility, false), _e239.unnamed_1);
-            phi_467_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e245.unnamed, true);
+            phi_218_ = _e77;
         }
-        let _e250 = phi_467_;
-        if _e250.unnamed_1 {
-            phi_1464_ = mask_Masked(_e250.unnamed.visibility, 0u, false);
+        let _e83 = phi_218_;
+        let _e86 = past.member[_e67.first_primitive];
+        let _e91 = visibility.member[_e67.first_primitive];
+        let _e97 = samples.member[_e67.first_primitive].normal[0u];
+        let _e99 = global[0u];
+        if (_e97 == _e99) {
+            let _e102 = samples.member[_e67.first_primitive].normal[1u];
+            let _e104 = global[1u];
+            if (_e102 == _e104) {
+                let _e107 = samples.member[_e67.first_primitive].normal[2u];
+                let _e109 = global[2u];
+                phi_255_ = (_e107 == _e109);
+                phi_256_ = false;
+            } else {
+                phi_255_ = bool();
+                phi_256_ = true;
+            }
+            let _e112 = phi_255_;
+            let _e114 = phi_256_;
+            phi_257_ = _e112;
+            phi_258_ = _e114;
         } else {
-            let _e255 = (_e97 < 0.5f);
-            if (_e97 > 0f) {
-                phi_480_ = (_e97 < 1f);
+            phi_257_ = bool();
+            phi_258_ = true;
+        }
+        let _e116 = phi_257_;
+        let _e118 = phi_258_;
+        if _e118 {
+            phi_262_ = false;
+        } else {
+            phi_262_ = _e116;
+        }
+        let _e120 = phi_262_;
+        if !(_e120) {
+            let _e123 = samples.member[_e67.first_primitive].position;
+            let _e125 = p.member.light.place;
+            let _e131 = p.member.light.place[3u];
+            let _e138 = (_e125.x - (_e123.x * _e131));
+            let _e139 = (_e125.y - (_e123.y * _e131));
+            let _e140 = (_e125.z - (_e123.z * _e131));
+            let _e142 = samples.member[_e67.first_primitive].normal;
+            if ((((_e142.x * _e138) + (_e142.y * _e139)) + (_e142.z * _e140)) > 0f) {
+                let _e156 = (((_e138 * _e138) + (_e139 * _e139)) + (_e140 * _e140));
+                let _e158 = p.member.light.axis;
+                let _e170 = p.member.light.place[3u];
+                if (_e170 == 0f) {
+                    phi_333_ = true;
+                } else {
+                    let _e173 = p.member.light.range_squared;
+                    if (_e156 <= _e173) {
+                        let _e176 = p.member.light.cos_outer;
+                        phi_332_ = (-((((_e138 * _e158.x) + (_e139 * _e158.y)) + (_e140 * _e158.z))) >= (_e176 * sqrt(_e156)));
+                    } else {
+                        phi_332_ = false;
+                    }
+                    let _e181 = phi_332_;
+                    phi_333_ = _e181;
+                }
+                let _e183 = phi_333_;
+                if _e183 {
+                    let _e185 = samples.member[_e67.first_primitive].flags;
+                    let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e193.unnamed.visibility, false), _e193.unnamed_1);
+                    phi_344_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e199.unnamed, ((_e185 & 1u) == 0u));
+                    phi_345_ = false;
+                } else {
+                    phi_344_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_345_ = true;
+                }
+                let _e204 = phi_344_;
+                let _e206 = phi_345_;
+                phi_346_ = _e204;
+                phi_347_ = _e206;
             } else {
-                phi_480_ = false;
+                phi_346_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_347_ = true;
             }
-            let _e259 = phi_480_;
-            let _e266 = lt_mask_Reprojection(vec2<u32>(_e56.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e273 = lt_mask_Reprojection(vec2<u32>(_e266.pixel.x, _e56.y), _e266.is_valid, _e266.has_moved);
-            let _e277 = lt_mask_Reprojection(_e273.pixel, true, _e273.has_moved);
-            let _e283 = p.member.flags;
-            if ((_e283 & 16u) == 0u) {
-                phi_516_ = false;
+            let _e208 = phi_346_;
+            let _e210 = phi_347_;
+            if _e210 {
+                let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e216.unnamed.visibility, false), _e216.unnamed_1);
+                phi_354_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e222.unnamed, true);
             } else {
-                let _e288 = samples.member[_e73.shift].position[0u];
-                if (_e92.x == _e288) {
-                    let _e291 = samples.member[_e73.shift].position[1u];
-                    if (_e92.y == _e291) {
-                        let _e294 = samples.member[_e73.shift].position[2u];
-                        phi_508_ = (_e92.z == _e294);
-                        phi_509_ = false;
-                    } else {
-                        phi_508_ = bool();
-                        phi_509_ = true;
-                    }
-                    let _e297 = phi_508_;
-                    let _e299 = phi_509_;
-                    phi_510_ = _e297;
-                    phi_511_ = _e299;
-                } else {
-                    phi_510_ = bool();
-                    phi_511_ = true;
-                }
-                let _e301 = phi_510_;
-                let _e303 = phi_511_;
-                if _e303 {
-                    phi_515_ = false;
-                } else {
-                    phi_515_ = _e301;
-                }
-                let _e305 = phi_515_;
-                phi_516_ = _e305;
+                phi_354_ = _e208;
             }
-            let _e307 = phi_516_;
-            if _e307 {
-                phi_893_ = lt_mask_Reprojection(_e277.pixel, _e277.is_valid, false);
-                phi_894_ = lt_mask_Reprojection();
-                phi_895_ = true;
+            let _e227 = phi_354_;
+            phi_358_ = _e227;
+        } else {
+            let _e233 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e239 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e233.unnamed.visibility, false), _e233.unnamed_1);
+            phi_358_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e239.unnamed, true);
+        }
+        let _e244 = phi_358_;
+        if _e244.unnamed_1 {
+            phi_1106_ = mask_Masked(_e244.unnamed.visibility, 0u, false);
+        } else {
+            let _e249 = (_e91 < 0.5f);
+            if (_e91 > 0f) {
+                phi_371_ = (_e91 < 1f);
             } else {
-                let _e309 = samples.member[_e73.shift].position;
-                let _e313 = p.member.previous.eye;
-                let _e315 = (_e92.x - _e313.x);
-                let _e317 = (_e92.y - _e313.y);
-                let _e319 = (_e92.z - _e313.z);
-                let _e321 = p.member.previous.forward;
-                let _e329 = (((_e315 * _e321.x) + (_e317 * _e321.y)) + (_e319 * _e321.z));
-                let _e331 = p.member.previous.right;
-                let _e341 = p.member.previous.right;
-                let _e356 = p.member.previous.up;
-                let _e366 = p.member.previous.up;
-                let _e381 = p.member.current.eye;
-                let _e384 = (_e309.x - _e381.x);
-                let _e387 = (_e309.y - _e381.y);
-                let _e390 = (_e309.z - _e381.z);
-                let _e392 = p.member.current.forward;
-                let _e400 = (((_e384 * _e392.x) + (_e387 * _e392.y)) + (_e390 * _e392.z));
-                let _e402 = p.member.current.right;
-                let _e412 = p.member.current.right;
-                let _e427 = p.member.current.up;
-                let _e437 = p.member.current.up;
-                let _e456 = p.member.current.size[0u];
-                let _e458 = (((((((_e315 * _e331.x) + (_e317 * _e331.y)) + (_e319 * _e331.z)) / ((((_e341.x * _e341.x) + (_e341.y * _e341.y)) + (_e341.z * _e341.z)) * _e329)) - ((((_e384 * _e402.x) + (_e387 * _e402.y)) + (_e390 * _e402.z)) / ((((_e412.x * _e412.x) + (_e412.y * _e412.y)) + (_e412.z * _e412.z)) * _e400))) * 0.5f) * f32(_e456));
-                let _e462 = p.member.current.size[1u];
-                let _e464 = (((((((_e315 * _e356.x) + (_e317 * _e356.y)) + (_e319 * _e356.z)) / ((((_e366.x * _e366.x) + (_e366.y * _e366.y)) + (_e366.z * _e366.z)) * _e329)) - ((((_e384 * _e427.x) + (_e387 * _e427.y)) + (_e390 * _e427.z)) / ((((_e437.x * _e437.x) + (_e437.y * _e437.y)) + (_e437.z * _e437.z)) * _e400))) * -0.5f) * f32(_e462));
-                let _e468 = p.member.current.grid[0u];
-                let _e470 = p.member.current.grid[1u];
-                let _e490 = p.member.current.size[0u];
-                let _e492 = p.member.current.size[1u];
-                let _e494 = ((f32(_e56.x) + ((f32((_e56.y & (_e470 - 1u))) + 0.5f) / f32(_e470))) + _e458);
-                if (_e494 > -8388608f) {
-                    let _e506 = f32(select(0i, select(select(i32(_e494), i32(-2147483648), (_e494 < bitcast<f32>(3472883712u))), 2147483647i, (_e494 > bitcast<f32>(1325400063u))), (_e494 == _e494)));
-                    if (_e506 > _e494) {
-                        phi_724_ = 1f;
+                phi_371_ = false;
+            }
+            let _e253 = phi_371_;
+            let _e260 = lt_mask_Reprojection(vec2<u32>(_e50.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e267 = lt_mask_Reprojection(vec2<u32>(_e260.pixel.x, _e50.y), _e260.is_valid, _e260.has_moved);
+            let _e271 = lt_mask_Reprojection(_e267.pixel, true, _e267.has_moved);
+            let _e277 = p.member.flags;
+            if ((_e277 & 16u) == 0u) {
+                phi_407_ = false;
+            } else {
+                let _e282 = samples.member[_e67.first_primitive].position[0u];
+                if (_e86.x == _e282) {
+                    let _e285 = samples.member[_e67.first_primitive].position[1u];
+                    if (_e86.y == _e285) {
+                        let _e288 = samples.member[_e67.first_primitive].position[2u];
+                        phi_399_ = (_e86.z == _e288);
+                        phi_400_ = false;
                     } else {
-                        phi_724_ = 0f;
+                        phi_399_ = bool();
+                        phi_400_ = true;
                     }
-                    let _e509 = phi_724_;
-                    if (_e494 < 8388608f) {
-                        phi_729_ = (_e506 - _e509);
-                        phi_730_ = false;
+                    let _e291 = phi_399_;
+                    let _e293 = phi_400_;
+                    phi_401_ = _e291;
+                    phi_402_ = _e293;
+                } else {
+                    phi_401_ = bool();
+                    phi_402_ = true;
+                }
+                let _e295 = phi_401_;
+                let _e297 = phi_402_;
+                if _e297 {
+                    phi_406_ = false;
+                } else {
+                    phi_406_ = _e295;
+                }
+                let _e299 = phi_406_;
+                phi_407_ = _e299;
+            }
+            let _e301 = phi_407_;
+            if _e301 {
+                phi_784_ = lt_mask_Reprojection(_e271.pixel, _e271.is_valid, false);
+                phi_785_ = lt_mask_Reprojection();
+                phi_786_ = true;
+            } else {
+                let _e303 = samples.member[_e67.first_primitive].position;
+                let _e307 = p.member.previous.eye;
+                let _e309 = (_e86.x - _e307.x);
+                let _e311 = (_e86.y - _e307.y);
+                let _e313 = (_e86.z - _e307.z);
+                let _e315 = p.member.previous.forward;
+                let _e323 = (((_e309 * _e315.x) + (_e311 * _e315.y)) + (_e313 * _e315.z));
+                let _e325 = p.member.previous.right;
+                let _e335 = p.member.previous.right;
+                let _e350 = p.member.previous.up;
+                let _e360 = p.member.previous.up;
+                let _e375 = p.member.current.eye;
+                let _e378 = (_e303.x - _e375.x);
+                let _e381 = (_e303.y - _e375.y);
+                let _e384 = (_e303.z - _e375.z);
+                let _e386 = p.member.current.forward;
+                let _e394 = (((_e378 * _e386.x) + (_e381 * _e386.y)) + (_e384 * _e386.z));
+                let _e396 = p.member.current.right;
+                let _e406 = p.member.current.right;
+                let _e421 = p.member.current.up;
+                let _e431 = p.member.current.up;
+                let _e450 = p.member.current.size[0u];
+                let _e452 = (((((((_e309 * _e325.x) + (_e311 * _e325.y)) + (_e313 * _e325.z)) / ((((_e335.x * _e335.x) + (_e335.y * _e335.y)) + (_e335.z * _e335.z)) * _e323)) - ((((_e378 * _e396.x) + (_e381 * _e396.y)) + (_e384 * _e396.z)) / ((((_e406.x * _e406.x) + (_e406.y * _e406.y)) + (_e406.z * _e406.z)) * _e394))) * 0.5f) * f32(_e450));
+                let _e456 = p.member.current.size[1u];
+                let _e458 = (((((((_e309 * _e350.x) + (_e311 * _e350.y)) + (_e313 * _e350.z)) / ((((_e360.x * _e360.x) + (_e360.y * _e360.y)) + (_e360.z * _e360.z)) * _e323)) - ((((_e378 * _e421.x) + (_e381 * _e421.y)) + (_e384 * _e421.z)) / ((((_e431.x * _e431.x) + (_e431.y * _e431.y)) + (_e431.z * _e431.z)) * _e394))) * -0.5f) * f32(_e456));
+                let _e462 = p.member.current.grid[0u];
+                let _e464 = p.member.current.grid[1u];
+                let _e484 = p.member.current.size[0u];
+                let _e486 = p.member.current.size[1u];
+                let _e488 = ((f32(_e50.x) + ((f32((_e50.y & (_e464 - 1u))) + 0.5f) / f32(_e464))) + _e452);
+                if (_e488 > -8388608f) {
+                    let _e500 = f32(select(0i, select(select(i32(_e488), i32(-2147483648), (_e488 < bitcast<f32>(3472883712u))), 2147483647i, (_e488 > bitcast<f32>(1325400063u))), (_e488 == _e488)));
+                    if (_e500 > _e488) {
+                        phi_615_ = 1f;
                     } else {
-                        phi_729_ = f32();
-                        phi_730_ = true;
+                        phi_615_ = 0f;
                     }
-                    let _e512 = phi_729_;
-                    let _e514 = phi_730_;
-                    phi_731_ = _e512;
-                    phi_732_ = _e514;
-                } else {
-                    phi_731_ = f32();
-                    phi_732_ = true;
-                }
-                let _e516 = phi_731_;
-                let _e518 = phi_732_;
-                if _e518 {
-                    phi_736_ = _e494;
-                } else {
-                    phi_736_ = _e516;
-                }
-                let _e520 = phi_736_;
-                let _e521 = ((f32(_e56.y) + ((f32((_e56.x & (_e468 - 1u))) + 0.5f) / f32(_e468))) + _e464);
-                if (_e521 > -8388608f) {
-                    let _e533 = f32(select(0i, select(select(i32(_e521), i32(-2147483648), (_e521 < bitcast<f32>(3472883712u))), 2147483647i, (_e521 > bitcast<f32>(1325400063u))), (_e521 == _e521)));
-                    if (_e533 > _e521) {
-                        phi_757_ = 1f;
+                    let _e503 = phi_615_;
+                    if (_e488 < 8388608f) {
+                        phi_620_ = (_e500 - _e503);
+                        phi_621_ = false;
                     } else {
-                        phi_757_ = 0f;
+                        phi_620_ = f32();
+                        phi_621_ = true;
                     }
-                    let _e536 = phi_757_;
-                    if (_e521 < 8388608f) {
-                        phi_762_ = (_e533 - _e536);
-                        phi_763_ = false;
+                    let _e506 = phi_620_;
+                    let _e508 = phi_621_;
+                    phi_622_ = _e506;
+                    phi_623_ = _e508;
+                } else {
+                    phi_622_ = f32();
+                    phi_623_ = true;
+                }
+                let _e510 = phi_622_;
+                let _e512 = phi_623_;
+                if _e512 {
+                    phi_627_ = _e488;
+                } else {
+                    phi_627_ = _e510;
+                }
+                let _e514 = phi_627_;
+                let _e515 = ((f32(_e50.y) + ((f32((_e50.x & (_e462 - 1u))) + 0.5f) / f32(_e462))) + _e458);
+                if (_e515 > -8388608f) {
+                    let _e527 = f32(select(0i, select(select(i32(_e515), i32(-2147483648), (_e515 < bitcast<f32>(3472883712u))), 2147483647i, (_e515 > bitcast<f32>(1325400063u))), (_e515 == _e515)));
+                    if (_e527 > _e515) {
+                        phi_648_ = 1f;
                     } else {
-                        phi_762_ = f32();
-                        phi_763_ = true;
+                        phi_648_ = 0f;
                     }
-                    let _e539 = phi_762_;
-                    let _e541 = phi_763_;
-                    phi_764_ = _e539;
-                    phi_765_ = _e541;
+                    let _e530 = phi_648_;
+                    if (_e515 < 8388608f) {
+                        phi_653_ = (_e527 - _e530);
+                        phi_654_ = false;
+                    } else {
+                        phi_653_ = f32();
+                        phi_654_ = true;
+                    }
+                    let _e533 = phi_653_;
+                    let _e535 = phi_654_;
+                    phi_655_ = _e533;
+                    phi_656_ = _e535;
                 } else {
-                    phi_764_ = f32();
-                    phi_765_ = true;
+                    phi_655_ = f32();
+                    phi_656_ = true;
                 }
-                let _e543 = phi_764_;
-                let _e545 = phi_765_;
-                if _e545 {
-                    phi_769_ = _e521;
+                let _e537 = phi_655_;
+                let _e539 = phi_656_;
+                if _e539 {
+                    phi_660_ = _e515;
                 } else {
-                    phi_769_ = _e543;
+                    phi_660_ = _e537;
                 }
-                let _e547 = phi_769_;
-                if (_e520 >= 0f) {
-                    if (_e547 >= 0f) {
-                        if (_e520 < f32(_e490)) {
-                            let _e553 = (_e547 < f32(_e492));
-                            if (_e458 == 0f) {
-                                phi_790_ = (_e464 == 0f);
+                let _e541 = phi_660_;
+                if (_e514 >= 0f) {
+                    if (_e541 >= 0f) {
+                        if (_e514 < f32(_e484)) {
+                            let _e547 = (_e541 < f32(_e486));
+                            if (_e452 == 0f) {
+                                phi_681_ = (_e458 == 0f);
                             } else {
-                                phi_790_ = false;
+                                phi_681_ = false;
                             }
-                            let _e557 = phi_790_;
-                            if _e553 {
-                                phi_809_ = vec2<u32>(select(select(u32(_e520), 0u, (_e520 < bitcast<f32>(0u))), 4294967295u, (_e520 > bitcast<f32>(1333788671u))), select(select(u32(_e547), 0u, (_e547 < bitcast<f32>(0u))), 4294967295u, (_e547 > bitcast<f32>(1333788671u))));
-                                phi_810_ = false;
+                            let _e551 = phi_681_;
+                            if _e547 {
+                                phi_700_ = vec2<u32>(select(select(u32(_e514), 0u, (_e514 < bitcast<f32>(0u))), 4294967295u, (_e514 > bitcast<f32>(1333788671u))), select(select(u32(_e541), 0u, (_e541 < bitcast<f32>(0u))), 4294967295u, (_e541 > bitcast<f32>(1333788671u))));
+                                phi_701_ = false;
                             } else {
-                                phi_809_ = vec2<u32>();
-                                phi_810_ = true;
+                                phi_700_ = vec2<u32>();
+                                phi_701_ = true;
                             }
-                            let _e574 = phi_809_;
-                            let _e576 = phi_810_;
-                            phi_811_ = _e557;
-                            phi_812_ = _e553;
-                            phi_813_ = _e574;
-                            phi_814_ = _e557;
-                            phi_815_ = _e553;
-                            phi_816_ = false;
-                            phi_817_ = _e576;
+                            let _e568 = phi_700_;
+                            let _e570 = phi_701_;
+                            phi_702_ = _e551;
+                            phi_703_ = _e547;
+                            phi_704_ = _e568;
+                            phi_705_ = _e551;
+                            phi_706_ = _e547;
+                            phi_707_ = false;
+                            phi_708_ = _e570;
                         } else {
-                            phi_811_ = bool();
-                            phi_812_ = bool();
-                            phi_813_ = vec2<u32>();
-                            phi_814_ = bool();
-                            phi_815_ = bool();
-                            phi_816_ = true;
-                            phi_817_ = false;
+                            phi_702_ = bool();
+                            phi_703_ = bool();
+                            phi_704_ = vec2<u32>();
+                            phi_705_ = bool();
+                            phi_706_ = bool();
+                            phi_707_ = true;
+                            phi_708_ = false;
                         }
-                        let _e578 = phi_811_;
-                        let _e580 = phi_812_;
-                        let _e582 = phi_813_;
-                        let _e584 = phi_814_;
-                        let _e586 = phi_815_;
-                        let _e588 = phi_816_;
-                        let _e590 = phi_817_;
-                        phi_818_ = _e578;
-                        phi_819_ = _e580;
-                        phi_820_ = _e582;
-                        phi_821_ = _e584;
-                        phi_822_ = _e586;
-                        phi_823_ = _e588;
-                        phi_824_ = _e590;
+                        let _e572 = phi_702_;
+                        let _e574 = phi_703_;
+                        let _e576 = phi_704_;
+                        let _e578 = phi_705_;
+                        let _e580 = phi_706_;
+                        let _e582 = phi_707_;
+                        let _e584 = phi_708_;
+                        phi_709_ = _e572;
+                        phi_710_ = _e574;
+                        phi_711_ = _e576;
+                        phi_712_ = _e578;
+                        phi_713_ = _e580;
+                        phi_714_ = _e582;
+                        phi_715_ = _e584;
                     } else {
-                        phi_818_ = bool();
-                        phi_819_ = bool();
-                        phi_820_ = vec2<u32>();
-                        phi_821_ = bool();
-                        phi_822_ = bool();
-                        phi_823_ = true;
-                        phi_824_ = false;
+                        phi_709_ = bool();
+                        phi_710_ = bool();
+                        phi_711_ = vec2<u32>();
+                        phi_712_ = bool();
+                        phi_713_ = bool();
+                        phi_714_ = true;
+                        phi_715_ = false;
                     }
-                    let _e592 = phi_818_;
-                    let _e594 = phi_819_;
-                    let _e596 = phi_820_;
-                    let _e598 = phi_821_;
-                    let _e600 = phi_822_;
-                    let _e602 = phi_823_;
-                    let _e604 = phi_824_;
-                    phi_825_ = _e592;
-                    phi_826_ = _e594;
-                    phi_827_ = _e596;
-                    phi_828_ = _e598;
-                    phi_829_ = _e600;
-                    phi_830_ = _e602;
-                    phi_831_ = _e604;
+                    let _e586 = phi_709_;
+                    let _e588 = phi_710_;
+                    let _e590 = phi_711_;
+                    let _e592 = phi_712_;
+                    let _e594 = phi_713_;
+                    let _e596 = phi_714_;
+                    let _e598 = phi_715_;
+                    phi_716_ = _e586;
+                    phi_717_ = _e588;
+                    phi_718_ = _e590;
+                    phi_719_ = _e592;
+                    phi_720_ = _e594;
+                    phi_721_ = _e596;
+                    phi_722_ = _e598;
                 } else {
-                    phi_825_ = bool();
-                    phi_826_ = bool();
-                    phi_827_ = vec2<u32>();
-                    phi_828_ = bool();
-                    phi_829_ = bool();
-                    phi_830_ = true;
-                    phi_831_ = false;
+                    phi_716_ = bool();
+                    phi_717_ = bool();
+                    phi_718_ = vec2<u32>();
+                    phi_719_ = bool();
+                    phi_720_ = bool();
+                    phi_721_ = true;
+                    phi_722_ = false;
                 }
-                let _e606 = phi_825_;
-                let _e608 = phi_826_;
-                let _e610 = phi_827_;
-                let _e612 = phi_828_;
-                let _e614 = phi_829_;
-                let _e616 = phi_830_;
-                let _e618 = phi_831_;
-                if _e616 {
-                    if (_e458 == 0f) {
-                        phi_840_ = (_e464 == 0f);
+                let _e600 = phi_716_;
+                let _e602 = phi_717_;
+                let _e604 = phi_718_;
+                let _e606 = phi_719_;
+                let _e608 = phi_720_;
+                let _e610 = phi_721_;
+                let _e612 = phi_722_;
+                if _e610 {
+                    if (_e452 == 0f) {
+                        phi_731_ = (_e458 == 0f);
                     } else {
-                        phi_840_ = false;
+                        phi_731_ = false;
                     }
-                    let _e622 = phi_840_;
-                    phi_841_ = _e622;
-                    phi_842_ = false;
-                    phi_843_ = true;
+                    let _e616 = phi_731_;
+                    phi_732_ = _e616;
+                    phi_733_ = false;
+                    phi_734_ = true;
                 } else {
-                    phi_841_ = _e612;
-                    phi_842_ = _e614;
-                    phi_843_ = _e618;
+                    phi_732_ = _e606;
+                    phi_733_ = _e608;
+                    phi_734_ = _e612;
                 }
-                let _e624 = phi_841_;
-                let _e626 = phi_842_;
-                let _e628 = phi_843_;
-                if _e628 {
-                    phi_847_ = _e624;
-                    phi_848_ = _e626;
-                    phi_849_ = vec2<u32>(_e56.x, _e56.y);
+                let _e618 = phi_732_;
+                let _e620 = phi_733_;
+                let _e622 = phi_734_;
+                if _e622 {
+                    phi_738_ = _e618;
+                    phi_739_ = _e620;
+                    phi_740_ = vec2<u32>(_e50.x, _e50.y);
                 } else {
-                    phi_847_ = _e606;
-                    phi_848_ = _e608;
-                    phi_849_ = _e610;
+                    phi_738_ = _e600;
+                    phi_739_ = _e602;
+                    phi_740_ = _e604;
                 }
-                let _e630 = phi_847_;
-                let _e632 = phi_848_;
-                let _e634 = phi_849_;
-                let _e644 = lt_mask_Reprojection(vec2<u32>(_e634.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e651 = lt_mask_Reprojection(vec2<u32>(_e644.pixel.x, _e634.y), _e644.is_valid, _e644.has_moved);
-                let _e655 = lt_mask_Reprojection(_e651.pixel, _e632, _e651.has_moved);
-                let _e659 = lt_mask_Reprojection(_e655.pixel, _e655.is_valid, !(_e630));
-                if _e632 {
-                    let _e662 = p.member.previous.eye;
-                    let _e670 = p.member.previous.forward;
-                    let _e679 = (((((_e92.x - _e662.x) * _e670.x) + ((_e92.y - _e662.y) * _e670.y)) + ((_e92.z - _e662.z) * _e670.z)) > 0f);
-                    let _e683 = lt_mask_Reprojection(_e659.pixel, _e679, _e659.has_moved);
-                    if _e679 {
-                        phi_884_ = false;
+                let _e624 = phi_738_;
+                let _e626 = phi_739_;
+                let _e628 = phi_740_;
+                let _e638 = lt_mask_Reprojection(vec2<u32>(_e628.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e645 = lt_mask_Reprojection(vec2<u32>(_e638.pixel.x, _e628.y), _e638.is_valid, _e638.has_moved);
+                let _e649 = lt_mask_Reprojection(_e645.pixel, _e626, _e645.has_moved);
+                let _e653 = lt_mask_Reprojection(_e649.pixel, _e649.is_valid, !(_e624));
+                if _e626 {
+                    let _e656 = p.member.previous.eye;
+                    let _e664 = p.member.previous.forward;
+                    let _e673 = (((((_e86.x - _e656.x) * _e664.x) + ((_e86.y - _e656.y) * _e664.y)) + ((_e86.z - _e656.z) * _e664.z)) > 0f);
+                    let _e677 = lt_mask_Reprojection(_e653.pixel, _e673, _e653.has_moved);
+                    if _e673 {
+                        phi_775_ = false;
                     } else {
-                        phi_884_ = true;
+                        phi_775_ = true;
                     }
-                    let _e685 = phi_884_;
-                    phi_886_ = _e683;
-                    phi_887_ = _e683;
-                    phi_888_ = _e685;
+                    let _e679 = phi_775_;
+                    phi_777_ = _e677;
+                    phi_778_ = _e677;
+                    phi_779_ = _e679;
                 } else {
-                    phi_886_ = lt_mask_Reprojection();
-                    phi_887_ = lt_mask_Reprojection(_e659.pixel, false, _e659.has_moved);
-                    phi_888_ = true;
+                    phi_777_ = lt_mask_Reprojection();
+                    phi_778_ = lt_mask_Reprojection(_e653.pixel, false, _e653.has_moved);
+                    phi_779_ = true;
                 }
-                let _e691 = phi_886_;
-                let _e693 = phi_887_;
-                let _e695 = phi_888_;
-                if _e695 {
-                    phi_892_ = false;
+                let _e685 = phi_777_;
+                let _e687 = phi_778_;
+                let _e689 = phi_779_;
+                if _e689 {
+                    phi_783_ = false;
                 } else {
-                    phi_892_ = true;
+                    phi_783_ = true;
                 }
-                let _e697 = phi_892_;
-                phi_893_ = _e691;
-                phi_894_ = _e693;
-                phi_895_ = _e697;
+                let _e691 = phi_783_;
+                phi_784_ = _e685;
+                phi_785_ = _e687;
+                phi_786_ = _e691;
             }
-            let _e699 = phi_893_;
-            let _e701 = phi_894_;
-            let _e703 = phi_895_;
-            if _e703 {
-                let _e705 = p.member.flags;
-                phi_903_ = ((_e705 & 1u) != 0u);
-                phi_904_ = _e699;
+            let _e693 = phi_784_;
+            let _e695 = phi_785_;
+            let _e697 = phi_786_;
+            if _e697 {
+                let _e699 = p.member.flags;
+                phi_794_ = ((_e699 & 1u) != 0u);
+                phi_795_ = _e693;
             } else {
-                phi_903_ = false;
-                phi_904_ = _e701;
+                phi_794_ = false;
+                phi_795_ = _e695;
             }
-            let _e709 = phi_903_;
-            let _e711 = phi_904_;
-            let _e715 = lt_mask_Reprojection(_e711.pixel, _e709, _e711.has_moved);
-            let _e717 = p.member.flags;
-            let _e719 = ((_e717 & 2u) != 0u);
-            let _e721 = p.member.flags;
-            if ((_e721 & 4u) == 0u) {
-                phi_978_ = u32();
-                phi_979_ = true;
-                phi_980_ = false;
+            let _e703 = phi_794_;
+            let _e705 = phi_795_;
+            let _e709 = lt_mask_Reprojection(_e705.pixel, _e703, _e705.has_moved);
+            let _e711 = p.member.flags;
+            let _e713 = ((_e711 & 2u) != 0u);
+            let _e715 = p.member.flags;
+            if ((_e715 & 4u) == 0u) {
+                phi_873_ = u32();
+                phi_874_ = true;
+                phi_875_ = false;
             } else {
-                if _e709 {
-                    if !(_e715.has_moved) {
-                        let _e729 = ((((_e56.y * _e89) + _e56.x) * _e85) + _e82);
-                        if (_e83 > 29u) {
-                            let _e731 = (_e729 + 1u);
-                            if (_e731 < _e62) {
-                            } else {
-                                return;
-                            }
-                            let _e735 = last_bits.member[(0u + _e731)];
-                            phi_945_ = _e735;
-                        } else {
-                            phi_945_ = 0u;
-                        }
-                        let _e737 = phi_945_;
-                        if (_e729 < _e62) {
+                if _e703 {
+                    if !(_e709.has_moved) {
+                        let _e724 = ((((_e50.y * _e83) + (_e50.x / 32u)) * 6u) + 4u);
+                        if (_e724 < _e56) {
                         } else {
                             return;
                         }
-                        let _e741 = last_bits.member[(0u + _e729)];
-                        let _e744 = (_e741 >> bitcast<u32>((_e83 & 31u)));
-                        if (_e83 > 29u) {
-                            phi_964_ = (_e744 | (_e737 << bitcast<u32>(((32u - _e83) & 31u))));
+                        let _e728 = heard.member[(0u + _e724)];
+                        if (((_e728 >> bitcast<u32>(((_e50.x % 32u) & 31u))) & 1u) != 0u) {
+                            let _e739 = ((((_e50.y * _e83) + (_e50.x / 32u)) * 6u) + 5u);
+                            if (_e739 < _e56) {
+                            } else {
+                                return;
+                            }
+                            let _e743 = heard.member[(0u + _e739)];
+                            if false {
+                                phi_861_ = (2u | 1u);
+                            } else {
+                                phi_861_ = 2u;
+                            }
+                            let _e752 = phi_861_;
+                            if (((_e743 >> bitcast<u32>(((_e50.x % 32u) & 31u))) & 1u) != 0u) {
+                                phi_866_ = (_e752 | 4u);
+                            } else {
+                                phi_866_ = _e752;
+                            }
+                            let _e755 = phi_866_;
+                            phi_867_ = _e755;
                         } else {
-                            phi_964_ = _e744;
+                            phi_867_ = 0u;
                         }
-                        let _e752 = phi_964_;
-                        if ((_e752 & 2u) == 0u) {
-                            phi_972_ = (_e752 & 1u);
-                        } else {
-                            phi_972_ = (_e752 & 7u);
-                        }
-                        let _e758 = phi_972_;
-                        phi_973_ = _e758;
-                        phi_974_ = false;
+                        let _e757 = phi_867_;
+                        phi_868_ = _e757;
+                        phi_869_ = false;
                     } else {
-                        phi_973_ = u32();
-                        phi_974_ = true;
+                        phi_868_ = u32();
+                        phi_869_ = true;
                     }
-                    let _e760 = phi_973_;
-                    let _e762 = phi_974_;
-                    phi_975_ = _e760;
-                    phi_976_ = false;
-                    phi_977_ = _e762;
+                    let _e759 = phi_868_;
+                    let _e761 = phi_869_;
+                    phi_870_ = _e759;
+                    phi_871_ = false;
+                    phi_872_ = _e761;
                 } else {
-                    phi_975_ = u32();
-                    phi_976_ = true;
-                    phi_977_ = false;
+                    phi_870_ = u32();
+                    phi_871_ = true;
+                    phi_872_ = false;
                 }
-                let _e764 = phi_975_;
-                let _e766 = phi_976_;
-                let _e768 = phi_977_;
-                phi_978_ = _e764;
-                phi_979_ = _e766;
-                phi_980_ = _e768;
+                let _e763 = phi_870_;
+                let _e765 = phi_871_;
+                let _e767 = phi_872_;
+                phi_873_ = _e763;
+                phi_874_ = _e765;
+                phi_875_ = _e767;
             }
-            let _e770 = phi_978_;
-            let _e772 = phi_979_;
-            let _e774 = phi_980_;
-            if _e772 {
-                phi_984_ = true;
+            let _e769 = phi_873_;
+            let _e771 = phi_874_;
+            let _e773 = phi_875_;
+            if _e771 {
+                phi_879_ = true;
             } else {
-                phi_984_ = _e774;
+                phi_879_ = _e773;
             }
-            let _e776 = phi_984_;
-            if _e776 {
-                phi_988_ = 0u;
+            let _e775 = phi_879_;
+            if _e775 {
+                phi_883_ = 0u;
             } else {
-                phi_988_ = _e770;
+                phi_883_ = _e769;
             }
-            let _e778 = phi_988_;
-            let _e779 = lt_mask_Neighbourhood(false, true);
-            if _e259 {
-                phi_993_ = _e719;
+            let _e777 = phi_883_;
+            let _e778 = lt_mask_Neighbourhood(false, true);
+            if _e253 {
+                phi_888_ = _e713;
             } else {
-                phi_993_ = false;
+                phi_888_ = false;
             }
-            let _e781 = phi_993_;
-            if _e781 {
-                if _e709 {
-                    if ((_e778 & 2u) != 0u) {
-                        phi_1286_ = _e779;
+            let _e780 = phi_888_;
+            if _e780 {
+                if _e703 {
+                    if ((_e777 & 2u) != 0u) {
+                        phi_928_ = _e778;
                     } else {
-                        let _e785 = p.member.expansion;
-                        if _e715.has_moved {
-                            let _e788 = p.member.moving_pattern;
-                            phi_1015_ = _e788;
+                        let _e797 = ((((_e709.pixel.y * _e83) + (_e709.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e249) | (select(0u, 1u, _e709.has_moved) << bitcast<u32>(1i))));
+                        if (_e797 < _e56) {
                         } else {
-                            let _e790 = p.member.still_pattern;
-                            phi_1015_ = _e790;
+                            return;
                         }
-                        let _e792 = phi_1015_;
-                        phi_1017_ = 0u;
-                        phi_1020_ = _e779;
-                        loop {
-                            let _e794 = phi_1017_;
-                            let _e796 = phi_1020_;
-                            local_1 = _e796;
-                            if (1u <= _e792) {
-                                if (_e792 <= 4u) {
-                                    phi_1032_ = false;
-                                } else {
-                                    phi_1032_ = true;
-                                }
-                                let _e800 = phi_1032_;
-                                phi_1033_ = _e800;
-                            } else {
-                                phi_1033_ = true;
-                            }
-                            let _e802 = phi_1033_;
-                            if _e802 {
-                                switch bitcast<i32>(_e792) {
-                                    case 5: {
-                                        phi_1042_ = 4u;
-                                        break;
-                                    }
-                                    case 6: {
-                                        phi_1042_ = 25u;
-                                        break;
-                                    }
-                                    case 7: {
-                                        phi_1042_ = 13u;
-                                        break;
-                                    }
-                                    default: {
-                                        phi_1042_ = 9u;
-                                        break;
-                                    }
-                                }
-                                let _e805 = phi_1042_;
-                                phi_1043_ = _e805;
-                            } else {
-                                phi_1043_ = 5u;
-                            }
-                            let _e807 = phi_1043_;
-                            let _e808 = (_e794 < _e807);
-                            if _e808 {
-                                let _e814 = p.member.frame;
-                                let _e818 = p.member.current.size[0u];
-                                let _e820 = p.member.current.size[1u];
-                                switch bitcast<i32>(_e792) {
-                                    case 1: {
-                                        let _e830 = lt_mask_pattern_plus(_e794);
-                                        phi_1123_ = vec2<i32>(_e830.x, _e830.y);
-                                        break;
-                                    }
-                                    case 2: {
-                                        let _e834 = lt_mask_pattern_cross(_e794);
-                                        phi_1123_ = vec2<i32>(_e834.x, _e834.y);
-                                        break;
-                                    }
-                                    case 3: {
-                                        let _e840 = lt_mask_pattern_plus_or_cross(_e794, ((_e715.pixel.x + _e715.pixel.y) & 1u));
-                                        phi_1123_ = vec2<i32>(_e840.x, _e840.y);
-                                        break;
-                                    }
-                                    case 4: {
-                                        let _e845 = lt_mask_pattern_plus_or_cross(_e794, (_e814 & 1u));
-                                        phi_1123_ = vec2<i32>(_e845.x, _e845.y);
-                                        break;
-                                    }
-                                    case 5: {
-                                        switch bitcast<i32>((_e814 & 3u)) {
-                                            case 0: {
-                                                phi_1103_ = vec2(-1i);
-                                                break;
-                                            }
-                                            case 1: {
-                                                phi_1103_ = vec2(0i);
-                                                break;
-                                            }
-                                            case 2: {
-                                                phi_1103_ = vec2<i32>(0i, -1i);
-                                                break;
-                                            }
-                                            default: {
-                                                phi_1103_ = vec2<i32>(-1i, 0i);
-                                                break;
-                                            }
-                                        }
-                                        let _e856 = phi_1103_;
-                                        phi_1123_ = (_e856 + vec2<i32>(bitcast<i32>((_e794 & 1u)), bitcast<i32>(((_e794 >> bitcast<u32>(1i)) & 1u))));
-                                        break;
-                                    }
-                                    case 6: {
-                                        phi_1123_ = vec2<i32>((bitcast<i32>((_e794 % 5u)) - 2i), (bitcast<i32>(((_e794 / 5u) % 5u)) - 2i));
-                                        break;
-                                    }
-                                    case 7: {
-                                        let _e873 = lt_mask_pattern_diamond(_e794);
-                                        phi_1123_ = vec2<i32>(_e873.x, _e873.y);
-                                        break;
-                                    }
-                                    default: {
-                                        phi_1123_ = vec2<i32>((bitcast<i32>((_e794 % 3u)) - 1i), (bitcast<i32>(((_e794 / 3u) % 3u)) - 1i));
-                                        break;
-                                    }
-                                }
-                                let _e878 = phi_1123_;
-                                let _e881 = lt_mask_pattern_step_clamped(_e715.pixel.x, _e878.x, _e818);
-                                let _e882 = lt_mask_pattern_step_clamped(_e715.pixel.y, _e878.y, _e820);
-                                let _e886 = ((((_e882 * _e89) + _e881) * _e85) + _e82);
-                                if (_e83 > 29u) {
-                                    let _e888 = (_e886 + 1u);
-                                    if (_e888 < _e62) {
-                                    } else {
-                                        return;
-                                    }
-                                    let _e892 = last_bits.member[(0u + _e888)];
-                                    phi_1148_ = _e892;
-                                } else {
-                                    phi_1148_ = 0u;
-                                }
-                                let _e894 = phi_1148_;
-                                if (_e886 < _e62) {
-                                } else {
-                                    return;
-                                }
-                                let _e898 = last_bits.member[(0u + _e886)];
-                                let _e901 = (_e898 >> bitcast<u32>((_e83 & 31u)));
-                                if (_e83 > 29u) {
-                                    phi_1167_ = (_e901 | (_e894 << bitcast<u32>(((32u - _e83) & 31u))));
-                                } else {
-                                    phi_1167_ = _e901;
-                                }
-                                let _e909 = phi_1167_;
-                                if ((_e909 & 2u) == 0u) {
-                                    phi_1175_ = (_e909 & 1u);
-                                } else {
-                                    phi_1175_ = (_e909 & 7u);
-                                }
-                                let _e915 = phi_1175_;
-                                if _e796.any_expands {
-                                    phi_1263_ = true;
-                                } else {
-                                    if ((_e915 & 2u) != 0u) {
-                                        let _e922 = (((_e915 & 4u) != 0u) != _e255);
-                                        switch bitcast<i32>(_e785) {
-                                            case 1: {
-                                                phi_1203_ = bool();
-                                                phi_1204_ = false;
-                                                phi_1205_ = true;
-                                                phi_1206_ = false;
-                                                phi_1207_ = false;
-                                                break;
-                                            }
-                                            case 2: {
-                                                if _e922 {
-                                                    phi_1201_ = (((_e915 & 4u) != 0u) != ((_e915 & 1u) != 0u));
-                                                    phi_1202_ = false;
-                                                } else {
-                                                    phi_1201_ = bool();
-                                                    phi_1202_ = true;
-                                                }
-                                                let _e930 = phi_1201_;
-                                                let _e932 = phi_1202_;
-                                                phi_1203_ = _e930;
-                                                phi_1204_ = false;
-                                                phi_1205_ = false;
-                                                phi_1206_ = _e932;
-                                                phi_1207_ = _e922;
-                                                break;
-                                            }
-                                            default: {
-                                                phi_1203_ = bool();
-                                                phi_1204_ = true;
-                                                phi_1205_ = false;
-                                                phi_1206_ = false;
-                                                phi_1207_ = false;
-                                                break;
-                                            }
-                                        }
-                                        let _e934 = phi_1203_;
-                                        let _e936 = phi_1204_;
-                                        let _e938 = phi_1205_;
-                                        let _e940 = phi_1206_;
-                                        let _e942 = phi_1207_;
-                                        phi_1215_ = _e922;
-                                        phi_1216_ = _e934;
-                                        phi_1217_ = _e936;
-                                        phi_1218_ = _e938;
-                                        phi_1219_ = _e940;
-                                        phi_1220_ = _e942;
-                                    } else {
-                                        switch bitcast<i32>(_e785) {
-                                            case 1: {
-                                                phi_1212_ = false;
-                                                phi_1213_ = true;
-                                                phi_1214_ = false;
-                                                break;
-                                            }
-                                            case 2: {
-                                                phi_1212_ = false;
-                                                phi_1213_ = false;
-                                                phi_1214_ = true;
-                                                break;
-                                            }
-                                            default: {
-                                                phi_1212_ = true;
-                                                phi_1213_ = false;
-                                                phi_1214_ = false;
-                                                break;
-                                            }
-                                        }
-                                        let _e945 = phi_1212_;
-                                        let _e947 = phi_1213_;
-                                        let _e949 = phi_1214_;
-                                        phi_1215_ = false;
-                                        phi_1216_ = bool();
-                                        phi_1217_ = _e945;
-                                        phi_1218_ = _e947;
-                                        phi_1219_ = _e949;
-                                        phi_1220_ = false;
-                                    }
-                                    let _e951 = phi_1215_;
-                                    let _e953 = phi_1216_;
-                                    let _e955 = phi_1217_;
-                                    let _e957 = phi_1218_;
-                                    let _e959 = phi_1219_;
-                                    let _e961 = phi_1220_;
-                                    if _e955 {
-                                        if ((_e915 & 2u) != 0u) {
-                                            if (((_e915 & 4u) != 0u) != _e255) {
-                                                phi_1235_ = false;
-                                            } else {
-                                                phi_1235_ = true;
-                                            }
-                                            let _e968 = phi_1235_;
-                                            phi_1236_ = _e968;
-                                        } else {
-                                            phi_1236_ = true;
-                                        }
-                                        let _e970 = phi_1236_;
-                                        if _e970 {
-                                            phi_1243_ = (((_e915 & 1u) != 0u) != _e255);
-                                        } else {
-                                            phi_1243_ = true;
-                                        }
-                                        let _e975 = phi_1243_;
-                                        phi_1244_ = _e975;
-                                        phi_1245_ = false;
-                                        phi_1246_ = false;
-                                        phi_1247_ = false;
-                                    } else {
-                                        phi_1244_ = bool();
-                                        phi_1245_ = _e957;
-                                        phi_1246_ = _e959;
-                                        phi_1247_ = _e961;
-                                    }
-                                    let _e977 = phi_1244_;
-                                    let _e979 = phi_1245_;
-                                    let _e981 = phi_1246_;
-                                    let _e983 = phi_1247_;
-                                    if _e979 {
-                                        phi_1251_ = _e951;
-                                        phi_1252_ = false;
-                                        phi_1253_ = false;
-                                    } else {
-                                        phi_1251_ = _e977;
-                                        phi_1252_ = _e981;
-                                        phi_1253_ = _e983;
-                                    }
-                                    let _e985 = phi_1251_;
-                                    let _e987 = phi_1252_;
-                                    let _e989 = phi_1253_;
-                                    if _e987 {
-                                        phi_1257_ = false;
-                                        phi_1258_ = true;
-                                    } else {
-                                        phi_1257_ = _e953;
-                                        phi_1258_ = _e989;
-                                    }
-                                    let _e991 = phi_1257_;
-                                    let _e993 = phi_1258_;
-                                    if _e993 {
-                                        phi_1262_ = _e991;
-                                    } else {
-                                        phi_1262_ = _e985;
-                                    }
-                                    let _e995 = phi_1262_;
-                                    phi_1263_ = _e995;
-                                }
-                                let _e997 = phi_1263_;
-                                if _e796.all_remove {
-                                    if (((_e915 & 1u) != 0u) == _e255) {
-                                        if ((_e915 & 2u) != 0u) {
-                                            phi_1281_ = (((_e915 & 4u) != 0u) == _e255);
-                                        } else {
-                                            phi_1281_ = true;
-                                        }
-                                        let _e1007 = phi_1281_;
-                                        phi_1282_ = _e1007;
-                                    } else {
-                                        phi_1282_ = false;
-                                    }
-                                    let _e1009 = phi_1282_;
-                                    phi_1283_ = _e1009;
-                                } else {
-                                    phi_1283_ = false;
-                                }
-                                let _e1011 = phi_1283_;
-                                phi_1018_ = (_e794 + 1u);
-                                phi_1021_ = lt_mask_Neighbourhood(_e997, _e1011);
-                            } else {
-                                phi_1018_ = u32();
-                                phi_1021_ = lt_mask_Neighbourhood();
-                            }
-                            let _e1015 = phi_1018_;
-                            let _e1017 = phi_1021_;
-                            continue;
-                            continuing {
-                                phi_1017_ = _e1015;
-                                phi_1020_ = _e1017;
-                                break if !(_e808);
-                            }
-                        }
-                        let _e1327 = local_1;
-                        phi_1286_ = _e1327;
+                        let _e801 = heard.member[(0u + _e797)];
+                        let _e807 = (((_e801 >> bitcast<u32>(((_e709.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_928_ = lt_mask_Neighbourhood(_e807, !(_e807));
                     }
-                    let _e1020 = phi_1286_;
-                    phi_1287_ = _e1020;
+                    let _e811 = phi_928_;
+                    phi_929_ = _e811;
                 } else {
-                    phi_1287_ = _e779;
+                    phi_929_ = _e778;
                 }
-                let _e1022 = phi_1287_;
-                phi_1288_ = _e1022;
+                let _e813 = phi_929_;
+                phi_930_ = _e813;
             } else {
-                phi_1288_ = _e779;
+                phi_930_ = _e778;
             }
-            let _e1024 = phi_1288_;
-            let _e1027 = p.member.frame;
-            let _e1029 = p.member.refresh;
-            if (_e1029 == 0u) {
-                phi_1321_ = false;
+            let _e815 = phi_930_;
+            let _e818 = p.member.frame;
+            let _e820 = p.member.refresh;
+            if (_e820 == 0u) {
+                phi_963_ = false;
             } else {
-                if (_e1029 == 0u) {
+                if (_e820 == 0u) {
                     return;
                 }
-                let _e1038 = ((_e56.x + (_e56.y * (((_e1029 * 5u) / 8u) | 1u))) + (_e1027 % _e1029));
-                if (_e1029 == 0u) {
-                    phi_1320_ = (_e1038 == 0u);
+                let _e829 = ((_e50.x + (_e50.y * (((_e820 * 5u) / 8u) | 1u))) + (_e818 % _e820));
+                if (_e820 == 0u) {
+                    phi_962_ = (_e829 == 0u);
                 } else {
-                    if (_e1029 == 0u) {
+                    if (_e820 == 0u) {
                         return;
                     }
-                    phi_1320_ = ((_e1038 % _e1029) == 0u);
+                    phi_962_ = ((_e829 % _e820) == 0u);
                 }
-                let _e1045 = phi_1320_;
-                phi_1321_ = _e1045;
+                let _e836 = phi_962_;
+                phi_963_ = _e836;
             }
-            let _e1047 = phi_1321_;
-            if _e709 {
-                if _e1047 {
-                    phi_1343_ = bool();
+            let _e838 = phi_963_;
+            if _e703 {
+                if _e838 {
+                    phi_985_ = bool();
                 } else {
-                    phi_1343_ = ((_e778 & 2u) != 0u);
+                    phi_985_ = ((_e777 & 2u) != 0u);
                 }
-                let _e1053 = phi_1343_;
-                phi_1344_ = _e1053;
-                phi_1345_ = _e1047;
+                let _e844 = phi_985_;
+                phi_986_ = _e844;
+                phi_987_ = _e838;
             } else {
-                phi_1344_ = bool();
-                phi_1345_ = true;
+                phi_986_ = bool();
+                phi_987_ = true;
             }
-            let _e1055 = phi_1344_;
-            let _e1057 = phi_1345_;
-            if _e1057 {
-                phi_1349_ = false;
+            let _e846 = phi_986_;
+            let _e848 = phi_987_;
+            if _e848 {
+                phi_991_ = false;
             } else {
-                phi_1349_ = _e1055;
+                phi_991_ = _e846;
             }
-            let _e1059 = phi_1349_;
-            if _e1059 {
-                phi_1400_ = 7u;
+            let _e850 = phi_991_;
+            if _e850 {
+                phi_1042_ = 7u;
             } else {
-                if (_e97 != 0.5f) {
-                    if _e709 {
-                        if _e1047 {
-                            phi_1397_ = 6u;
+                if (_e91 != 0.5f) {
+                    if _e703 {
+                        if _e838 {
+                            phi_1039_ = 6u;
                         } else {
-                            if _e259 {
-                                phi_1372_ = true;
+                            if _e253 {
+                                phi_1014_ = true;
                             } else {
-                                if _e1024.any_expands {
-                                    phi_1371_ = false;
+                                if _e815.any_expands {
+                                    phi_1013_ = false;
                                 } else {
-                                    phi_1371_ = true;
+                                    phi_1013_ = true;
                                 }
-                                let _e1061 = phi_1371_;
-                                phi_1372_ = _e1061;
+                                let _e852 = phi_1013_;
+                                phi_1014_ = _e852;
                             }
-                            let _e1063 = phi_1372_;
-                            if _e1063 {
-                                if _e259 {
-                                    if _e719 {
-                                        if _e1024.all_remove {
-                                            phi_1385_ = false;
+                            let _e854 = phi_1014_;
+                            if _e854 {
+                                if _e253 {
+                                    if _e713 {
+                                        if _e815.all_remove {
+                                            phi_1027_ = false;
                                         } else {
-                                            phi_1385_ = true;
+                                            phi_1027_ = true;
                                         }
-                                        let _e1065 = phi_1385_;
-                                        phi_1386_ = _e1065;
+                                        let _e856 = phi_1027_;
+                                        phi_1028_ = _e856;
                                     } else {
-                                        phi_1386_ = true;
+                                        phi_1028_ = true;
                                     }
-                                    let _e1067 = phi_1386_;
-                                    phi_1387_ = _e1067;
+                                    let _e858 = phi_1028_;
+                                    phi_1029_ = _e858;
                                 } else {
-                                    phi_1387_ = true;
+                                    phi_1029_ = true;
                                 }
-                                let _e1069 = phi_1387_;
-                                if _e1069 {
-                                    if _e259 {
-                                        phi_1394_ = 1u;
+                                let _e860 = phi_1029_;
+                                if _e860 {
+                                    if _e253 {
+                                        phi_1036_ = 1u;
                                     } else {
-                                        phi_1394_ = 0u;
+                                        phi_1036_ = 0u;
                                     }
-                                    let _e1071 = phi_1394_;
-                                    phi_1395_ = _e1071;
+                                    let _e862 = phi_1036_;
+                                    phi_1037_ = _e862;
                                 } else {
-                                    phi_1395_ = 5u;
+                                    phi_1037_ = 5u;
                                 }
-                                let _e1073 = phi_1395_;
-                                phi_1396_ = _e1073;
+                                let _e864 = phi_1037_;
+                                phi_1038_ = _e864;
                             } else {
-                                phi_1396_ = 4u;
+                                phi_1038_ = 4u;
                             }
-                            let _e1075 = phi_1396_;
-                            phi_1397_ = _e1075;
+                            let _e866 = phi_1038_;
+                            phi_1039_ = _e866;
                         }
-                        let _e1077 = phi_1397_;
-                        phi_1398_ = _e1077;
+                        let _e868 = phi_1039_;
+                        phi_1040_ = _e868;
                     } else {
-                        phi_1398_ = 3u;
+                        phi_1040_ = 3u;
                     }
-                    let _e1079 = phi_1398_;
-                    phi_1399_ = _e1079;
+                    let _e870 = phi_1040_;
+                    phi_1041_ = _e870;
                 } else {
-                    phi_1399_ = 2u;
+                    phi_1041_ = 2u;
                 }
-                let _e1081 = phi_1399_;
-                phi_1400_ = _e1081;
+                let _e872 = phi_1041_;
+                phi_1042_ = _e872;
             }
-            let _e1083 = phi_1400_;
-            if !((_e1083 == 0u)) {
-                if !((_e1083 == 5u)) {
-                    phi_1412_ = !(_e1059);
-                    phi_1413_ = false;
+            let _e874 = phi_1042_;
+            if !((_e874 == 0u)) {
+                if !((_e874 == 5u)) {
+                    phi_1054_ = !(_e850);
+                    phi_1055_ = false;
                 } else {
-                    phi_1412_ = bool();
-                    phi_1413_ = true;
+                    phi_1054_ = bool();
+                    phi_1055_ = true;
                 }
-                let _e1090 = phi_1412_;
-                let _e1092 = phi_1413_;
-                phi_1414_ = _e1090;
-                phi_1415_ = _e1092;
+                let _e881 = phi_1054_;
+                let _e883 = phi_1055_;
+                phi_1056_ = _e881;
+                phi_1057_ = _e883;
             } else {
-                phi_1414_ = bool();
-                phi_1415_ = true;
+                phi_1056_ = bool();
+                phi_1057_ = true;
             }
-            let _e1094 = phi_1414_;
-            let _e1096 = phi_1415_;
-            if _e1096 {
-                phi_1419_ = false;
+            let _e885 = phi_1056_;
+            let _e887 = phi_1057_;
+            if _e887 {
+                phi_1061_ = false;
             } else {
-                phi_1419_ = _e1094;
+                phi_1061_ = _e885;
             }
-            let _e1098 = phi_1419_;
-            if _e1059 {
-                phi_1425_ = ((_e778 & 4u) != 0u);
+            let _e889 = phi_1061_;
+            if _e850 {
+                phi_1067_ = ((_e777 & 4u) != 0u);
             } else {
-                phi_1425_ = _e255;
+                phi_1067_ = _e249;
             }
-            let _e1102 = phi_1425_;
-            if _e1098 {
-                if _e255 {
-                    phi_1433_ = (2u | 1u);
+            let _e893 = phi_1067_;
+            if _e889 {
+                if _e249 {
+                    phi_1075_ = (2u | 1u);
                 } else {
-                    phi_1433_ = 2u;
+                    phi_1075_ = 2u;
                 }
-                let _e1105 = phi_1433_;
+                let _e896 = phi_1075_;
                 if false {
-                    phi_1438_ = (_e1105 | 4u);
+                    phi_1080_ = (_e896 | 4u);
                 } else {
-                    phi_1438_ = _e1105;
+                    phi_1080_ = _e896;
                 }
-                let _e1108 = phi_1438_;
-                phi_1458_ = _e1108;
+                let _e899 = phi_1080_;
+                phi_1100_ = _e899;
             } else {
-                if (_e1083 == 7u) {
-                    if _e255 {
-                        phi_1447_ = (2u | 1u);
+                if (_e874 == 7u) {
+                    if _e249 {
+                        phi_1089_ = (2u | 1u);
                     } else {
-                        phi_1447_ = 2u;
+                        phi_1089_ = 2u;
                     }
-                    let _e1112 = phi_1447_;
-                    if _e1102 {
-                        phi_1452_ = (_e1112 | 4u);
+                    let _e903 = phi_1089_;
+                    if _e893 {
+                        phi_1094_ = (_e903 | 4u);
                     } else {
-                        phi_1452_ = _e1112;
+                        phi_1094_ = _e903;
                     }
-                    let _e1115 = phi_1452_;
-                    phi_1457_ = _e1115;
+                    let _e906 = phi_1094_;
+                    phi_1099_ = _e906;
                 } else {
-                    if _e255 {
-                        phi_1456_ = 1u;
+                    if _e249 {
+                        phi_1098_ = 1u;
                     } else {
-                        phi_1456_ = 0u;
+                        phi_1098_ = 0u;
                     }
-                    let _e1117 = phi_1456_;
-                    phi_1457_ = _e1117;
+                    let _e908 = phi_1098_;
+                    phi_1099_ = _e908;
                 }
-                let _e1119 = phi_1457_;
-                phi_1458_ = _e1119;
+                let _e910 = phi_1099_;
+                phi_1100_ = _e910;
             }
-            let _e1121 = phi_1458_;
-            if _e1102 {
-                phi_1462_ = 0f;
+            let _e912 = phi_1100_;
+            if _e893 {
+                phi_1104_ = 0f;
             } else {
-                phi_1462_ = 1f;
+                phi_1104_ = 1f;
             }
-            let _e1123 = phi_1462_;
-            phi_1464_ = mask_Masked(_e1123, _e1121, _e1098);
+            let _e914 = phi_1104_;
+            phi_1106_ = mask_Masked(_e914, _e912, _e889);
         }
-        let _e1126 = phi_1464_;
-        visibility.member[_e73.shift] = _e1126.visibility;
-        let _e1131 = p.member.light.number;
-        let _e1132 = (_e1131 * 3u);
-        let _e1134 = (_e1132 % 32u);
-        let _e1136 = p.member.light.mask_words;
-        let _e1138 = ((_e73.shift * _e1136) + (_e1132 / 32u));
-        let _e1140 = bits.member[_e1138];
-        bits.member[_e1138] = ((_e1140 & ~((7u << bitcast<u32>((_e1134 & 31u))))) | (_e1126.bits << bitcast<u32>((_e1134 & 31u))));
-        if (_e1134 > 29u) {
-            let _e1155 = bits.member[(_e1138 + 1u)];
-            let _e1157 = (32u - _e1134);
-            bits.member[(_e1138 + 1u)] = ((_e1155 & ~((7u >> bitcast<u32>((_e1157 & 31u))))) | (_e1126.bits >> bitcast<u32>((_e1157 & 31u))));
+        let _e917 = phi_1106_;
+        visibility.member[_e67.first_primitive] = _e917.visibility;
+        let _e922 = p.member.light.number;
+        let _e923 = (_e922 * 3u);
+        let _e925 = (_e923 % 32u);
+        let _e927 = p.member.light.mask_words;
+        let _e929 = ((_e67.first_primitive * _e927) + (_e923 / 32u));
+        let _e931 = bits.member[_e929];
+        bits.member[_e929] = ((_e931 & ~((7u << bitcast<u32>((_e925 & 31u))))) | (_e917.bits << bitcast<u32>((_e925 & 31u))));
+        if (_e925 > 29u) {
+            let _e946 = bits.member[(_e929 + 1u)];
+            let _e948 = (32u - _e925);
+            bits.member[(_e929 + 1u)] = ((_e946 & ~((7u >> bitcast<u32>((_e948 & 31u))))) | (_e917.bits >> bitcast<u32>((_e948 & 31u))));
         }
-        phi_1514_ = _e1126.needs_ray;
-        phi_1515_ = _e73.shift;
+        phi_1156_ = _e917.needs_ray;
+        phi_1157_ = _e67.first_primitive;
     } else {
-        phi_1514_ = false;
-        phi_1515_ = 0u;
+        phi_1156_ = false;
+        phi_1157_ = 0u;
     }
-    let _e1171 = phi_1514_;
-    let _e1173 = phi_1515_;
-    if (_e57 == 0u) {
+    let _e962 = phi_1156_;
+    let _e964 = phi_1157_;
+    if (_e51 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1171 {
-        let _e1177 = atomicAdd((&shared_[0u]), 1u);
-        phi_1526_ = _e1177;
+    if _e962 {
+        let _e968 = atomicAdd((&shared_[0u]), 1u);
+        phi_1168_ = _e968;
     } else {
-        phi_1526_ = 0u;
+        phi_1168_ = 0u;
     }
-    let _e1179 = phi_1526_;
+    let _e970 = phi_1168_;
     workgroupBarrier();
-    if (_e57 == 0u) {
-        let _e1183 = atomicLoad((&shared_[0u]));
-        let _e1184 = atomicAdd((&list.member[3u]), _e1183);
-        atomicStore((&shared_[1u]), _e1184);
+    if (_e51 == 0u) {
+        let _e974 = atomicLoad((&shared_[0u]));
+        let _e975 = atomicAdd((&list.member[3u]), _e974);
+        atomicStore((&shared_[1u]), _e975);
     }
     workgroupBarrier();
-    if _e1171 {
-        let _e1187 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1187) + _e1179)]), _e1173);
+    if _e962 {
+        let _e978 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e978) + _e970)]), _e964);
     }
     return;
 }
@@ -1552,6 +1065,6 @@ fn function_() {
 @compute @workgroup_size(8, 8, 1) 
 fn entry_mask_mask_objects_rr_cs(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     id_1 = id;
-    local_2 = local;
+    local_1 = local;
     function_();
 }

@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_21 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
-    member: array<u32>,
-}
-
-struct type_17 {
+struct type_25 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -78,7 +78,7 @@ struct abi_ShadowParams {
     pad1_: u32,
 }
 
-struct type_37 {
+struct type_39 {
     member: abi_ShadowParams,
 }
 
@@ -90,7 +90,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_41 {
+struct type_43 {
     member: array<lt_bvh_Node>,
 }
 
@@ -103,7 +103,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_45 {
+struct type_47 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -115,7 +115,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_49 {
+struct type_51 {
     member: array<abi_Vertex>,
 }
 
@@ -131,13 +131,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_53 {
+struct type_55 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -160,36 +160,36 @@ struct texture_Axis {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_21;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_17;
+var<storage, read_write> visibility: type_25;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_37;
+var<uniform> p: type_39;
 @group(0) @binding(2) 
-var<storage> nodes: type_41;
+var<storage> nodes: type_43;
 @group(0) @binding(3) 
-var<storage> triangles: type_45;
+var<storage> triangles: type_47;
 @group(0) @binding(7) 
-var<storage> alpha_texels: type_13;
+var<storage> alpha_texels: type_9;
 @group(0) @binding(5) 
-var<storage> vertices: type_49;
+var<storage> vertices: type_51;
 @group(0) @binding(6) 
-var<storage> materials: type_53;
+var<storage> materials: type_55;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_224_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_224_: lt_bvh_traverse_Tree;
     var phi_225_: bool;
-    var phi_226_: lt_mask_LightPlace;
+    var phi_226_: lt_bvh_traverse_Tree;
     var phi_227_: bool;
-    var phi_232_: lt_mask_LightPlace;
+    var phi_232_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_224_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_224_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_225_ = false;
         } else {
-            phi_224_ = lt_mask_LightPlace();
+            phi_224_ = lt_bvh_traverse_Tree();
             phi_225_ = true;
         }
         let _e81 = phi_224_;
@@ -197,18 +197,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_226_ = _e81;
         phi_227_ = _e83;
     } else {
-        phi_226_ = lt_mask_LightPlace();
+        phi_226_ = lt_bvh_traverse_Tree();
         phi_227_ = true;
     }
     let _e85 = phi_226_;
     let _e87 = phi_227_;
     if _e87 {
-        phi_232_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_232_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_232_ = _e85;
     }
     let _e92 = phi_232_;
-    return lt_mask_LightPlace(_e92.word, _e92.shift);
+    return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -856,12 +856,12 @@ fn function_() {
     let _e96 = p.member.size[0u];
     let _e98 = p.member.size[1u];
     let _e99 = lt_shaders_entry_pixel_index(_e71, _e96, _e98);
-    if (bitcast<i32>(_e99.word) != 0i) {
-        if (_e99.shift < arrayLength((&samples.member))) {
+    if (bitcast<i32>(_e99.root) != 0i) {
+        if (_e99.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e107 = samples.member[(0u + _e99.shift)];
+        let _e107 = samples.member[(0u + _e99.first_primitive)];
         local_2 = abi_Sample(_e107.position, _e107.magnitude, _e107.normal, _e107.flags, _e107.shading_normal, _e107.albedo);
         let _e116 = _lt_shaders_abi_Sample_is_valid((&local_2));
         if _e116 {
@@ -1268,41 +1268,41 @@ fn function_() {
                             let _e704 = ((bitcast<f32>(_e697) - _e263) * _e430);
                             let _e712 = nodes.member[(0u + _e650)].x;
                             if (_e410 < 0f) {
-                                let _e723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e712.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e723.unnamed.word, _e712.w), _e723.unnamed_1);
-                                let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e729.unnamed, lt_mask_LightPlace(_e712.x, _e729.unnamed_1.shift));
-                                phi_1391_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_mask_LightPlace(_e735.unnamed_1.word, _e712.y));
+                                let _e723 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e712.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e723.unnamed.root, _e712.w), _e723.unnamed_1);
+                                let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e729.unnamed, lt_bvh_traverse_Tree(_e712.x, _e729.unnamed_1.first_primitive));
+                                phi_1391_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_bvh_traverse_Tree(_e735.unnamed_1.root, _e712.y));
                             } else {
-                                let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e712.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e751.unnamed.word, _e712.y), _e751.unnamed_1);
-                                let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_mask_LightPlace(_e712.z, _e757.unnamed_1.shift));
-                                phi_1391_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_mask_LightPlace(_e763.unnamed_1.word, _e712.w));
+                                let _e751 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e712.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e751.unnamed.root, _e712.y), _e751.unnamed_1);
+                                let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e757.unnamed, lt_bvh_traverse_Tree(_e712.z, _e757.unnamed_1.first_primitive));
+                                phi_1391_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_bvh_traverse_Tree(_e763.unnamed_1.root, _e712.w));
                             }
                             let _e771 = phi_1391_;
                             let _e781 = nodes.member[(0u + _e650)].y;
                             if (_e420 < 0f) {
-                                let _e792 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e781.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e798 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e792.unnamed.word, _e781.w), _e792.unnamed_1);
-                                let _e804 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e798.unnamed, lt_mask_LightPlace(_e781.x, _e798.unnamed_1.shift));
-                                phi_1418_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e804.unnamed, lt_mask_LightPlace(_e804.unnamed_1.word, _e781.y));
+                                let _e792 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e781.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e798 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e792.unnamed.root, _e781.w), _e792.unnamed_1);
+                                let _e804 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e798.unnamed, lt_bvh_traverse_Tree(_e781.x, _e798.unnamed_1.first_primitive));
+                                phi_1418_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e804.unnamed, lt_bvh_traverse_Tree(_e804.unnamed_1.root, _e781.y));
                             } else {
-                                let _e820 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e781.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e826 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e820.unnamed.word, _e781.y), _e820.unnamed_1);
-                                let _e832 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e826.unnamed, lt_mask_LightPlace(_e781.z, _e826.unnamed_1.shift));
-                                phi_1418_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e832.unnamed, lt_mask_LightPlace(_e832.unnamed_1.word, _e781.w));
+                                let _e820 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e781.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e826 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e820.unnamed.root, _e781.y), _e820.unnamed_1);
+                                let _e832 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e826.unnamed, lt_bvh_traverse_Tree(_e781.z, _e826.unnamed_1.first_primitive));
+                                phi_1418_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e832.unnamed, lt_bvh_traverse_Tree(_e832.unnamed_1.root, _e781.w));
                             }
                             let _e840 = phi_1418_;
                             let _e850 = nodes.member[(0u + _e650)].z;
                             if (_e430 < 0f) {
-                                let _e861 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e850.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e867 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e861.unnamed.word, _e850.w), _e861.unnamed_1);
-                                let _e873 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e867.unnamed, lt_mask_LightPlace(_e850.x, _e867.unnamed_1.shift));
-                                phi_1445_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e873.unnamed, lt_mask_LightPlace(_e873.unnamed_1.word, _e850.y));
+                                let _e861 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e850.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e867 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e861.unnamed.root, _e850.w), _e861.unnamed_1);
+                                let _e873 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e867.unnamed, lt_bvh_traverse_Tree(_e850.x, _e867.unnamed_1.first_primitive));
+                                phi_1445_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e873.unnamed, lt_bvh_traverse_Tree(_e873.unnamed_1.root, _e850.y));
                             } else {
-                                let _e889 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e850.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e895 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e889.unnamed.word, _e850.y), _e889.unnamed_1);
-                                let _e901 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e895.unnamed, lt_mask_LightPlace(_e850.z, _e895.unnamed_1.shift));
-                                phi_1445_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e901.unnamed, lt_mask_LightPlace(_e901.unnamed_1.word, _e850.w));
+                                let _e889 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e850.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e895 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e889.unnamed.root, _e850.y), _e889.unnamed_1);
+                                let _e901 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e895.unnamed, lt_bvh_traverse_Tree(_e850.z, _e895.unnamed_1.first_primitive));
+                                phi_1445_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e901.unnamed, lt_bvh_traverse_Tree(_e901.unnamed_1.root, _e850.w));
                             }
                             let _e909 = phi_1445_;
                             phi_1451_ = 0u;
@@ -1318,41 +1318,41 @@ fn function_() {
                                     let _e924 = (_e919 >> bitcast<u32>(2i));
                                     let _e925 = (_e919 & 3u);
                                     if (_e924 == 0u) {
-                                        phi_1468_ = _e771.unnamed.word;
+                                        phi_1468_ = _e771.unnamed.root;
                                     } else {
-                                        phi_1468_ = _e771.unnamed.shift;
+                                        phi_1468_ = _e771.unnamed.first_primitive;
                                     }
                                     let _e928 = phi_1468_;
                                     if (_e924 == 0u) {
-                                        phi_1478_ = _e840.unnamed.word;
+                                        phi_1478_ = _e840.unnamed.root;
                                     } else {
-                                        phi_1478_ = _e840.unnamed.shift;
+                                        phi_1478_ = _e840.unnamed.first_primitive;
                                     }
                                     let _e937 = phi_1478_;
                                     if (_e924 == 0u) {
-                                        phi_1488_ = _e909.unnamed.word;
+                                        phi_1488_ = _e909.unnamed.root;
                                     } else {
-                                        phi_1488_ = _e909.unnamed.shift;
+                                        phi_1488_ = _e909.unnamed.first_primitive;
                                     }
                                     let _e946 = phi_1488_;
                                     let _e959 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e928 >> bitcast<u32>(((_e925 * 8u) & 31u))) & 255u)) * _e684) + (_e702 - _e462)), ((f32(((_e937 >> bitcast<u32>(((_e925 * 8u) & 31u))) & 255u)) * _e685) + (_e703 - _e463)));
                                     let _e960 = core_intrinsics_maximum_number_nsz_f32_(_e959, ((f32(((_e946 >> bitcast<u32>(((_e925 * 8u) & 31u))) & 255u)) * _e686) + (_e704 - _e464)));
                                     if (_e924 == 0u) {
-                                        phi_1506_ = _e771.unnamed_1.word;
+                                        phi_1506_ = _e771.unnamed_1.root;
                                     } else {
-                                        phi_1506_ = _e771.unnamed_1.shift;
+                                        phi_1506_ = _e771.unnamed_1.first_primitive;
                                     }
                                     let _e963 = phi_1506_;
                                     if (_e924 == 0u) {
-                                        phi_1516_ = _e840.unnamed_1.word;
+                                        phi_1516_ = _e840.unnamed_1.root;
                                     } else {
-                                        phi_1516_ = _e840.unnamed_1.shift;
+                                        phi_1516_ = _e840.unnamed_1.first_primitive;
                                     }
                                     let _e972 = phi_1516_;
                                     if (_e924 == 0u) {
-                                        phi_1526_ = _e909.unnamed_1.word;
+                                        phi_1526_ = _e909.unnamed_1.root;
                                     } else {
-                                        phi_1526_ = _e909.unnamed_1.shift;
+                                        phi_1526_ = _e909.unnamed_1.first_primitive;
                                     }
                                     let _e981 = phi_1526_;
                                     let _e994 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e963 >> bitcast<u32>(((_e925 * 8u) & 31u))) & 255u)) * _e684) + (_e702 + _e462)), ((f32(((_e972 >> bitcast<u32>(((_e925 * 8u) & 31u))) & 255u)) * _e685) + (_e703 + _e463)));
@@ -2205,11 +2205,11 @@ fn function_() {
             phi_2546_ = _e1867;
         }
         let _e1869 = phi_2546_;
-        if (_e99.shift < arrayLength((&visibility.member))) {
+        if (_e99.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e99.shift)] = _e1869;
+        visibility.member[(0u + _e99.first_primitive)] = _e1869;
     }
     return;
 }

@@ -8,6 +8,11 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,17 +22,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_17 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
+struct type_21 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -68,7 +68,7 @@ struct abi_ShadowParams {
     pad1_: u32,
 }
 
-struct type_32 {
+struct type_34 {
     member: abi_ShadowParams,
 }
 
@@ -80,7 +80,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_36 {
+struct type_38 {
     member: array<lt_bvh_Node>,
 }
 
@@ -93,13 +93,13 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_40 {
+struct type_42 {
     member: array<lt_bvh_Triangle>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -111,30 +111,30 @@ struct lt_bvh_triangle_Intersection {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_17;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_13;
+var<storage, read_write> visibility: type_21;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_32;
+var<uniform> p: type_34;
 @group(0) @binding(2) 
-var<storage> nodes: type_36;
+var<storage> nodes: type_38;
 @group(0) @binding(3) 
-var<storage> triangles: type_40;
+var<storage> triangles: type_42;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_175_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_175_: lt_bvh_traverse_Tree;
     var phi_176_: bool;
-    var phi_177_: lt_mask_LightPlace;
+    var phi_177_: lt_bvh_traverse_Tree;
     var phi_178_: bool;
-    var phi_183_: lt_mask_LightPlace;
+    var phi_183_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_175_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_175_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_176_ = false;
         } else {
-            phi_175_ = lt_mask_LightPlace();
+            phi_175_ = lt_bvh_traverse_Tree();
             phi_176_ = true;
         }
         let _e65 = phi_175_;
@@ -142,18 +142,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_177_ = _e65;
         phi_178_ = _e67;
     } else {
-        phi_177_ = lt_mask_LightPlace();
+        phi_177_ = lt_bvh_traverse_Tree();
         phi_178_ = true;
     }
     let _e69 = phi_177_;
     let _e71 = phi_178_;
     if _e71 {
-        phi_183_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_183_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_183_ = _e69;
     }
     let _e76 = phi_183_;
-    return lt_mask_LightPlace(_e76.word, _e76.shift);
+    return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -437,12 +437,12 @@ fn function_() {
     let _e70 = p.member.size[0u];
     let _e72 = p.member.size[1u];
     let _e73 = lt_shaders_entry_pixel_index(_e54, _e70, _e72);
-    if (bitcast<i32>(_e73.word) != 0i) {
-        if (_e73.shift < arrayLength((&samples.member))) {
+    if (bitcast<i32>(_e73.root) != 0i) {
+        if (_e73.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e81 = samples.member[(0u + _e73.shift)];
+        let _e81 = samples.member[(0u + _e73.first_primitive)];
         local_1 = abi_Sample(_e81.position, _e81.magnitude, _e81.normal, _e81.flags, _e81.shading_normal, _e81.albedo);
         let _e90 = _lt_shaders_abi_Sample_is_valid((&local_1));
         if _e90 {
@@ -849,41 +849,41 @@ fn function_() {
                             let _e678 = ((bitcast<f32>(_e671) - _e237) * _e404);
                             let _e686 = nodes.member[(0u + _e624)].x;
                             if (_e384 < 0f) {
-                                let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e686.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e697.unnamed.word, _e686.w), _e697.unnamed_1);
-                                let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e703.unnamed, lt_mask_LightPlace(_e686.x, _e703.unnamed_1.shift));
-                                phi_922_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e709.unnamed, lt_mask_LightPlace(_e709.unnamed_1.word, _e686.y));
+                                let _e697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e686.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e697.unnamed.root, _e686.w), _e697.unnamed_1);
+                                let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e703.unnamed, lt_bvh_traverse_Tree(_e686.x, _e703.unnamed_1.first_primitive));
+                                phi_922_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e709.unnamed, lt_bvh_traverse_Tree(_e709.unnamed_1.root, _e686.y));
                             } else {
-                                let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e686.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e725.unnamed.word, _e686.y), _e725.unnamed_1);
-                                let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e731.unnamed, lt_mask_LightPlace(_e686.z, _e731.unnamed_1.shift));
-                                phi_922_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_mask_LightPlace(_e737.unnamed_1.word, _e686.w));
+                                let _e725 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e686.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e725.unnamed.root, _e686.y), _e725.unnamed_1);
+                                let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e731.unnamed, lt_bvh_traverse_Tree(_e686.z, _e731.unnamed_1.first_primitive));
+                                phi_922_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_bvh_traverse_Tree(_e737.unnamed_1.root, _e686.w));
                             }
                             let _e745 = phi_922_;
                             let _e755 = nodes.member[(0u + _e624)].y;
                             if (_e394 < 0f) {
-                                let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e755.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e766.unnamed.word, _e755.w), _e766.unnamed_1);
-                                let _e778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e772.unnamed, lt_mask_LightPlace(_e755.x, _e772.unnamed_1.shift));
-                                phi_949_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e778.unnamed, lt_mask_LightPlace(_e778.unnamed_1.word, _e755.y));
+                                let _e766 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e755.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e772 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e766.unnamed.root, _e755.w), _e766.unnamed_1);
+                                let _e778 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e772.unnamed, lt_bvh_traverse_Tree(_e755.x, _e772.unnamed_1.first_primitive));
+                                phi_949_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e778.unnamed, lt_bvh_traverse_Tree(_e778.unnamed_1.root, _e755.y));
                             } else {
-                                let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e755.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e800 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e794.unnamed.word, _e755.y), _e794.unnamed_1);
-                                let _e806 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e800.unnamed, lt_mask_LightPlace(_e755.z, _e800.unnamed_1.shift));
-                                phi_949_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e806.unnamed, lt_mask_LightPlace(_e806.unnamed_1.word, _e755.w));
+                                let _e794 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e755.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e800 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e794.unnamed.root, _e755.y), _e794.unnamed_1);
+                                let _e806 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e800.unnamed, lt_bvh_traverse_Tree(_e755.z, _e800.unnamed_1.first_primitive));
+                                phi_949_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e806.unnamed, lt_bvh_traverse_Tree(_e806.unnamed_1.root, _e755.w));
                             }
                             let _e814 = phi_949_;
                             let _e824 = nodes.member[(0u + _e624)].z;
                             if (_e404 < 0f) {
-                                let _e835 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e824.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e841 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e835.unnamed.word, _e824.w), _e835.unnamed_1);
-                                let _e847 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e841.unnamed, lt_mask_LightPlace(_e824.x, _e841.unnamed_1.shift));
-                                phi_976_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e847.unnamed, lt_mask_LightPlace(_e847.unnamed_1.word, _e824.y));
+                                let _e835 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e824.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e841 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e835.unnamed.root, _e824.w), _e835.unnamed_1);
+                                let _e847 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e841.unnamed, lt_bvh_traverse_Tree(_e824.x, _e841.unnamed_1.first_primitive));
+                                phi_976_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e847.unnamed, lt_bvh_traverse_Tree(_e847.unnamed_1.root, _e824.y));
                             } else {
-                                let _e863 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e824.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e869 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e863.unnamed.word, _e824.y), _e863.unnamed_1);
-                                let _e875 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e869.unnamed, lt_mask_LightPlace(_e824.z, _e869.unnamed_1.shift));
-                                phi_976_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e875.unnamed, lt_mask_LightPlace(_e875.unnamed_1.word, _e824.w));
+                                let _e863 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e824.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e869 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e863.unnamed.root, _e824.y), _e863.unnamed_1);
+                                let _e875 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e869.unnamed, lt_bvh_traverse_Tree(_e824.z, _e869.unnamed_1.first_primitive));
+                                phi_976_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e875.unnamed, lt_bvh_traverse_Tree(_e875.unnamed_1.root, _e824.w));
                             }
                             let _e883 = phi_976_;
                             phi_982_ = 0u;
@@ -899,41 +899,41 @@ fn function_() {
                                     let _e898 = (_e893 >> bitcast<u32>(2i));
                                     let _e899 = (_e893 & 3u);
                                     if (_e898 == 0u) {
-                                        phi_999_ = _e745.unnamed.word;
+                                        phi_999_ = _e745.unnamed.root;
                                     } else {
-                                        phi_999_ = _e745.unnamed.shift;
+                                        phi_999_ = _e745.unnamed.first_primitive;
                                     }
                                     let _e902 = phi_999_;
                                     if (_e898 == 0u) {
-                                        phi_1009_ = _e814.unnamed.word;
+                                        phi_1009_ = _e814.unnamed.root;
                                     } else {
-                                        phi_1009_ = _e814.unnamed.shift;
+                                        phi_1009_ = _e814.unnamed.first_primitive;
                                     }
                                     let _e911 = phi_1009_;
                                     if (_e898 == 0u) {
-                                        phi_1019_ = _e883.unnamed.word;
+                                        phi_1019_ = _e883.unnamed.root;
                                     } else {
-                                        phi_1019_ = _e883.unnamed.shift;
+                                        phi_1019_ = _e883.unnamed.first_primitive;
                                     }
                                     let _e920 = phi_1019_;
                                     let _e933 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e902 >> bitcast<u32>(((_e899 * 8u) & 31u))) & 255u)) * _e658) + (_e676 - _e436)), ((f32(((_e911 >> bitcast<u32>(((_e899 * 8u) & 31u))) & 255u)) * _e659) + (_e677 - _e437)));
                                     let _e934 = core_intrinsics_maximum_number_nsz_f32_(_e933, ((f32(((_e920 >> bitcast<u32>(((_e899 * 8u) & 31u))) & 255u)) * _e660) + (_e678 - _e438)));
                                     if (_e898 == 0u) {
-                                        phi_1037_ = _e745.unnamed_1.word;
+                                        phi_1037_ = _e745.unnamed_1.root;
                                     } else {
-                                        phi_1037_ = _e745.unnamed_1.shift;
+                                        phi_1037_ = _e745.unnamed_1.first_primitive;
                                     }
                                     let _e937 = phi_1037_;
                                     if (_e898 == 0u) {
-                                        phi_1047_ = _e814.unnamed_1.word;
+                                        phi_1047_ = _e814.unnamed_1.root;
                                     } else {
-                                        phi_1047_ = _e814.unnamed_1.shift;
+                                        phi_1047_ = _e814.unnamed_1.first_primitive;
                                     }
                                     let _e946 = phi_1047_;
                                     if (_e898 == 0u) {
-                                        phi_1057_ = _e883.unnamed_1.word;
+                                        phi_1057_ = _e883.unnamed_1.root;
                                     } else {
-                                        phi_1057_ = _e883.unnamed_1.shift;
+                                        phi_1057_ = _e883.unnamed_1.first_primitive;
                                     }
                                     let _e955 = phi_1057_;
                                     let _e968 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e937 >> bitcast<u32>(((_e899 * 8u) & 31u))) & 255u)) * _e658) + (_e676 + _e436)), ((f32(((_e946 >> bitcast<u32>(((_e899 * 8u) & 31u))) & 255u)) * _e659) + (_e677 + _e437)));
@@ -1683,11 +1683,11 @@ fn function_() {
             phi_1869_ = _e1641;
         }
         let _e1643 = phi_1869_;
-        if (_e73.shift < arrayLength((&visibility.member))) {
+        if (_e73.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e73.shift)] = _e1643;
+        visibility.member[(0u + _e73.first_primitive)] = _e1643;
     }
     return;
 }

@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_21 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
-    member: array<u32>,
-}
-
-struct type_17 {
+struct type_25 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -78,7 +78,7 @@ struct abi_ShadowParams {
     pad1_: u32,
 }
 
-struct type_38 {
+struct type_40 {
     member: abi_ShadowParams,
 }
 
@@ -90,7 +90,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_42 {
+struct type_44 {
     member: array<lt_bvh_Node>,
 }
 
@@ -103,7 +103,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_46 {
+struct type_48 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -115,7 +115,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_50 {
+struct type_52 {
     member: array<abi_Vertex>,
 }
 
@@ -131,13 +131,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_54 {
+struct type_56 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -175,38 +175,38 @@ struct type_67 {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_21;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_17;
+var<storage, read_write> visibility: type_25;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_38;
+var<uniform> p: type_40;
 @group(0) @binding(2) 
-var<storage> nodes: type_42;
+var<storage> nodes: type_44;
 @group(0) @binding(3) 
-var<storage> triangles: type_46;
+var<storage> triangles: type_48;
 @group(0) @binding(6) 
-var<storage> vertices: type_50;
+var<storage> vertices: type_52;
 @group(0) @binding(7) 
-var<storage> materials: type_54;
+var<storage> materials: type_56;
 @group(0) @binding(8) 
-var<storage> alpha_texels: type_13;
+var<storage> alpha_texels: type_9;
 @group(0) @binding(5) 
 var<storage> instances: type_67;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_236_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_236_: lt_bvh_traverse_Tree;
     var phi_237_: bool;
-    var phi_238_: lt_mask_LightPlace;
+    var phi_238_: lt_bvh_traverse_Tree;
     var phi_239_: bool;
-    var phi_244_: lt_mask_LightPlace;
+    var phi_244_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_236_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_236_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_237_ = false;
         } else {
-            phi_236_ = lt_mask_LightPlace();
+            phi_236_ = lt_bvh_traverse_Tree();
             phi_237_ = true;
         }
         let _e81 = phi_236_;
@@ -214,18 +214,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_238_ = _e81;
         phi_239_ = _e83;
     } else {
-        phi_238_ = lt_mask_LightPlace();
+        phi_238_ = lt_bvh_traverse_Tree();
         phi_239_ = true;
     }
     let _e85 = phi_238_;
     let _e87 = phi_239_;
     if _e87 {
-        phi_244_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_244_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_244_ = _e85;
     }
     let _e92 = phi_244_;
-    return lt_mask_LightPlace(_e92.word, _e92.shift);
+    return lt_bvh_traverse_Tree(_e92.root, _e92.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -970,12 +970,12 @@ fn function_() {
     let _e100 = p.member.size[0u];
     let _e102 = p.member.size[1u];
     let _e103 = lt_shaders_entry_pixel_index(_e72, _e100, _e102);
-    if (bitcast<i32>(_e103.word) != 0i) {
-        if (_e103.shift < arrayLength((&samples.member))) {
+    if (bitcast<i32>(_e103.root) != 0i) {
+        if (_e103.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e111 = samples.member[(0u + _e103.shift)];
+        let _e111 = samples.member[(0u + _e103.first_primitive)];
         local_3 = abi_Sample(_e111.position, _e111.magnitude, _e111.normal, _e111.flags, _e111.shading_normal, _e111.albedo);
         let _e120 = _lt_shaders_abi_Sample_is_valid((&local_3));
         if _e120 {
@@ -1341,41 +1341,41 @@ fn function_() {
                             let _e679 = ((bitcast<f32>(_e672) - _e269) * _e435);
                             let _e687 = nodes.member[(0u + _e625)].x;
                             if (_e415 < 0f) {
-                                let _e698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e687.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e698.unnamed.word, _e687.w), _e698.unnamed_1);
-                                let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e704.unnamed, lt_mask_LightPlace(_e687.x, _e704.unnamed_1.shift));
-                                phi_1370_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_mask_LightPlace(_e710.unnamed_1.word, _e687.y));
+                                let _e698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e687.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e698.unnamed.root, _e687.w), _e698.unnamed_1);
+                                let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e704.unnamed, lt_bvh_traverse_Tree(_e687.x, _e704.unnamed_1.first_primitive));
+                                phi_1370_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_bvh_traverse_Tree(_e710.unnamed_1.root, _e687.y));
                             } else {
-                                let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e687.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e726.unnamed.word, _e687.y), _e726.unnamed_1);
-                                let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_mask_LightPlace(_e687.z, _e732.unnamed_1.shift));
-                                phi_1370_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_mask_LightPlace(_e738.unnamed_1.word, _e687.w));
+                                let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e687.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e726.unnamed.root, _e687.y), _e726.unnamed_1);
+                                let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e732.unnamed, lt_bvh_traverse_Tree(_e687.z, _e732.unnamed_1.first_primitive));
+                                phi_1370_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_bvh_traverse_Tree(_e738.unnamed_1.root, _e687.w));
                             }
                             let _e746 = phi_1370_;
                             let _e756 = nodes.member[(0u + _e625)].y;
                             if (_e425 < 0f) {
-                                let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e756.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e767.unnamed.word, _e756.w), _e767.unnamed_1);
-                                let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e773.unnamed, lt_mask_LightPlace(_e756.x, _e773.unnamed_1.shift));
-                                phi_1397_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e779.unnamed, lt_mask_LightPlace(_e779.unnamed_1.word, _e756.y));
+                                let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e756.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e767.unnamed.root, _e756.w), _e767.unnamed_1);
+                                let _e779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e773.unnamed, lt_bvh_traverse_Tree(_e756.x, _e773.unnamed_1.first_primitive));
+                                phi_1397_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e779.unnamed, lt_bvh_traverse_Tree(_e779.unnamed_1.root, _e756.y));
                             } else {
-                                let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e756.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e795.unnamed.word, _e756.y), _e795.unnamed_1);
-                                let _e807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_mask_LightPlace(_e756.z, _e801.unnamed_1.shift));
-                                phi_1397_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e807.unnamed, lt_mask_LightPlace(_e807.unnamed_1.word, _e756.w));
+                                let _e795 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e756.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e795.unnamed.root, _e756.y), _e795.unnamed_1);
+                                let _e807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e801.unnamed, lt_bvh_traverse_Tree(_e756.z, _e801.unnamed_1.first_primitive));
+                                phi_1397_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e807.unnamed, lt_bvh_traverse_Tree(_e807.unnamed_1.root, _e756.w));
                             }
                             let _e815 = phi_1397_;
                             let _e825 = nodes.member[(0u + _e625)].z;
                             if (_e435 < 0f) {
-                                let _e836 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e825.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e842 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e836.unnamed.word, _e825.w), _e836.unnamed_1);
-                                let _e848 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e842.unnamed, lt_mask_LightPlace(_e825.x, _e842.unnamed_1.shift));
-                                phi_1424_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e848.unnamed, lt_mask_LightPlace(_e848.unnamed_1.word, _e825.y));
+                                let _e836 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e825.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e842 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e836.unnamed.root, _e825.w), _e836.unnamed_1);
+                                let _e848 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e842.unnamed, lt_bvh_traverse_Tree(_e825.x, _e842.unnamed_1.first_primitive));
+                                phi_1424_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e848.unnamed, lt_bvh_traverse_Tree(_e848.unnamed_1.root, _e825.y));
                             } else {
-                                let _e864 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e825.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e870 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e864.unnamed.word, _e825.y), _e864.unnamed_1);
-                                let _e876 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e870.unnamed, lt_mask_LightPlace(_e825.z, _e870.unnamed_1.shift));
-                                phi_1424_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e876.unnamed, lt_mask_LightPlace(_e876.unnamed_1.word, _e825.w));
+                                let _e864 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e825.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e870 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e864.unnamed.root, _e825.y), _e864.unnamed_1);
+                                let _e876 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e870.unnamed, lt_bvh_traverse_Tree(_e825.z, _e870.unnamed_1.first_primitive));
+                                phi_1424_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e876.unnamed, lt_bvh_traverse_Tree(_e876.unnamed_1.root, _e825.w));
                             }
                             let _e884 = phi_1424_;
                             phi_1430_ = 0u;
@@ -1391,41 +1391,41 @@ fn function_() {
                                     let _e899 = (_e894 >> bitcast<u32>(2i));
                                     let _e900 = (_e894 & 3u);
                                     if (_e899 == 0u) {
-                                        phi_1447_ = _e746.unnamed.word;
+                                        phi_1447_ = _e746.unnamed.root;
                                     } else {
-                                        phi_1447_ = _e746.unnamed.shift;
+                                        phi_1447_ = _e746.unnamed.first_primitive;
                                     }
                                     let _e903 = phi_1447_;
                                     if (_e899 == 0u) {
-                                        phi_1457_ = _e815.unnamed.word;
+                                        phi_1457_ = _e815.unnamed.root;
                                     } else {
-                                        phi_1457_ = _e815.unnamed.shift;
+                                        phi_1457_ = _e815.unnamed.first_primitive;
                                     }
                                     let _e912 = phi_1457_;
                                     if (_e899 == 0u) {
-                                        phi_1467_ = _e884.unnamed.word;
+                                        phi_1467_ = _e884.unnamed.root;
                                     } else {
-                                        phi_1467_ = _e884.unnamed.shift;
+                                        phi_1467_ = _e884.unnamed.first_primitive;
                                     }
                                     let _e921 = phi_1467_;
                                     let _e934 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e903 >> bitcast<u32>(((_e900 * 8u) & 31u))) & 255u)) * _e659) + (_e677 - _e467)), ((f32(((_e912 >> bitcast<u32>(((_e900 * 8u) & 31u))) & 255u)) * _e660) + (_e678 - _e468)));
                                     let _e935 = core_intrinsics_maximum_number_nsz_f32_(_e934, ((f32(((_e921 >> bitcast<u32>(((_e900 * 8u) & 31u))) & 255u)) * _e661) + (_e679 - _e469)));
                                     if (_e899 == 0u) {
-                                        phi_1485_ = _e746.unnamed_1.word;
+                                        phi_1485_ = _e746.unnamed_1.root;
                                     } else {
-                                        phi_1485_ = _e746.unnamed_1.shift;
+                                        phi_1485_ = _e746.unnamed_1.first_primitive;
                                     }
                                     let _e938 = phi_1485_;
                                     if (_e899 == 0u) {
-                                        phi_1495_ = _e815.unnamed_1.word;
+                                        phi_1495_ = _e815.unnamed_1.root;
                                     } else {
-                                        phi_1495_ = _e815.unnamed_1.shift;
+                                        phi_1495_ = _e815.unnamed_1.first_primitive;
                                     }
                                     let _e947 = phi_1495_;
                                     if (_e899 == 0u) {
-                                        phi_1505_ = _e884.unnamed_1.word;
+                                        phi_1505_ = _e884.unnamed_1.root;
                                     } else {
-                                        phi_1505_ = _e884.unnamed_1.shift;
+                                        phi_1505_ = _e884.unnamed_1.first_primitive;
                                     }
                                     let _e956 = phi_1505_;
                                     let _e969 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e938 >> bitcast<u32>(((_e900 * 8u) & 31u))) & 255u)) * _e659) + (_e677 + _e467)), ((f32(((_e947 >> bitcast<u32>(((_e900 * 8u) & 31u))) & 255u)) * _e660) + (_e678 + _e468)));
@@ -1920,41 +1920,41 @@ fn function_() {
                                                                 let _e1640 = ((bitcast<f32>(_e1633) - _e1171) * _e1366);
                                                                 let _e1648 = nodes.member[(0u + _e1586)].x;
                                                                 if (_e1346 < 0f) {
-                                                                    let _e1659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1648.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1659.unnamed.word, _e1648.w), _e1659.unnamed_1);
-                                                                    let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1665.unnamed, lt_mask_LightPlace(_e1648.x, _e1665.unnamed_1.shift));
-                                                                    phi_2317_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1671.unnamed, lt_mask_LightPlace(_e1671.unnamed_1.word, _e1648.y));
+                                                                    let _e1659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1648.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1659.unnamed.root, _e1648.w), _e1659.unnamed_1);
+                                                                    let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1665.unnamed, lt_bvh_traverse_Tree(_e1648.x, _e1665.unnamed_1.first_primitive));
+                                                                    phi_2317_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1671.unnamed, lt_bvh_traverse_Tree(_e1671.unnamed_1.root, _e1648.y));
                                                                 } else {
-                                                                    let _e1687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1648.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1687.unnamed.word, _e1648.y), _e1687.unnamed_1);
-                                                                    let _e1699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1693.unnamed, lt_mask_LightPlace(_e1648.z, _e1693.unnamed_1.shift));
-                                                                    phi_2317_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1699.unnamed, lt_mask_LightPlace(_e1699.unnamed_1.word, _e1648.w));
+                                                                    let _e1687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1648.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1687.unnamed.root, _e1648.y), _e1687.unnamed_1);
+                                                                    let _e1699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1693.unnamed, lt_bvh_traverse_Tree(_e1648.z, _e1693.unnamed_1.first_primitive));
+                                                                    phi_2317_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1699.unnamed, lt_bvh_traverse_Tree(_e1699.unnamed_1.root, _e1648.w));
                                                                 }
                                                                 let _e1707 = phi_2317_;
                                                                 let _e1717 = nodes.member[(0u + _e1586)].y;
                                                                 if (_e1356 < 0f) {
-                                                                    let _e1728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1717.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1728.unnamed.word, _e1717.w), _e1728.unnamed_1);
-                                                                    let _e1740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1734.unnamed, lt_mask_LightPlace(_e1717.x, _e1734.unnamed_1.shift));
-                                                                    phi_2344_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1740.unnamed, lt_mask_LightPlace(_e1740.unnamed_1.word, _e1717.y));
+                                                                    let _e1728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1717.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1728.unnamed.root, _e1717.w), _e1728.unnamed_1);
+                                                                    let _e1740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1734.unnamed, lt_bvh_traverse_Tree(_e1717.x, _e1734.unnamed_1.first_primitive));
+                                                                    phi_2344_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1740.unnamed, lt_bvh_traverse_Tree(_e1740.unnamed_1.root, _e1717.y));
                                                                 } else {
-                                                                    let _e1756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1717.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1756.unnamed.word, _e1717.y), _e1756.unnamed_1);
-                                                                    let _e1768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1762.unnamed, lt_mask_LightPlace(_e1717.z, _e1762.unnamed_1.shift));
-                                                                    phi_2344_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1768.unnamed, lt_mask_LightPlace(_e1768.unnamed_1.word, _e1717.w));
+                                                                    let _e1756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1717.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1756.unnamed.root, _e1717.y), _e1756.unnamed_1);
+                                                                    let _e1768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1762.unnamed, lt_bvh_traverse_Tree(_e1717.z, _e1762.unnamed_1.first_primitive));
+                                                                    phi_2344_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1768.unnamed, lt_bvh_traverse_Tree(_e1768.unnamed_1.root, _e1717.w));
                                                                 }
                                                                 let _e1776 = phi_2344_;
                                                                 let _e1786 = nodes.member[(0u + _e1586)].z;
                                                                 if (_e1366 < 0f) {
-                                                                    let _e1797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1786.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1803 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1797.unnamed.word, _e1786.w), _e1797.unnamed_1);
-                                                                    let _e1809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1803.unnamed, lt_mask_LightPlace(_e1786.x, _e1803.unnamed_1.shift));
-                                                                    phi_2371_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1809.unnamed, lt_mask_LightPlace(_e1809.unnamed_1.word, _e1786.y));
+                                                                    let _e1797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1786.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1803 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1797.unnamed.root, _e1786.w), _e1797.unnamed_1);
+                                                                    let _e1809 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1803.unnamed, lt_bvh_traverse_Tree(_e1786.x, _e1803.unnamed_1.first_primitive));
+                                                                    phi_2371_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1809.unnamed, lt_bvh_traverse_Tree(_e1809.unnamed_1.root, _e1786.y));
                                                                 } else {
-                                                                    let _e1825 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1786.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1831 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1825.unnamed.word, _e1786.y), _e1825.unnamed_1);
-                                                                    let _e1837 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1831.unnamed, lt_mask_LightPlace(_e1786.z, _e1831.unnamed_1.shift));
-                                                                    phi_2371_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1837.unnamed, lt_mask_LightPlace(_e1837.unnamed_1.word, _e1786.w));
+                                                                    let _e1825 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1786.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1831 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1825.unnamed.root, _e1786.y), _e1825.unnamed_1);
+                                                                    let _e1837 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1831.unnamed, lt_bvh_traverse_Tree(_e1786.z, _e1831.unnamed_1.first_primitive));
+                                                                    phi_2371_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1837.unnamed, lt_bvh_traverse_Tree(_e1837.unnamed_1.root, _e1786.w));
                                                                 }
                                                                 let _e1845 = phi_2371_;
                                                                 phi_2377_ = 0u;
@@ -1970,41 +1970,41 @@ fn function_() {
                                                                         let _e1860 = (_e1855 >> bitcast<u32>(2i));
                                                                         let _e1861 = (_e1855 & 3u);
                                                                         if (_e1860 == 0u) {
-                                                                            phi_2394_ = _e1707.unnamed.word;
+                                                                            phi_2394_ = _e1707.unnamed.root;
                                                                         } else {
-                                                                            phi_2394_ = _e1707.unnamed.shift;
+                                                                            phi_2394_ = _e1707.unnamed.first_primitive;
                                                                         }
                                                                         let _e1864 = phi_2394_;
                                                                         if (_e1860 == 0u) {
-                                                                            phi_2404_ = _e1776.unnamed.word;
+                                                                            phi_2404_ = _e1776.unnamed.root;
                                                                         } else {
-                                                                            phi_2404_ = _e1776.unnamed.shift;
+                                                                            phi_2404_ = _e1776.unnamed.first_primitive;
                                                                         }
                                                                         let _e1873 = phi_2404_;
                                                                         if (_e1860 == 0u) {
-                                                                            phi_2414_ = _e1845.unnamed.word;
+                                                                            phi_2414_ = _e1845.unnamed.root;
                                                                         } else {
-                                                                            phi_2414_ = _e1845.unnamed.shift;
+                                                                            phi_2414_ = _e1845.unnamed.first_primitive;
                                                                         }
                                                                         let _e1882 = phi_2414_;
                                                                         let _e1895 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1864 >> bitcast<u32>(((_e1861 * 8u) & 31u))) & 255u)) * _e1620) + (_e1638 - _e1398)), ((f32(((_e1873 >> bitcast<u32>(((_e1861 * 8u) & 31u))) & 255u)) * _e1621) + (_e1639 - _e1399)));
                                                                         let _e1896 = core_intrinsics_maximum_number_nsz_f32_(_e1895, ((f32(((_e1882 >> bitcast<u32>(((_e1861 * 8u) & 31u))) & 255u)) * _e1622) + (_e1640 - _e1400)));
                                                                         if (_e1860 == 0u) {
-                                                                            phi_2432_ = _e1707.unnamed_1.word;
+                                                                            phi_2432_ = _e1707.unnamed_1.root;
                                                                         } else {
-                                                                            phi_2432_ = _e1707.unnamed_1.shift;
+                                                                            phi_2432_ = _e1707.unnamed_1.first_primitive;
                                                                         }
                                                                         let _e1899 = phi_2432_;
                                                                         if (_e1860 == 0u) {
-                                                                            phi_2442_ = _e1776.unnamed_1.word;
+                                                                            phi_2442_ = _e1776.unnamed_1.root;
                                                                         } else {
-                                                                            phi_2442_ = _e1776.unnamed_1.shift;
+                                                                            phi_2442_ = _e1776.unnamed_1.first_primitive;
                                                                         }
                                                                         let _e1908 = phi_2442_;
                                                                         if (_e1860 == 0u) {
-                                                                            phi_2452_ = _e1845.unnamed_1.word;
+                                                                            phi_2452_ = _e1845.unnamed_1.root;
                                                                         } else {
-                                                                            phi_2452_ = _e1845.unnamed_1.shift;
+                                                                            phi_2452_ = _e1845.unnamed_1.first_primitive;
                                                                         }
                                                                         let _e1917 = phi_2452_;
                                                                         let _e1930 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1899 >> bitcast<u32>(((_e1861 * 8u) & 31u))) & 255u)) * _e1620) + (_e1638 + _e1398)), ((f32(((_e1908 >> bitcast<u32>(((_e1861 * 8u) & 31u))) & 255u)) * _e1621) + (_e1639 + _e1399)));
@@ -3011,11 +3011,11 @@ fn function_() {
             phi_3582_ = _e2916;
         }
         let _e2918 = phi_3582_;
-        if (_e103.shift < arrayLength((&visibility.member))) {
+        if (_e103.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e103.shift)] = _e2918;
+        visibility.member[(0u + _e103.first_primitive)] = _e2918;
     }
     return;
 }

@@ -8,6 +8,11 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,17 +22,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_17 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
+struct type_21 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -68,7 +68,7 @@ struct abi_ShadowParams {
     pad1_: u32,
 }
 
-struct type_33 {
+struct type_35 {
     member: abi_ShadowParams,
 }
 
@@ -80,7 +80,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_37 {
+struct type_39 {
     member: array<lt_bvh_Node>,
 }
 
@@ -93,13 +93,13 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_41 {
+struct type_43 {
     member: array<lt_bvh_Triangle>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -126,32 +126,32 @@ struct type_51 {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_17;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_13;
+var<storage, read_write> visibility: type_21;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_33;
+var<uniform> p: type_35;
 @group(0) @binding(2) 
-var<storage> nodes: type_37;
+var<storage> nodes: type_39;
 @group(0) @binding(3) 
-var<storage> triangles: type_41;
+var<storage> triangles: type_43;
 @group(0) @binding(5) 
 var<storage> instances: type_51;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_190_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_190_: lt_bvh_traverse_Tree;
     var phi_191_: bool;
-    var phi_192_: lt_mask_LightPlace;
+    var phi_192_: lt_bvh_traverse_Tree;
     var phi_193_: bool;
-    var phi_198_: lt_mask_LightPlace;
+    var phi_198_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_190_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_190_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_191_ = false;
         } else {
-            phi_190_ = lt_mask_LightPlace();
+            phi_190_ = lt_bvh_traverse_Tree();
             phi_191_ = true;
         }
         let _e67 = phi_190_;
@@ -159,18 +159,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_192_ = _e67;
         phi_193_ = _e69;
     } else {
-        phi_192_ = lt_mask_LightPlace();
+        phi_192_ = lt_bvh_traverse_Tree();
         phi_193_ = true;
     }
     let _e71 = phi_192_;
     let _e73 = phi_193_;
     if _e73 {
-        phi_198_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_198_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_198_ = _e71;
     }
     let _e78 = phi_198_;
-    return lt_mask_LightPlace(_e78.word, _e78.shift);
+    return lt_bvh_traverse_Tree(_e78.root, _e78.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -551,12 +551,12 @@ fn function_() {
     let _e76 = p.member.size[0u];
     let _e78 = p.member.size[1u];
     let _e79 = lt_shaders_entry_pixel_index(_e57, _e76, _e78);
-    if (bitcast<i32>(_e79.word) != 0i) {
-        if (_e79.shift < arrayLength((&samples.member))) {
+    if (bitcast<i32>(_e79.root) != 0i) {
+        if (_e79.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e87 = samples.member[(0u + _e79.shift)];
+        let _e87 = samples.member[(0u + _e79.first_primitive)];
         local_2 = abi_Sample(_e87.position, _e87.magnitude, _e87.normal, _e87.flags, _e87.shading_normal, _e87.albedo);
         let _e96 = _lt_shaders_abi_Sample_is_valid((&local_2));
         if _e96 {
@@ -922,41 +922,41 @@ fn function_() {
                             let _e655 = ((bitcast<f32>(_e648) - _e245) * _e411);
                             let _e663 = nodes.member[(0u + _e601)].x;
                             if (_e391 < 0f) {
-                                let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e663.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e674.unnamed.word, _e663.w), _e674.unnamed_1);
-                                let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_mask_LightPlace(_e663.x, _e680.unnamed_1.shift));
-                                phi_937_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_mask_LightPlace(_e686.unnamed_1.word, _e663.y));
+                                let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e663.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e674.unnamed.root, _e663.w), _e674.unnamed_1);
+                                let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_bvh_traverse_Tree(_e663.x, _e680.unnamed_1.first_primitive));
+                                phi_937_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e686.unnamed, lt_bvh_traverse_Tree(_e686.unnamed_1.root, _e663.y));
                             } else {
-                                let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e663.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e702.unnamed.word, _e663.y), _e702.unnamed_1);
-                                let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e708.unnamed, lt_mask_LightPlace(_e663.z, _e708.unnamed_1.shift));
-                                phi_937_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_mask_LightPlace(_e714.unnamed_1.word, _e663.w));
+                                let _e702 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e663.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e702.unnamed.root, _e663.y), _e702.unnamed_1);
+                                let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e708.unnamed, lt_bvh_traverse_Tree(_e663.z, _e708.unnamed_1.first_primitive));
+                                phi_937_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_bvh_traverse_Tree(_e714.unnamed_1.root, _e663.w));
                             }
                             let _e722 = phi_937_;
                             let _e732 = nodes.member[(0u + _e601)].y;
                             if (_e401 < 0f) {
-                                let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e732.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e743.unnamed.word, _e732.w), _e743.unnamed_1);
-                                let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_mask_LightPlace(_e732.x, _e749.unnamed_1.shift));
-                                phi_964_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_mask_LightPlace(_e755.unnamed_1.word, _e732.y));
+                                let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e732.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e743.unnamed.root, _e732.w), _e743.unnamed_1);
+                                let _e755 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_bvh_traverse_Tree(_e732.x, _e749.unnamed_1.first_primitive));
+                                phi_964_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e755.unnamed, lt_bvh_traverse_Tree(_e755.unnamed_1.root, _e732.y));
                             } else {
-                                let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e732.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e771.unnamed.word, _e732.y), _e771.unnamed_1);
-                                let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e777.unnamed, lt_mask_LightPlace(_e732.z, _e777.unnamed_1.shift));
-                                phi_964_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_mask_LightPlace(_e783.unnamed_1.word, _e732.w));
+                                let _e771 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e732.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e777 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e771.unnamed.root, _e732.y), _e771.unnamed_1);
+                                let _e783 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e777.unnamed, lt_bvh_traverse_Tree(_e732.z, _e777.unnamed_1.first_primitive));
+                                phi_964_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e783.unnamed, lt_bvh_traverse_Tree(_e783.unnamed_1.root, _e732.w));
                             }
                             let _e791 = phi_964_;
                             let _e801 = nodes.member[(0u + _e601)].z;
                             if (_e411 < 0f) {
-                                let _e812 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e801.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e818 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e812.unnamed.word, _e801.w), _e812.unnamed_1);
-                                let _e824 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e818.unnamed, lt_mask_LightPlace(_e801.x, _e818.unnamed_1.shift));
-                                phi_991_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e824.unnamed, lt_mask_LightPlace(_e824.unnamed_1.word, _e801.y));
+                                let _e812 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e801.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e818 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e812.unnamed.root, _e801.w), _e812.unnamed_1);
+                                let _e824 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e818.unnamed, lt_bvh_traverse_Tree(_e801.x, _e818.unnamed_1.first_primitive));
+                                phi_991_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e824.unnamed, lt_bvh_traverse_Tree(_e824.unnamed_1.root, _e801.y));
                             } else {
-                                let _e840 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e801.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e846 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e840.unnamed.word, _e801.y), _e840.unnamed_1);
-                                let _e852 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e846.unnamed, lt_mask_LightPlace(_e801.z, _e846.unnamed_1.shift));
-                                phi_991_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e852.unnamed, lt_mask_LightPlace(_e852.unnamed_1.word, _e801.w));
+                                let _e840 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e801.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e846 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e840.unnamed.root, _e801.y), _e840.unnamed_1);
+                                let _e852 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e846.unnamed, lt_bvh_traverse_Tree(_e801.z, _e846.unnamed_1.first_primitive));
+                                phi_991_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e852.unnamed, lt_bvh_traverse_Tree(_e852.unnamed_1.root, _e801.w));
                             }
                             let _e860 = phi_991_;
                             phi_997_ = 0u;
@@ -972,41 +972,41 @@ fn function_() {
                                     let _e875 = (_e870 >> bitcast<u32>(2i));
                                     let _e876 = (_e870 & 3u);
                                     if (_e875 == 0u) {
-                                        phi_1014_ = _e722.unnamed.word;
+                                        phi_1014_ = _e722.unnamed.root;
                                     } else {
-                                        phi_1014_ = _e722.unnamed.shift;
+                                        phi_1014_ = _e722.unnamed.first_primitive;
                                     }
                                     let _e879 = phi_1014_;
                                     if (_e875 == 0u) {
-                                        phi_1024_ = _e791.unnamed.word;
+                                        phi_1024_ = _e791.unnamed.root;
                                     } else {
-                                        phi_1024_ = _e791.unnamed.shift;
+                                        phi_1024_ = _e791.unnamed.first_primitive;
                                     }
                                     let _e888 = phi_1024_;
                                     if (_e875 == 0u) {
-                                        phi_1034_ = _e860.unnamed.word;
+                                        phi_1034_ = _e860.unnamed.root;
                                     } else {
-                                        phi_1034_ = _e860.unnamed.shift;
+                                        phi_1034_ = _e860.unnamed.first_primitive;
                                     }
                                     let _e897 = phi_1034_;
                                     let _e910 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e879 >> bitcast<u32>(((_e876 * 8u) & 31u))) & 255u)) * _e635) + (_e653 - _e443)), ((f32(((_e888 >> bitcast<u32>(((_e876 * 8u) & 31u))) & 255u)) * _e636) + (_e654 - _e444)));
                                     let _e911 = core_intrinsics_maximum_number_nsz_f32_(_e910, ((f32(((_e897 >> bitcast<u32>(((_e876 * 8u) & 31u))) & 255u)) * _e637) + (_e655 - _e445)));
                                     if (_e875 == 0u) {
-                                        phi_1052_ = _e722.unnamed_1.word;
+                                        phi_1052_ = _e722.unnamed_1.root;
                                     } else {
-                                        phi_1052_ = _e722.unnamed_1.shift;
+                                        phi_1052_ = _e722.unnamed_1.first_primitive;
                                     }
                                     let _e914 = phi_1052_;
                                     if (_e875 == 0u) {
-                                        phi_1062_ = _e791.unnamed_1.word;
+                                        phi_1062_ = _e791.unnamed_1.root;
                                     } else {
-                                        phi_1062_ = _e791.unnamed_1.shift;
+                                        phi_1062_ = _e791.unnamed_1.first_primitive;
                                     }
                                     let _e923 = phi_1062_;
                                     if (_e875 == 0u) {
-                                        phi_1072_ = _e860.unnamed_1.word;
+                                        phi_1072_ = _e860.unnamed_1.root;
                                     } else {
-                                        phi_1072_ = _e860.unnamed_1.shift;
+                                        phi_1072_ = _e860.unnamed_1.first_primitive;
                                     }
                                     let _e932 = phi_1072_;
                                     let _e945 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e914 >> bitcast<u32>(((_e876 * 8u) & 31u))) & 255u)) * _e635) + (_e653 + _e443)), ((f32(((_e923 >> bitcast<u32>(((_e876 * 8u) & 31u))) & 255u)) * _e636) + (_e654 + _e444)));
@@ -1501,41 +1501,41 @@ fn function_() {
                                                                 let _e1616 = ((bitcast<f32>(_e1609) - _e1147) * _e1342);
                                                                 let _e1624 = nodes.member[(0u + _e1562)].x;
                                                                 if (_e1322 < 0f) {
-                                                                    let _e1635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1624.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1635.unnamed.word, _e1624.w), _e1635.unnamed_1);
-                                                                    let _e1647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1641.unnamed, lt_mask_LightPlace(_e1624.x, _e1641.unnamed_1.shift));
-                                                                    phi_1884_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1647.unnamed, lt_mask_LightPlace(_e1647.unnamed_1.word, _e1624.y));
+                                                                    let _e1635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1624.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1635.unnamed.root, _e1624.w), _e1635.unnamed_1);
+                                                                    let _e1647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1641.unnamed, lt_bvh_traverse_Tree(_e1624.x, _e1641.unnamed_1.first_primitive));
+                                                                    phi_1884_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1647.unnamed, lt_bvh_traverse_Tree(_e1647.unnamed_1.root, _e1624.y));
                                                                 } else {
-                                                                    let _e1663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1624.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1663.unnamed.word, _e1624.y), _e1663.unnamed_1);
-                                                                    let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1669.unnamed, lt_mask_LightPlace(_e1624.z, _e1669.unnamed_1.shift));
-                                                                    phi_1884_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1675.unnamed, lt_mask_LightPlace(_e1675.unnamed_1.word, _e1624.w));
+                                                                    let _e1663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1624.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1663.unnamed.root, _e1624.y), _e1663.unnamed_1);
+                                                                    let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1669.unnamed, lt_bvh_traverse_Tree(_e1624.z, _e1669.unnamed_1.first_primitive));
+                                                                    phi_1884_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1675.unnamed, lt_bvh_traverse_Tree(_e1675.unnamed_1.root, _e1624.w));
                                                                 }
                                                                 let _e1683 = phi_1884_;
                                                                 let _e1693 = nodes.member[(0u + _e1562)].y;
                                                                 if (_e1332 < 0f) {
-                                                                    let _e1704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1693.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1704.unnamed.word, _e1693.w), _e1704.unnamed_1);
-                                                                    let _e1716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1710.unnamed, lt_mask_LightPlace(_e1693.x, _e1710.unnamed_1.shift));
-                                                                    phi_1911_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1716.unnamed, lt_mask_LightPlace(_e1716.unnamed_1.word, _e1693.y));
+                                                                    let _e1704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1693.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1704.unnamed.root, _e1693.w), _e1704.unnamed_1);
+                                                                    let _e1716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1710.unnamed, lt_bvh_traverse_Tree(_e1693.x, _e1710.unnamed_1.first_primitive));
+                                                                    phi_1911_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1716.unnamed, lt_bvh_traverse_Tree(_e1716.unnamed_1.root, _e1693.y));
                                                                 } else {
-                                                                    let _e1732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1693.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1732.unnamed.word, _e1693.y), _e1732.unnamed_1);
-                                                                    let _e1744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1738.unnamed, lt_mask_LightPlace(_e1693.z, _e1738.unnamed_1.shift));
-                                                                    phi_1911_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1744.unnamed, lt_mask_LightPlace(_e1744.unnamed_1.word, _e1693.w));
+                                                                    let _e1732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1693.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1732.unnamed.root, _e1693.y), _e1732.unnamed_1);
+                                                                    let _e1744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1738.unnamed, lt_bvh_traverse_Tree(_e1693.z, _e1738.unnamed_1.first_primitive));
+                                                                    phi_1911_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1744.unnamed, lt_bvh_traverse_Tree(_e1744.unnamed_1.root, _e1693.w));
                                                                 }
                                                                 let _e1752 = phi_1911_;
                                                                 let _e1762 = nodes.member[(0u + _e1562)].z;
                                                                 if (_e1342 < 0f) {
-                                                                    let _e1773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1762.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1773.unnamed.word, _e1762.w), _e1773.unnamed_1);
-                                                                    let _e1785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1779.unnamed, lt_mask_LightPlace(_e1762.x, _e1779.unnamed_1.shift));
-                                                                    phi_1938_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1785.unnamed, lt_mask_LightPlace(_e1785.unnamed_1.word, _e1762.y));
+                                                                    let _e1773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1762.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1779 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1773.unnamed.root, _e1762.w), _e1773.unnamed_1);
+                                                                    let _e1785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1779.unnamed, lt_bvh_traverse_Tree(_e1762.x, _e1779.unnamed_1.first_primitive));
+                                                                    phi_1938_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1785.unnamed, lt_bvh_traverse_Tree(_e1785.unnamed_1.root, _e1762.y));
                                                                 } else {
-                                                                    let _e1801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1762.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                    let _e1807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1801.unnamed.word, _e1762.y), _e1801.unnamed_1);
-                                                                    let _e1813 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1807.unnamed, lt_mask_LightPlace(_e1762.z, _e1807.unnamed_1.shift));
-                                                                    phi_1938_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1813.unnamed, lt_mask_LightPlace(_e1813.unnamed_1.word, _e1762.w));
+                                                                    let _e1801 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1762.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                    let _e1807 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1801.unnamed.root, _e1762.y), _e1801.unnamed_1);
+                                                                    let _e1813 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1807.unnamed, lt_bvh_traverse_Tree(_e1762.z, _e1807.unnamed_1.first_primitive));
+                                                                    phi_1938_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1813.unnamed, lt_bvh_traverse_Tree(_e1813.unnamed_1.root, _e1762.w));
                                                                 }
                                                                 let _e1821 = phi_1938_;
                                                                 phi_1944_ = 0u;
@@ -1551,41 +1551,41 @@ fn function_() {
                                                                         let _e1836 = (_e1831 >> bitcast<u32>(2i));
                                                                         let _e1837 = (_e1831 & 3u);
                                                                         if (_e1836 == 0u) {
-                                                                            phi_1961_ = _e1683.unnamed.word;
+                                                                            phi_1961_ = _e1683.unnamed.root;
                                                                         } else {
-                                                                            phi_1961_ = _e1683.unnamed.shift;
+                                                                            phi_1961_ = _e1683.unnamed.first_primitive;
                                                                         }
                                                                         let _e1840 = phi_1961_;
                                                                         if (_e1836 == 0u) {
-                                                                            phi_1971_ = _e1752.unnamed.word;
+                                                                            phi_1971_ = _e1752.unnamed.root;
                                                                         } else {
-                                                                            phi_1971_ = _e1752.unnamed.shift;
+                                                                            phi_1971_ = _e1752.unnamed.first_primitive;
                                                                         }
                                                                         let _e1849 = phi_1971_;
                                                                         if (_e1836 == 0u) {
-                                                                            phi_1981_ = _e1821.unnamed.word;
+                                                                            phi_1981_ = _e1821.unnamed.root;
                                                                         } else {
-                                                                            phi_1981_ = _e1821.unnamed.shift;
+                                                                            phi_1981_ = _e1821.unnamed.first_primitive;
                                                                         }
                                                                         let _e1858 = phi_1981_;
                                                                         let _e1871 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1840 >> bitcast<u32>(((_e1837 * 8u) & 31u))) & 255u)) * _e1596) + (_e1614 - _e1374)), ((f32(((_e1849 >> bitcast<u32>(((_e1837 * 8u) & 31u))) & 255u)) * _e1597) + (_e1615 - _e1375)));
                                                                         let _e1872 = core_intrinsics_maximum_number_nsz_f32_(_e1871, ((f32(((_e1858 >> bitcast<u32>(((_e1837 * 8u) & 31u))) & 255u)) * _e1598) + (_e1616 - _e1376)));
                                                                         if (_e1836 == 0u) {
-                                                                            phi_1999_ = _e1683.unnamed_1.word;
+                                                                            phi_1999_ = _e1683.unnamed_1.root;
                                                                         } else {
-                                                                            phi_1999_ = _e1683.unnamed_1.shift;
+                                                                            phi_1999_ = _e1683.unnamed_1.first_primitive;
                                                                         }
                                                                         let _e1875 = phi_1999_;
                                                                         if (_e1836 == 0u) {
-                                                                            phi_2009_ = _e1752.unnamed_1.word;
+                                                                            phi_2009_ = _e1752.unnamed_1.root;
                                                                         } else {
-                                                                            phi_2009_ = _e1752.unnamed_1.shift;
+                                                                            phi_2009_ = _e1752.unnamed_1.first_primitive;
                                                                         }
                                                                         let _e1884 = phi_2009_;
                                                                         if (_e1836 == 0u) {
-                                                                            phi_2019_ = _e1821.unnamed_1.word;
+                                                                            phi_2019_ = _e1821.unnamed_1.root;
                                                                         } else {
-                                                                            phi_2019_ = _e1821.unnamed_1.shift;
+                                                                            phi_2019_ = _e1821.unnamed_1.first_primitive;
                                                                         }
                                                                         let _e1893 = phi_2019_;
                                                                         let _e1906 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1875 >> bitcast<u32>(((_e1837 * 8u) & 31u))) & 255u)) * _e1596) + (_e1614 + _e1374)), ((f32(((_e1884 >> bitcast<u32>(((_e1837 * 8u) & 31u))) & 255u)) * _e1597) + (_e1615 + _e1375)));
@@ -2489,11 +2489,11 @@ fn function_() {
             phi_2941_ = _e2692;
         }
         let _e2694 = phi_2941_;
-        if (_e79.shift < arrayLength((&visibility.member))) {
+        if (_e79.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e79.shift)] = _e2694;
+        visibility.member[(0u + _e79.first_primitive)] = _e2694;
     }
     return;
 }

@@ -8,6 +8,19 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct type_13 {
+    member: array<vec4<u32>>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +30,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_25 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
-    member: array<u32>,
-}
-
-struct type_17 {
+struct type_29 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -78,7 +82,7 @@ struct abi_ShadowParams {
     pad1_: u32,
 }
 
-struct type_37 {
+struct type_43 {
     member: abi_ShadowParams,
 }
 
@@ -90,7 +94,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_41 {
+struct type_47 {
     member: array<lt_bvh_Node>,
 }
 
@@ -103,7 +107,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_45 {
+struct type_51 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -115,7 +119,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_49 {
+struct type_55 {
     member: array<abi_Vertex>,
 }
 
@@ -131,13 +135,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_53 {
+struct type_59 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -164,10 +168,6 @@ struct lt_math_Evsm {
     min_variance: f32,
 }
 
-struct type_68 {
-    member: array<vec4<u32>>,
-}
-
 struct lt_bvh_LightSpace {
     shear: vec2<f32>,
     diagonal: vec2<f32>,
@@ -192,40 +192,40 @@ struct u0028_lt_bvh_LightPoint_u0020_u32_u0029_ {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_25;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_17;
+var<storage, read_write> visibility: type_29;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_37;
+var<uniform> p: type_43;
 @group(0) @binding(2) 
-var<storage> nodes: type_41;
+var<storage> nodes: type_47;
 @group(0) @binding(3) 
-var<storage> triangles: type_45;
+var<storage> triangles: type_51;
 @group(0) @binding(5) 
-var<storage> rows: type_68;
+var<storage> rows: type_13;
 @group(0) @binding(6) 
 var<uniform> space: type_72;
 @group(0) @binding(7) 
-var<storage> vertices: type_49;
+var<storage> vertices: type_55;
 @group(0) @binding(8) 
-var<storage> materials: type_53;
+var<storage> materials: type_59;
 @group(0) @binding(9) 
-var<storage> alpha_texels: type_13;
+var<storage> alpha_texels: type_9;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_250_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_250_: lt_bvh_traverse_Tree;
     var phi_251_: bool;
-    var phi_252_: lt_mask_LightPlace;
+    var phi_252_: lt_bvh_traverse_Tree;
     var phi_253_: bool;
-    var phi_258_: lt_mask_LightPlace;
+    var phi_258_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_250_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_250_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_251_ = false;
         } else {
-            phi_250_ = lt_mask_LightPlace();
+            phi_250_ = lt_bvh_traverse_Tree();
             phi_251_ = true;
         }
         let _e92 = phi_250_;
@@ -233,18 +233,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_252_ = _e92;
         phi_253_ = _e94;
     } else {
-        phi_252_ = lt_mask_LightPlace();
+        phi_252_ = lt_bvh_traverse_Tree();
         phi_253_ = true;
     }
     let _e96 = phi_252_;
     let _e98 = phi_253_;
     if _e98 {
-        phi_258_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_258_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_258_ = _e96;
     }
     let _e103 = phi_258_;
-    return lt_mask_LightPlace(_e103.word, _e103.shift);
+    return lt_bvh_traverse_Tree(_e103.root, _e103.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -1140,12 +1140,12 @@ fn function_() {
     let _e113 = p.member.size[0u];
     let _e115 = p.member.size[1u];
     let _e116 = lt_shaders_entry_pixel_index(_e84, _e113, _e115);
-    if (bitcast<i32>(_e116.word) != 0i) {
-        if (_e116.shift < arrayLength((&samples.member))) {
+    if (bitcast<i32>(_e116.root) != 0i) {
+        if (_e116.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e124 = samples.member[(0u + _e116.shift)];
+        let _e124 = samples.member[(0u + _e116.first_primitive)];
         local_4 = abi_Sample(_e124.position, _e124.magnitude, _e124.normal, _e124.flags, _e124.shading_normal, _e124.albedo);
         let _e133 = _lt_shaders_abi_Sample_is_valid((&local_4));
         if _e133 {
@@ -3003,41 +3003,41 @@ fn function_() {
                                     let _e2313 = ((bitcast<f32>(_e2306) - _e281) * _e2039);
                                     let _e2321 = nodes.member[(0u + _e2259)].x;
                                     if (_e2019 < 0f) {
-                                        let _e2332 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2321.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2338 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2332.unnamed.word, _e2321.w), _e2332.unnamed_1);
-                                        let _e2344 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2338.unnamed, lt_mask_LightPlace(_e2321.x, _e2338.unnamed_1.shift));
-                                        phi_3237_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2344.unnamed, lt_mask_LightPlace(_e2344.unnamed_1.word, _e2321.y));
+                                        let _e2332 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2321.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2338 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2332.unnamed.root, _e2321.w), _e2332.unnamed_1);
+                                        let _e2344 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2338.unnamed, lt_bvh_traverse_Tree(_e2321.x, _e2338.unnamed_1.first_primitive));
+                                        phi_3237_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2344.unnamed, lt_bvh_traverse_Tree(_e2344.unnamed_1.root, _e2321.y));
                                     } else {
-                                        let _e2360 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2321.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2366 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2360.unnamed.word, _e2321.y), _e2360.unnamed_1);
-                                        let _e2372 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2366.unnamed, lt_mask_LightPlace(_e2321.z, _e2366.unnamed_1.shift));
-                                        phi_3237_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2372.unnamed, lt_mask_LightPlace(_e2372.unnamed_1.word, _e2321.w));
+                                        let _e2360 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2321.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2366 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2360.unnamed.root, _e2321.y), _e2360.unnamed_1);
+                                        let _e2372 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2366.unnamed, lt_bvh_traverse_Tree(_e2321.z, _e2366.unnamed_1.first_primitive));
+                                        phi_3237_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2372.unnamed, lt_bvh_traverse_Tree(_e2372.unnamed_1.root, _e2321.w));
                                     }
                                     let _e2380 = phi_3237_;
                                     let _e2390 = nodes.member[(0u + _e2259)].y;
                                     if (_e2029 < 0f) {
-                                        let _e2401 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2390.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2407 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2401.unnamed.word, _e2390.w), _e2401.unnamed_1);
-                                        let _e2413 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2407.unnamed, lt_mask_LightPlace(_e2390.x, _e2407.unnamed_1.shift));
-                                        phi_3264_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2413.unnamed, lt_mask_LightPlace(_e2413.unnamed_1.word, _e2390.y));
+                                        let _e2401 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2390.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2407 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2401.unnamed.root, _e2390.w), _e2401.unnamed_1);
+                                        let _e2413 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2407.unnamed, lt_bvh_traverse_Tree(_e2390.x, _e2407.unnamed_1.first_primitive));
+                                        phi_3264_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2413.unnamed, lt_bvh_traverse_Tree(_e2413.unnamed_1.root, _e2390.y));
                                     } else {
-                                        let _e2429 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2390.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2435 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2429.unnamed.word, _e2390.y), _e2429.unnamed_1);
-                                        let _e2441 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2435.unnamed, lt_mask_LightPlace(_e2390.z, _e2435.unnamed_1.shift));
-                                        phi_3264_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2441.unnamed, lt_mask_LightPlace(_e2441.unnamed_1.word, _e2390.w));
+                                        let _e2429 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2390.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2435 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2429.unnamed.root, _e2390.y), _e2429.unnamed_1);
+                                        let _e2441 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2435.unnamed, lt_bvh_traverse_Tree(_e2390.z, _e2435.unnamed_1.first_primitive));
+                                        phi_3264_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2441.unnamed, lt_bvh_traverse_Tree(_e2441.unnamed_1.root, _e2390.w));
                                     }
                                     let _e2449 = phi_3264_;
                                     let _e2459 = nodes.member[(0u + _e2259)].z;
                                     if (_e2039 < 0f) {
-                                        let _e2470 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2459.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2476 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2470.unnamed.word, _e2459.w), _e2470.unnamed_1);
-                                        let _e2482 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2476.unnamed, lt_mask_LightPlace(_e2459.x, _e2476.unnamed_1.shift));
-                                        phi_3291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2482.unnamed, lt_mask_LightPlace(_e2482.unnamed_1.word, _e2459.y));
+                                        let _e2470 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2459.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2476 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2470.unnamed.root, _e2459.w), _e2470.unnamed_1);
+                                        let _e2482 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2476.unnamed, lt_bvh_traverse_Tree(_e2459.x, _e2476.unnamed_1.first_primitive));
+                                        phi_3291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2482.unnamed, lt_bvh_traverse_Tree(_e2482.unnamed_1.root, _e2459.y));
                                     } else {
-                                        let _e2498 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2459.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2504 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2498.unnamed.word, _e2459.y), _e2498.unnamed_1);
-                                        let _e2510 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2504.unnamed, lt_mask_LightPlace(_e2459.z, _e2504.unnamed_1.shift));
-                                        phi_3291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2510.unnamed, lt_mask_LightPlace(_e2510.unnamed_1.word, _e2459.w));
+                                        let _e2498 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2459.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2504 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2498.unnamed.root, _e2459.y), _e2498.unnamed_1);
+                                        let _e2510 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2504.unnamed, lt_bvh_traverse_Tree(_e2459.z, _e2504.unnamed_1.first_primitive));
+                                        phi_3291_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2510.unnamed, lt_bvh_traverse_Tree(_e2510.unnamed_1.root, _e2459.w));
                                     }
                                     let _e2518 = phi_3291_;
                                     phi_3297_ = 0u;
@@ -3053,41 +3053,41 @@ fn function_() {
                                             let _e2533 = (_e2528 >> bitcast<u32>(2i));
                                             let _e2534 = (_e2528 & 3u);
                                             if (_e2533 == 0u) {
-                                                phi_3314_ = _e2380.unnamed.word;
+                                                phi_3314_ = _e2380.unnamed.root;
                                             } else {
-                                                phi_3314_ = _e2380.unnamed.shift;
+                                                phi_3314_ = _e2380.unnamed.first_primitive;
                                             }
                                             let _e2537 = phi_3314_;
                                             if (_e2533 == 0u) {
-                                                phi_3324_ = _e2449.unnamed.word;
+                                                phi_3324_ = _e2449.unnamed.root;
                                             } else {
-                                                phi_3324_ = _e2449.unnamed.shift;
+                                                phi_3324_ = _e2449.unnamed.first_primitive;
                                             }
                                             let _e2546 = phi_3324_;
                                             if (_e2533 == 0u) {
-                                                phi_3334_ = _e2518.unnamed.word;
+                                                phi_3334_ = _e2518.unnamed.root;
                                             } else {
-                                                phi_3334_ = _e2518.unnamed.shift;
+                                                phi_3334_ = _e2518.unnamed.first_primitive;
                                             }
                                             let _e2555 = phi_3334_;
                                             let _e2568 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2537 >> bitcast<u32>(((_e2534 * 8u) & 31u))) & 255u)) * _e2293) + (_e2311 - _e2071)), ((f32(((_e2546 >> bitcast<u32>(((_e2534 * 8u) & 31u))) & 255u)) * _e2294) + (_e2312 - _e2072)));
                                             let _e2569 = core_intrinsics_maximum_number_nsz_f32_(_e2568, ((f32(((_e2555 >> bitcast<u32>(((_e2534 * 8u) & 31u))) & 255u)) * _e2295) + (_e2313 - _e2073)));
                                             if (_e2533 == 0u) {
-                                                phi_3352_ = _e2380.unnamed_1.word;
+                                                phi_3352_ = _e2380.unnamed_1.root;
                                             } else {
-                                                phi_3352_ = _e2380.unnamed_1.shift;
+                                                phi_3352_ = _e2380.unnamed_1.first_primitive;
                                             }
                                             let _e2572 = phi_3352_;
                                             if (_e2533 == 0u) {
-                                                phi_3362_ = _e2449.unnamed_1.word;
+                                                phi_3362_ = _e2449.unnamed_1.root;
                                             } else {
-                                                phi_3362_ = _e2449.unnamed_1.shift;
+                                                phi_3362_ = _e2449.unnamed_1.first_primitive;
                                             }
                                             let _e2581 = phi_3362_;
                                             if (_e2533 == 0u) {
-                                                phi_3372_ = _e2518.unnamed_1.word;
+                                                phi_3372_ = _e2518.unnamed_1.root;
                                             } else {
-                                                phi_3372_ = _e2518.unnamed_1.shift;
+                                                phi_3372_ = _e2518.unnamed_1.first_primitive;
                                             }
                                             let _e2590 = phi_3372_;
                                             let _e2603 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2572 >> bitcast<u32>(((_e2534 * 8u) & 31u))) & 255u)) * _e2293) + (_e2311 + _e2071)), ((f32(((_e2581 >> bitcast<u32>(((_e2534 * 8u) & 31u))) & 255u)) * _e2294) + (_e2312 + _e2072)));
@@ -3948,11 +3948,11 @@ fn function_() {
             phi_4394_ = _e3480;
         }
         let _e3482 = phi_4394_;
-        if (_e116.shift < arrayLength((&visibility.member))) {
+        if (_e116.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e116.shift)] = _e3482;
+        visibility.member[(0u + _e116.first_primitive)] = _e3482;
     }
     return;
 }

@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<vec4<u32>>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,17 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_21 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
+struct type_25 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -68,7 +72,7 @@ struct abi_ShadowParams {
     pad1_: u32,
 }
 
-struct type_32 {
+struct type_38 {
     member: abi_ShadowParams,
 }
 
@@ -80,7 +84,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_36 {
+struct type_42 {
     member: array<lt_bvh_Node>,
 }
 
@@ -93,13 +97,13 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_40 {
+struct type_46 {
     member: array<lt_bvh_Triangle>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -113,10 +117,6 @@ struct lt_math_Evsm {
     positive_exponent: f32,
     negative_exponent: f32,
     min_variance: f32,
-}
-
-struct type_52 {
-    member: array<vec4<u32>>,
 }
 
 struct lt_bvh_LightSpace {
@@ -143,34 +143,34 @@ struct u0028_lt_bvh_LightPoint_u0020_u32_u0029_ {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_21;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_13;
+var<storage, read_write> visibility: type_25;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_32;
+var<uniform> p: type_38;
 @group(0) @binding(2) 
-var<storage> nodes: type_36;
+var<storage> nodes: type_42;
 @group(0) @binding(3) 
-var<storage> triangles: type_40;
+var<storage> triangles: type_46;
 @group(0) @binding(5) 
-var<storage> rows: type_52;
+var<storage> rows: type_9;
 @group(0) @binding(6) 
 var<uniform> space: type_56;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_204_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_204_: lt_bvh_traverse_Tree;
     var phi_205_: bool;
-    var phi_206_: lt_mask_LightPlace;
+    var phi_206_: lt_bvh_traverse_Tree;
     var phi_207_: bool;
-    var phi_212_: lt_mask_LightPlace;
+    var phi_212_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_204_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_204_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_205_ = false;
         } else {
-            phi_204_ = lt_mask_LightPlace();
+            phi_204_ = lt_bvh_traverse_Tree();
             phi_205_ = true;
         }
         let _e79 = phi_204_;
@@ -178,18 +178,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_206_ = _e79;
         phi_207_ = _e81;
     } else {
-        phi_206_ = lt_mask_LightPlace();
+        phi_206_ = lt_bvh_traverse_Tree();
         phi_207_ = true;
     }
     let _e83 = phi_206_;
     let _e85 = phi_207_;
     if _e85 {
-        phi_212_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_212_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_212_ = _e83;
     }
     let _e90 = phi_212_;
-    return lt_mask_LightPlace(_e90.word, _e90.shift);
+    return lt_bvh_traverse_Tree(_e90.root, _e90.first_primitive);
 }
 
 fn core_intrinsics_maximum_number_nsz_f32_(param_3: f32, param_4: f32) -> f32 {
@@ -717,12 +717,12 @@ fn function_() {
     let _e89 = p.member.size[0u];
     let _e91 = p.member.size[1u];
     let _e92 = lt_shaders_entry_pixel_index(_e69, _e89, _e91);
-    if (bitcast<i32>(_e92.word) != 0i) {
-        if (_e92.shift < arrayLength((&samples.member))) {
+    if (bitcast<i32>(_e92.root) != 0i) {
+        if (_e92.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e100 = samples.member[(0u + _e92.shift)];
+        let _e100 = samples.member[(0u + _e92.first_primitive)];
         local_2 = abi_Sample(_e100.position, _e100.magnitude, _e100.normal, _e100.flags, _e100.shading_normal, _e100.albedo);
         let _e109 = _lt_shaders_abi_Sample_is_valid((&local_2));
         if _e109 {
@@ -2503,41 +2503,41 @@ fn function_() {
                                     let _e2103 = ((bitcast<f32>(_e2096) - _e257) * _e1829);
                                     let _e2111 = nodes.member[(0u + _e2049)].x;
                                     if (_e1809 < 0f) {
-                                        let _e2122 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2111.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2128 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2122.unnamed.word, _e2111.w), _e2122.unnamed_1);
-                                        let _e2134 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2128.unnamed, lt_mask_LightPlace(_e2111.x, _e2128.unnamed_1.shift));
-                                        phi_2606_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2134.unnamed, lt_mask_LightPlace(_e2134.unnamed_1.word, _e2111.y));
+                                        let _e2122 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2111.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2128 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2122.unnamed.root, _e2111.w), _e2122.unnamed_1);
+                                        let _e2134 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2128.unnamed, lt_bvh_traverse_Tree(_e2111.x, _e2128.unnamed_1.first_primitive));
+                                        phi_2606_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2134.unnamed, lt_bvh_traverse_Tree(_e2134.unnamed_1.root, _e2111.y));
                                     } else {
-                                        let _e2150 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2111.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2156 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2150.unnamed.word, _e2111.y), _e2150.unnamed_1);
-                                        let _e2162 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2156.unnamed, lt_mask_LightPlace(_e2111.z, _e2156.unnamed_1.shift));
-                                        phi_2606_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2162.unnamed, lt_mask_LightPlace(_e2162.unnamed_1.word, _e2111.w));
+                                        let _e2150 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2111.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2156 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2150.unnamed.root, _e2111.y), _e2150.unnamed_1);
+                                        let _e2162 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2156.unnamed, lt_bvh_traverse_Tree(_e2111.z, _e2156.unnamed_1.first_primitive));
+                                        phi_2606_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2162.unnamed, lt_bvh_traverse_Tree(_e2162.unnamed_1.root, _e2111.w));
                                     }
                                     let _e2170 = phi_2606_;
                                     let _e2180 = nodes.member[(0u + _e2049)].y;
                                     if (_e1819 < 0f) {
-                                        let _e2191 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2180.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2197 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2191.unnamed.word, _e2180.w), _e2191.unnamed_1);
-                                        let _e2203 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2197.unnamed, lt_mask_LightPlace(_e2180.x, _e2197.unnamed_1.shift));
-                                        phi_2633_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2203.unnamed, lt_mask_LightPlace(_e2203.unnamed_1.word, _e2180.y));
+                                        let _e2191 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2180.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2197 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2191.unnamed.root, _e2180.w), _e2191.unnamed_1);
+                                        let _e2203 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2197.unnamed, lt_bvh_traverse_Tree(_e2180.x, _e2197.unnamed_1.first_primitive));
+                                        phi_2633_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2203.unnamed, lt_bvh_traverse_Tree(_e2203.unnamed_1.root, _e2180.y));
                                     } else {
-                                        let _e2219 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2180.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2225 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2219.unnamed.word, _e2180.y), _e2219.unnamed_1);
-                                        let _e2231 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2225.unnamed, lt_mask_LightPlace(_e2180.z, _e2225.unnamed_1.shift));
-                                        phi_2633_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2231.unnamed, lt_mask_LightPlace(_e2231.unnamed_1.word, _e2180.w));
+                                        let _e2219 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2180.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2225 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2219.unnamed.root, _e2180.y), _e2219.unnamed_1);
+                                        let _e2231 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2225.unnamed, lt_bvh_traverse_Tree(_e2180.z, _e2225.unnamed_1.first_primitive));
+                                        phi_2633_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2231.unnamed, lt_bvh_traverse_Tree(_e2231.unnamed_1.root, _e2180.w));
                                     }
                                     let _e2239 = phi_2633_;
                                     let _e2249 = nodes.member[(0u + _e2049)].z;
                                     if (_e1829 < 0f) {
-                                        let _e2260 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2249.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2266 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2260.unnamed.word, _e2249.w), _e2260.unnamed_1);
-                                        let _e2272 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2266.unnamed, lt_mask_LightPlace(_e2249.x, _e2266.unnamed_1.shift));
-                                        phi_2660_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2272.unnamed, lt_mask_LightPlace(_e2272.unnamed_1.word, _e2249.y));
+                                        let _e2260 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2249.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2266 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2260.unnamed.root, _e2249.w), _e2260.unnamed_1);
+                                        let _e2272 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2266.unnamed, lt_bvh_traverse_Tree(_e2249.x, _e2266.unnamed_1.first_primitive));
+                                        phi_2660_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2272.unnamed, lt_bvh_traverse_Tree(_e2272.unnamed_1.root, _e2249.y));
                                     } else {
-                                        let _e2288 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2249.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                        let _e2294 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2288.unnamed.word, _e2249.y), _e2288.unnamed_1);
-                                        let _e2300 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2294.unnamed, lt_mask_LightPlace(_e2249.z, _e2294.unnamed_1.shift));
-                                        phi_2660_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2300.unnamed, lt_mask_LightPlace(_e2300.unnamed_1.word, _e2249.w));
+                                        let _e2288 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2249.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                        let _e2294 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2288.unnamed.root, _e2249.y), _e2288.unnamed_1);
+                                        let _e2300 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2294.unnamed, lt_bvh_traverse_Tree(_e2249.z, _e2294.unnamed_1.first_primitive));
+                                        phi_2660_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2300.unnamed, lt_bvh_traverse_Tree(_e2300.unnamed_1.root, _e2249.w));
                                     }
                                     let _e2308 = phi_2660_;
                                     phi_2666_ = 0u;
@@ -2553,41 +2553,41 @@ fn function_() {
                                             let _e2323 = (_e2318 >> bitcast<u32>(2i));
                                             let _e2324 = (_e2318 & 3u);
                                             if (_e2323 == 0u) {
-                                                phi_2683_ = _e2170.unnamed.word;
+                                                phi_2683_ = _e2170.unnamed.root;
                                             } else {
-                                                phi_2683_ = _e2170.unnamed.shift;
+                                                phi_2683_ = _e2170.unnamed.first_primitive;
                                             }
                                             let _e2327 = phi_2683_;
                                             if (_e2323 == 0u) {
-                                                phi_2693_ = _e2239.unnamed.word;
+                                                phi_2693_ = _e2239.unnamed.root;
                                             } else {
-                                                phi_2693_ = _e2239.unnamed.shift;
+                                                phi_2693_ = _e2239.unnamed.first_primitive;
                                             }
                                             let _e2336 = phi_2693_;
                                             if (_e2323 == 0u) {
-                                                phi_2703_ = _e2308.unnamed.word;
+                                                phi_2703_ = _e2308.unnamed.root;
                                             } else {
-                                                phi_2703_ = _e2308.unnamed.shift;
+                                                phi_2703_ = _e2308.unnamed.first_primitive;
                                             }
                                             let _e2345 = phi_2703_;
                                             let _e2358 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2327 >> bitcast<u32>(((_e2324 * 8u) & 31u))) & 255u)) * _e2083) + (_e2101 - _e1861)), ((f32(((_e2336 >> bitcast<u32>(((_e2324 * 8u) & 31u))) & 255u)) * _e2084) + (_e2102 - _e1862)));
                                             let _e2359 = core_intrinsics_maximum_number_nsz_f32_(_e2358, ((f32(((_e2345 >> bitcast<u32>(((_e2324 * 8u) & 31u))) & 255u)) * _e2085) + (_e2103 - _e1863)));
                                             if (_e2323 == 0u) {
-                                                phi_2721_ = _e2170.unnamed_1.word;
+                                                phi_2721_ = _e2170.unnamed_1.root;
                                             } else {
-                                                phi_2721_ = _e2170.unnamed_1.shift;
+                                                phi_2721_ = _e2170.unnamed_1.first_primitive;
                                             }
                                             let _e2362 = phi_2721_;
                                             if (_e2323 == 0u) {
-                                                phi_2731_ = _e2239.unnamed_1.word;
+                                                phi_2731_ = _e2239.unnamed_1.root;
                                             } else {
-                                                phi_2731_ = _e2239.unnamed_1.shift;
+                                                phi_2731_ = _e2239.unnamed_1.first_primitive;
                                             }
                                             let _e2371 = phi_2731_;
                                             if (_e2323 == 0u) {
-                                                phi_2741_ = _e2308.unnamed_1.word;
+                                                phi_2741_ = _e2308.unnamed_1.root;
                                             } else {
-                                                phi_2741_ = _e2308.unnamed_1.shift;
+                                                phi_2741_ = _e2308.unnamed_1.first_primitive;
                                             }
                                             let _e2380 = phi_2741_;
                                             let _e2393 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2362 >> bitcast<u32>(((_e2324 * 8u) & 31u))) & 255u)) * _e2083) + (_e2101 + _e1861)), ((f32(((_e2371 >> bitcast<u32>(((_e2324 * 8u) & 31u))) & 255u)) * _e2084) + (_e2102 + _e1862)));
@@ -3345,11 +3345,11 @@ fn function_() {
             phi_3555_ = _e3070;
         }
         let _e3072 = phi_3555_;
-        if (_e92.shift < arrayLength((&visibility.member))) {
+        if (_e92.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e92.shift)] = _e3072;
+        visibility.member[(0u + _e92.first_primitive)] = _e3072;
     }
     return;
 }

@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
-    member: array<u32>,
-}
-
-struct type_17 {
+struct type_24 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -62,7 +62,7 @@ struct abi_ShadowParams {
     pad1_: u32,
 }
 
-struct type_32 {
+struct type_34 {
     member: abi_ShadowParams,
 }
 
@@ -74,7 +74,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_36 {
+struct type_38 {
     member: array<lt_bvh_Node>,
 }
 
@@ -87,13 +87,13 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_40 {
+struct type_42 {
     member: array<lt_bvh_Triangle>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -120,19 +120,19 @@ struct type_50 {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_20;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_17;
+var<storage, read_write> visibility: type_24;
 @group(0) @binding(0) 
-var<uniform> p: type_32;
+var<uniform> p: type_34;
 @group(0) @binding(2) 
-var<storage> nodes: type_36;
+var<storage> nodes: type_38;
 @group(0) @binding(3) 
-var<storage> triangles: type_40;
+var<storage> triangles: type_42;
 @group(0) @binding(5) 
-var<storage> list: type_13;
+var<storage> list: type_9;
 @group(0) @binding(6) 
-var<storage, read_write> bits: type_13;
+var<storage, read_write> bits: type_9;
 @group(0) @binding(7) 
 var<storage> instances: type_50;
 
@@ -785,41 +785,41 @@ fn function_() {
                         let _e527 = ((bitcast<f32>(_e520) - _e117) * _e283);
                         let _e535 = nodes.member[(0u + _e473)].x;
                         if (_e263 < 0f) {
-                            let _e546 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e535.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e552 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e546.unnamed.word, _e535.w), _e546.unnamed_1);
-                            let _e558 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e552.unnamed, lt_mask_LightPlace(_e535.x, _e552.unnamed_1.shift));
-                            phi_766_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e558.unnamed, lt_mask_LightPlace(_e558.unnamed_1.word, _e535.y));
+                            let _e546 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e535.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e552 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e546.unnamed.root, _e535.w), _e546.unnamed_1);
+                            let _e558 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e552.unnamed, lt_bvh_traverse_Tree(_e535.x, _e552.unnamed_1.first_primitive));
+                            phi_766_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e558.unnamed, lt_bvh_traverse_Tree(_e558.unnamed_1.root, _e535.y));
                         } else {
-                            let _e574 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e535.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e580 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e574.unnamed.word, _e535.y), _e574.unnamed_1);
-                            let _e586 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e580.unnamed, lt_mask_LightPlace(_e535.z, _e580.unnamed_1.shift));
-                            phi_766_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e586.unnamed, lt_mask_LightPlace(_e586.unnamed_1.word, _e535.w));
+                            let _e574 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e535.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e580 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e574.unnamed.root, _e535.y), _e574.unnamed_1);
+                            let _e586 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e580.unnamed, lt_bvh_traverse_Tree(_e535.z, _e580.unnamed_1.first_primitive));
+                            phi_766_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e586.unnamed, lt_bvh_traverse_Tree(_e586.unnamed_1.root, _e535.w));
                         }
                         let _e594 = phi_766_;
                         let _e604 = nodes.member[(0u + _e473)].y;
                         if (_e273 < 0f) {
-                            let _e615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e604.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e615.unnamed.word, _e604.w), _e615.unnamed_1);
-                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e621.unnamed, lt_mask_LightPlace(_e604.x, _e621.unnamed_1.shift));
-                            phi_793_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e627.unnamed, lt_mask_LightPlace(_e627.unnamed_1.word, _e604.y));
+                            let _e615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e604.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e615.unnamed.root, _e604.w), _e615.unnamed_1);
+                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e621.unnamed, lt_bvh_traverse_Tree(_e604.x, _e621.unnamed_1.first_primitive));
+                            phi_793_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e627.unnamed, lt_bvh_traverse_Tree(_e627.unnamed_1.root, _e604.y));
                         } else {
-                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e604.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e643.unnamed.word, _e604.y), _e643.unnamed_1);
-                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e649.unnamed, lt_mask_LightPlace(_e604.z, _e649.unnamed_1.shift));
-                            phi_793_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_mask_LightPlace(_e655.unnamed_1.word, _e604.w));
+                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e604.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e643.unnamed.root, _e604.y), _e643.unnamed_1);
+                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e649.unnamed, lt_bvh_traverse_Tree(_e604.z, _e649.unnamed_1.first_primitive));
+                            phi_793_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_bvh_traverse_Tree(_e655.unnamed_1.root, _e604.w));
                         }
                         let _e663 = phi_793_;
                         let _e673 = nodes.member[(0u + _e473)].z;
                         if (_e283 < 0f) {
-                            let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e673.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e684.unnamed.word, _e673.w), _e684.unnamed_1);
-                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_mask_LightPlace(_e673.x, _e690.unnamed_1.shift));
-                            phi_820_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_mask_LightPlace(_e696.unnamed_1.word, _e673.y));
+                            let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e673.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e684.unnamed.root, _e673.w), _e684.unnamed_1);
+                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_bvh_traverse_Tree(_e673.x, _e690.unnamed_1.first_primitive));
+                            phi_820_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_bvh_traverse_Tree(_e696.unnamed_1.root, _e673.y));
                         } else {
-                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e673.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e712.unnamed.word, _e673.y), _e712.unnamed_1);
-                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_mask_LightPlace(_e673.z, _e718.unnamed_1.shift));
-                            phi_820_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_mask_LightPlace(_e724.unnamed_1.word, _e673.w));
+                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e673.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e712.unnamed.root, _e673.y), _e712.unnamed_1);
+                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_bvh_traverse_Tree(_e673.z, _e718.unnamed_1.first_primitive));
+                            phi_820_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_bvh_traverse_Tree(_e724.unnamed_1.root, _e673.w));
                         }
                         let _e732 = phi_820_;
                         phi_826_ = 0u;
@@ -835,41 +835,41 @@ fn function_() {
                                 let _e747 = (_e742 >> bitcast<u32>(2i));
                                 let _e748 = (_e742 & 3u);
                                 if (_e747 == 0u) {
-                                    phi_843_ = _e594.unnamed.word;
+                                    phi_843_ = _e594.unnamed.root;
                                 } else {
-                                    phi_843_ = _e594.unnamed.shift;
+                                    phi_843_ = _e594.unnamed.first_primitive;
                                 }
                                 let _e751 = phi_843_;
                                 if (_e747 == 0u) {
-                                    phi_853_ = _e663.unnamed.word;
+                                    phi_853_ = _e663.unnamed.root;
                                 } else {
-                                    phi_853_ = _e663.unnamed.shift;
+                                    phi_853_ = _e663.unnamed.first_primitive;
                                 }
                                 let _e760 = phi_853_;
                                 if (_e747 == 0u) {
-                                    phi_863_ = _e732.unnamed.word;
+                                    phi_863_ = _e732.unnamed.root;
                                 } else {
-                                    phi_863_ = _e732.unnamed.shift;
+                                    phi_863_ = _e732.unnamed.first_primitive;
                                 }
                                 let _e769 = phi_863_;
                                 let _e782 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e751 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e507) + (_e525 - _e315)), ((f32(((_e760 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e508) + (_e526 - _e316)));
                                 let _e783 = core_intrinsics_maximum_number_nsz_f32_(_e782, ((f32(((_e769 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e509) + (_e527 - _e317)));
                                 if (_e747 == 0u) {
-                                    phi_881_ = _e594.unnamed_1.word;
+                                    phi_881_ = _e594.unnamed_1.root;
                                 } else {
-                                    phi_881_ = _e594.unnamed_1.shift;
+                                    phi_881_ = _e594.unnamed_1.first_primitive;
                                 }
                                 let _e786 = phi_881_;
                                 if (_e747 == 0u) {
-                                    phi_891_ = _e663.unnamed_1.word;
+                                    phi_891_ = _e663.unnamed_1.root;
                                 } else {
-                                    phi_891_ = _e663.unnamed_1.shift;
+                                    phi_891_ = _e663.unnamed_1.first_primitive;
                                 }
                                 let _e795 = phi_891_;
                                 if (_e747 == 0u) {
-                                    phi_901_ = _e732.unnamed_1.word;
+                                    phi_901_ = _e732.unnamed_1.root;
                                 } else {
-                                    phi_901_ = _e732.unnamed_1.shift;
+                                    phi_901_ = _e732.unnamed_1.first_primitive;
                                 }
                                 let _e804 = phi_901_;
                                 let _e817 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e786 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e507) + (_e525 + _e315)), ((f32(((_e795 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e508) + (_e526 + _e316)));
@@ -1364,41 +1364,41 @@ fn function_() {
                                                             let _e1488 = ((bitcast<f32>(_e1481) - _e1019) * _e1214);
                                                             let _e1496 = nodes.member[(0u + _e1434)].x;
                                                             if (_e1194 < 0f) {
-                                                                let _e1507 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1496.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1513 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1507.unnamed.word, _e1496.w), _e1507.unnamed_1);
-                                                                let _e1519 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1513.unnamed, lt_mask_LightPlace(_e1496.x, _e1513.unnamed_1.shift));
-                                                                phi_1713_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1519.unnamed, lt_mask_LightPlace(_e1519.unnamed_1.word, _e1496.y));
+                                                                let _e1507 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1496.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1513 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1507.unnamed.root, _e1496.w), _e1507.unnamed_1);
+                                                                let _e1519 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1513.unnamed, lt_bvh_traverse_Tree(_e1496.x, _e1513.unnamed_1.first_primitive));
+                                                                phi_1713_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1519.unnamed, lt_bvh_traverse_Tree(_e1519.unnamed_1.root, _e1496.y));
                                                             } else {
-                                                                let _e1535 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1496.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1541 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1535.unnamed.word, _e1496.y), _e1535.unnamed_1);
-                                                                let _e1547 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1541.unnamed, lt_mask_LightPlace(_e1496.z, _e1541.unnamed_1.shift));
-                                                                phi_1713_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1547.unnamed, lt_mask_LightPlace(_e1547.unnamed_1.word, _e1496.w));
+                                                                let _e1535 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1496.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1541 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1535.unnamed.root, _e1496.y), _e1535.unnamed_1);
+                                                                let _e1547 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1541.unnamed, lt_bvh_traverse_Tree(_e1496.z, _e1541.unnamed_1.first_primitive));
+                                                                phi_1713_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1547.unnamed, lt_bvh_traverse_Tree(_e1547.unnamed_1.root, _e1496.w));
                                                             }
                                                             let _e1555 = phi_1713_;
                                                             let _e1565 = nodes.member[(0u + _e1434)].y;
                                                             if (_e1204 < 0f) {
-                                                                let _e1576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1565.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1576.unnamed.word, _e1565.w), _e1576.unnamed_1);
-                                                                let _e1588 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1582.unnamed, lt_mask_LightPlace(_e1565.x, _e1582.unnamed_1.shift));
-                                                                phi_1740_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1588.unnamed, lt_mask_LightPlace(_e1588.unnamed_1.word, _e1565.y));
+                                                                let _e1576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1565.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1576.unnamed.root, _e1565.w), _e1576.unnamed_1);
+                                                                let _e1588 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1582.unnamed, lt_bvh_traverse_Tree(_e1565.x, _e1582.unnamed_1.first_primitive));
+                                                                phi_1740_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1588.unnamed, lt_bvh_traverse_Tree(_e1588.unnamed_1.root, _e1565.y));
                                                             } else {
-                                                                let _e1604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1565.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1604.unnamed.word, _e1565.y), _e1604.unnamed_1);
-                                                                let _e1616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1610.unnamed, lt_mask_LightPlace(_e1565.z, _e1610.unnamed_1.shift));
-                                                                phi_1740_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1616.unnamed, lt_mask_LightPlace(_e1616.unnamed_1.word, _e1565.w));
+                                                                let _e1604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1565.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1604.unnamed.root, _e1565.y), _e1604.unnamed_1);
+                                                                let _e1616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1610.unnamed, lt_bvh_traverse_Tree(_e1565.z, _e1610.unnamed_1.first_primitive));
+                                                                phi_1740_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1616.unnamed, lt_bvh_traverse_Tree(_e1616.unnamed_1.root, _e1565.w));
                                                             }
                                                             let _e1624 = phi_1740_;
                                                             let _e1634 = nodes.member[(0u + _e1434)].z;
                                                             if (_e1214 < 0f) {
-                                                                let _e1645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1634.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1645.unnamed.word, _e1634.w), _e1645.unnamed_1);
-                                                                let _e1657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1651.unnamed, lt_mask_LightPlace(_e1634.x, _e1651.unnamed_1.shift));
-                                                                phi_1767_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1657.unnamed, lt_mask_LightPlace(_e1657.unnamed_1.word, _e1634.y));
+                                                                let _e1645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1634.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1645.unnamed.root, _e1634.w), _e1645.unnamed_1);
+                                                                let _e1657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1651.unnamed, lt_bvh_traverse_Tree(_e1634.x, _e1651.unnamed_1.first_primitive));
+                                                                phi_1767_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1657.unnamed, lt_bvh_traverse_Tree(_e1657.unnamed_1.root, _e1634.y));
                                                             } else {
-                                                                let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1634.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1673.unnamed.word, _e1634.y), _e1673.unnamed_1);
-                                                                let _e1685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1679.unnamed, lt_mask_LightPlace(_e1634.z, _e1679.unnamed_1.shift));
-                                                                phi_1767_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1685.unnamed, lt_mask_LightPlace(_e1685.unnamed_1.word, _e1634.w));
+                                                                let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1634.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1673.unnamed.root, _e1634.y), _e1673.unnamed_1);
+                                                                let _e1685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1679.unnamed, lt_bvh_traverse_Tree(_e1634.z, _e1679.unnamed_1.first_primitive));
+                                                                phi_1767_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1685.unnamed, lt_bvh_traverse_Tree(_e1685.unnamed_1.root, _e1634.w));
                                                             }
                                                             let _e1693 = phi_1767_;
                                                             phi_1773_ = 0u;
@@ -1414,41 +1414,41 @@ fn function_() {
                                                                     let _e1708 = (_e1703 >> bitcast<u32>(2i));
                                                                     let _e1709 = (_e1703 & 3u);
                                                                     if (_e1708 == 0u) {
-                                                                        phi_1790_ = _e1555.unnamed.word;
+                                                                        phi_1790_ = _e1555.unnamed.root;
                                                                     } else {
-                                                                        phi_1790_ = _e1555.unnamed.shift;
+                                                                        phi_1790_ = _e1555.unnamed.first_primitive;
                                                                     }
                                                                     let _e1712 = phi_1790_;
                                                                     if (_e1708 == 0u) {
-                                                                        phi_1800_ = _e1624.unnamed.word;
+                                                                        phi_1800_ = _e1624.unnamed.root;
                                                                     } else {
-                                                                        phi_1800_ = _e1624.unnamed.shift;
+                                                                        phi_1800_ = _e1624.unnamed.first_primitive;
                                                                     }
                                                                     let _e1721 = phi_1800_;
                                                                     if (_e1708 == 0u) {
-                                                                        phi_1810_ = _e1693.unnamed.word;
+                                                                        phi_1810_ = _e1693.unnamed.root;
                                                                     } else {
-                                                                        phi_1810_ = _e1693.unnamed.shift;
+                                                                        phi_1810_ = _e1693.unnamed.first_primitive;
                                                                     }
                                                                     let _e1730 = phi_1810_;
                                                                     let _e1743 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1712 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1468) + (_e1486 - _e1246)), ((f32(((_e1721 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1469) + (_e1487 - _e1247)));
                                                                     let _e1744 = core_intrinsics_maximum_number_nsz_f32_(_e1743, ((f32(((_e1730 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1470) + (_e1488 - _e1248)));
                                                                     if (_e1708 == 0u) {
-                                                                        phi_1828_ = _e1555.unnamed_1.word;
+                                                                        phi_1828_ = _e1555.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1828_ = _e1555.unnamed_1.shift;
+                                                                        phi_1828_ = _e1555.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1747 = phi_1828_;
                                                                     if (_e1708 == 0u) {
-                                                                        phi_1838_ = _e1624.unnamed_1.word;
+                                                                        phi_1838_ = _e1624.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1838_ = _e1624.unnamed_1.shift;
+                                                                        phi_1838_ = _e1624.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1756 = phi_1838_;
                                                                     if (_e1708 == 0u) {
-                                                                        phi_1848_ = _e1693.unnamed_1.word;
+                                                                        phi_1848_ = _e1693.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1848_ = _e1693.unnamed_1.shift;
+                                                                        phi_1848_ = _e1693.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1765 = phi_1848_;
                                                                     let _e1778 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1747 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1468) + (_e1486 + _e1246)), ((f32(((_e1756 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1469) + (_e1487 + _e1247)));

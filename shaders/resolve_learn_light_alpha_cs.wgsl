@@ -8,6 +8,19 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct type_13 {
+    member: array<vec4<u32>>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +30,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_24 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
-    member: array<u32>,
-}
-
-struct type_17 {
+struct type_28 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct texture_TextureView {
@@ -68,7 +72,7 @@ struct abi_ShadowParams {
     pad1_: u32,
 }
 
-struct type_32 {
+struct type_38 {
     member: abi_ShadowParams,
 }
 
@@ -80,7 +84,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_36 {
+struct type_42 {
     member: array<lt_bvh_Node>,
 }
 
@@ -93,7 +97,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_40 {
+struct type_46 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -105,7 +109,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_44 {
+struct type_50 {
     member: array<abi_Vertex>,
 }
 
@@ -121,13 +125,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_48 {
+struct type_54 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -154,10 +158,6 @@ struct lt_math_Evsm {
     min_variance: f32,
 }
 
-struct type_60 {
-    member: array<vec4<u32>>,
-}
-
 struct lt_bvh_LightSpace {
     shear: vec2<f32>,
     diagonal: vec2<f32>,
@@ -182,29 +182,29 @@ struct u0028_lt_bvh_LightPoint_u0020_u32_u0029_ {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_24;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_17;
+var<storage, read_write> visibility: type_28;
 @group(0) @binding(0) 
-var<uniform> p: type_32;
+var<uniform> p: type_38;
 @group(0) @binding(2) 
-var<storage> nodes: type_36;
+var<storage> nodes: type_42;
 @group(0) @binding(3) 
-var<storage> triangles: type_40;
+var<storage> triangles: type_46;
 @group(0) @binding(5) 
-var<storage> list: type_13;
+var<storage> list: type_9;
 @group(0) @binding(6) 
-var<storage, read_write> bits: type_13;
+var<storage, read_write> bits: type_9;
 @group(0) @binding(7) 
-var<storage> rows: type_60;
+var<storage> rows: type_13;
 @group(0) @binding(8) 
 var<uniform> space: type_64;
 @group(0) @binding(9) 
-var<storage> vertices: type_44;
+var<storage> vertices: type_50;
 @group(0) @binding(10) 
-var<storage> materials: type_48;
+var<storage> materials: type_54;
 @group(0) @binding(11) 
-var<storage> alpha_texels: type_13;
+var<storage> alpha_texels: type_9;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
     var phi_230_: bool;
@@ -2862,41 +2862,41 @@ fn function_() {
                                 let _e2185 = ((bitcast<f32>(_e2178) - _e153) * _e1911);
                                 let _e2193 = nodes.member[(0u + _e2131)].x;
                                 if (_e1891 < 0f) {
-                                    let _e2204 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2193.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2210 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2204.unnamed.word, _e2193.w), _e2204.unnamed_1);
-                                    let _e2216 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2210.unnamed, lt_mask_LightPlace(_e2193.x, _e2210.unnamed_1.shift));
-                                    phi_3063_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2216.unnamed, lt_mask_LightPlace(_e2216.unnamed_1.word, _e2193.y));
+                                    let _e2204 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2193.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2210 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2204.unnamed.root, _e2193.w), _e2204.unnamed_1);
+                                    let _e2216 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2210.unnamed, lt_bvh_traverse_Tree(_e2193.x, _e2210.unnamed_1.first_primitive));
+                                    phi_3063_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2216.unnamed, lt_bvh_traverse_Tree(_e2216.unnamed_1.root, _e2193.y));
                                 } else {
-                                    let _e2232 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2193.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2238 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2232.unnamed.word, _e2193.y), _e2232.unnamed_1);
-                                    let _e2244 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2238.unnamed, lt_mask_LightPlace(_e2193.z, _e2238.unnamed_1.shift));
-                                    phi_3063_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2244.unnamed, lt_mask_LightPlace(_e2244.unnamed_1.word, _e2193.w));
+                                    let _e2232 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2193.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2238 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2232.unnamed.root, _e2193.y), _e2232.unnamed_1);
+                                    let _e2244 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2238.unnamed, lt_bvh_traverse_Tree(_e2193.z, _e2238.unnamed_1.first_primitive));
+                                    phi_3063_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2244.unnamed, lt_bvh_traverse_Tree(_e2244.unnamed_1.root, _e2193.w));
                                 }
                                 let _e2252 = phi_3063_;
                                 let _e2262 = nodes.member[(0u + _e2131)].y;
                                 if (_e1901 < 0f) {
-                                    let _e2273 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2262.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2279 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2273.unnamed.word, _e2262.w), _e2273.unnamed_1);
-                                    let _e2285 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2279.unnamed, lt_mask_LightPlace(_e2262.x, _e2279.unnamed_1.shift));
-                                    phi_3090_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2285.unnamed, lt_mask_LightPlace(_e2285.unnamed_1.word, _e2262.y));
+                                    let _e2273 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2262.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2279 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2273.unnamed.root, _e2262.w), _e2273.unnamed_1);
+                                    let _e2285 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2279.unnamed, lt_bvh_traverse_Tree(_e2262.x, _e2279.unnamed_1.first_primitive));
+                                    phi_3090_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2285.unnamed, lt_bvh_traverse_Tree(_e2285.unnamed_1.root, _e2262.y));
                                 } else {
-                                    let _e2301 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2262.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2307 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2301.unnamed.word, _e2262.y), _e2301.unnamed_1);
-                                    let _e2313 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2307.unnamed, lt_mask_LightPlace(_e2262.z, _e2307.unnamed_1.shift));
-                                    phi_3090_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2313.unnamed, lt_mask_LightPlace(_e2313.unnamed_1.word, _e2262.w));
+                                    let _e2301 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2262.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2307 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2301.unnamed.root, _e2262.y), _e2301.unnamed_1);
+                                    let _e2313 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2307.unnamed, lt_bvh_traverse_Tree(_e2262.z, _e2307.unnamed_1.first_primitive));
+                                    phi_3090_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2313.unnamed, lt_bvh_traverse_Tree(_e2313.unnamed_1.root, _e2262.w));
                                 }
                                 let _e2321 = phi_3090_;
                                 let _e2331 = nodes.member[(0u + _e2131)].z;
                                 if (_e1911 < 0f) {
-                                    let _e2342 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2331.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2348 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2342.unnamed.word, _e2331.w), _e2342.unnamed_1);
-                                    let _e2354 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2348.unnamed, lt_mask_LightPlace(_e2331.x, _e2348.unnamed_1.shift));
-                                    phi_3117_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2354.unnamed, lt_mask_LightPlace(_e2354.unnamed_1.word, _e2331.y));
+                                    let _e2342 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2331.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2348 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2342.unnamed.root, _e2331.w), _e2342.unnamed_1);
+                                    let _e2354 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2348.unnamed, lt_bvh_traverse_Tree(_e2331.x, _e2348.unnamed_1.first_primitive));
+                                    phi_3117_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2354.unnamed, lt_bvh_traverse_Tree(_e2354.unnamed_1.root, _e2331.y));
                                 } else {
-                                    let _e2370 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2331.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2376 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2370.unnamed.word, _e2331.y), _e2370.unnamed_1);
-                                    let _e2382 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2376.unnamed, lt_mask_LightPlace(_e2331.z, _e2376.unnamed_1.shift));
-                                    phi_3117_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2382.unnamed, lt_mask_LightPlace(_e2382.unnamed_1.word, _e2331.w));
+                                    let _e2370 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2331.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2376 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2370.unnamed.root, _e2331.y), _e2370.unnamed_1);
+                                    let _e2382 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2376.unnamed, lt_bvh_traverse_Tree(_e2331.z, _e2376.unnamed_1.first_primitive));
+                                    phi_3117_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2382.unnamed, lt_bvh_traverse_Tree(_e2382.unnamed_1.root, _e2331.w));
                                 }
                                 let _e2390 = phi_3117_;
                                 phi_3123_ = 0u;
@@ -2912,41 +2912,41 @@ fn function_() {
                                         let _e2405 = (_e2400 >> bitcast<u32>(2i));
                                         let _e2406 = (_e2400 & 3u);
                                         if (_e2405 == 0u) {
-                                            phi_3140_ = _e2252.unnamed.word;
+                                            phi_3140_ = _e2252.unnamed.root;
                                         } else {
-                                            phi_3140_ = _e2252.unnamed.shift;
+                                            phi_3140_ = _e2252.unnamed.first_primitive;
                                         }
                                         let _e2409 = phi_3140_;
                                         if (_e2405 == 0u) {
-                                            phi_3150_ = _e2321.unnamed.word;
+                                            phi_3150_ = _e2321.unnamed.root;
                                         } else {
-                                            phi_3150_ = _e2321.unnamed.shift;
+                                            phi_3150_ = _e2321.unnamed.first_primitive;
                                         }
                                         let _e2418 = phi_3150_;
                                         if (_e2405 == 0u) {
-                                            phi_3160_ = _e2390.unnamed.word;
+                                            phi_3160_ = _e2390.unnamed.root;
                                         } else {
-                                            phi_3160_ = _e2390.unnamed.shift;
+                                            phi_3160_ = _e2390.unnamed.first_primitive;
                                         }
                                         let _e2427 = phi_3160_;
                                         let _e2440 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2409 >> bitcast<u32>(((_e2406 * 8u) & 31u))) & 255u)) * _e2165) + (_e2183 - _e1943)), ((f32(((_e2418 >> bitcast<u32>(((_e2406 * 8u) & 31u))) & 255u)) * _e2166) + (_e2184 - _e1944)));
                                         let _e2441 = core_intrinsics_maximum_number_nsz_f32_(_e2440, ((f32(((_e2427 >> bitcast<u32>(((_e2406 * 8u) & 31u))) & 255u)) * _e2167) + (_e2185 - _e1945)));
                                         if (_e2405 == 0u) {
-                                            phi_3178_ = _e2252.unnamed_1.word;
+                                            phi_3178_ = _e2252.unnamed_1.root;
                                         } else {
-                                            phi_3178_ = _e2252.unnamed_1.shift;
+                                            phi_3178_ = _e2252.unnamed_1.first_primitive;
                                         }
                                         let _e2444 = phi_3178_;
                                         if (_e2405 == 0u) {
-                                            phi_3188_ = _e2321.unnamed_1.word;
+                                            phi_3188_ = _e2321.unnamed_1.root;
                                         } else {
-                                            phi_3188_ = _e2321.unnamed_1.shift;
+                                            phi_3188_ = _e2321.unnamed_1.first_primitive;
                                         }
                                         let _e2453 = phi_3188_;
                                         if (_e2405 == 0u) {
-                                            phi_3198_ = _e2390.unnamed_1.word;
+                                            phi_3198_ = _e2390.unnamed_1.root;
                                         } else {
-                                            phi_3198_ = _e2390.unnamed_1.shift;
+                                            phi_3198_ = _e2390.unnamed_1.first_primitive;
                                         }
                                         let _e2462 = phi_3198_;
                                         let _e2475 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2444 >> bitcast<u32>(((_e2406 * 8u) & 31u))) & 255u)) * _e2165) + (_e2183 + _e1943)), ((f32(((_e2453 >> bitcast<u32>(((_e2406 * 8u) & 31u))) & 255u)) * _e2166) + (_e2184 + _e1944)));

@@ -8,6 +8,19 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct type_13 {
+    member: array<vec4<u32>>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +30,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_24 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
-    member: array<u32>,
-}
-
-struct type_17 {
+struct type_28 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -62,7 +66,7 @@ struct abi_ShadowParams {
     pad1_: u32,
 }
 
-struct type_31 {
+struct type_37 {
     member: abi_ShadowParams,
 }
 
@@ -74,7 +78,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_35 {
+struct type_41 {
     member: array<lt_bvh_Node>,
 }
 
@@ -87,13 +91,13 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_39 {
+struct type_45 {
     member: array<lt_bvh_Triangle>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -107,10 +111,6 @@ struct lt_math_Evsm {
     positive_exponent: f32,
     negative_exponent: f32,
     min_variance: f32,
-}
-
-struct type_48 {
-    member: array<vec4<u32>>,
 }
 
 struct lt_bvh_LightSpace {
@@ -137,21 +137,21 @@ struct u0028_lt_bvh_LightPoint_u0020_u32_u0029_ {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_24;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_17;
+var<storage, read_write> visibility: type_28;
 @group(0) @binding(0) 
-var<uniform> p: type_31;
+var<uniform> p: type_37;
 @group(0) @binding(2) 
-var<storage> nodes: type_35;
+var<storage> nodes: type_41;
 @group(0) @binding(3) 
-var<storage> triangles: type_39;
+var<storage> triangles: type_45;
 @group(0) @binding(5) 
-var<storage> list: type_13;
+var<storage> list: type_9;
 @group(0) @binding(6) 
-var<storage, read_write> bits: type_13;
+var<storage, read_write> bits: type_9;
 @group(0) @binding(7) 
-var<storage> rows: type_48;
+var<storage> rows: type_13;
 @group(0) @binding(8) 
 var<uniform> space: type_52;
 
@@ -2366,41 +2366,41 @@ fn function_() {
                                 let _e1976 = ((bitcast<f32>(_e1969) - _e130) * _e1702);
                                 let _e1984 = nodes.member[(0u + _e1922)].x;
                                 if (_e1682 < 0f) {
-                                    let _e1995 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1984.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2001 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1995.unnamed.word, _e1984.w), _e1995.unnamed_1);
-                                    let _e2007 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2001.unnamed, lt_mask_LightPlace(_e1984.x, _e2001.unnamed_1.shift));
-                                    phi_2436_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2007.unnamed, lt_mask_LightPlace(_e2007.unnamed_1.word, _e1984.y));
+                                    let _e1995 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1984.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2001 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1995.unnamed.root, _e1984.w), _e1995.unnamed_1);
+                                    let _e2007 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2001.unnamed, lt_bvh_traverse_Tree(_e1984.x, _e2001.unnamed_1.first_primitive));
+                                    phi_2436_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2007.unnamed, lt_bvh_traverse_Tree(_e2007.unnamed_1.root, _e1984.y));
                                 } else {
-                                    let _e2023 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1984.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2029 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2023.unnamed.word, _e1984.y), _e2023.unnamed_1);
-                                    let _e2035 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2029.unnamed, lt_mask_LightPlace(_e1984.z, _e2029.unnamed_1.shift));
-                                    phi_2436_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2035.unnamed, lt_mask_LightPlace(_e2035.unnamed_1.word, _e1984.w));
+                                    let _e2023 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1984.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2029 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2023.unnamed.root, _e1984.y), _e2023.unnamed_1);
+                                    let _e2035 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2029.unnamed, lt_bvh_traverse_Tree(_e1984.z, _e2029.unnamed_1.first_primitive));
+                                    phi_2436_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2035.unnamed, lt_bvh_traverse_Tree(_e2035.unnamed_1.root, _e1984.w));
                                 }
                                 let _e2043 = phi_2436_;
                                 let _e2053 = nodes.member[(0u + _e1922)].y;
                                 if (_e1692 < 0f) {
-                                    let _e2064 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2053.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2070 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2064.unnamed.word, _e2053.w), _e2064.unnamed_1);
-                                    let _e2076 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2070.unnamed, lt_mask_LightPlace(_e2053.x, _e2070.unnamed_1.shift));
-                                    phi_2463_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2076.unnamed, lt_mask_LightPlace(_e2076.unnamed_1.word, _e2053.y));
+                                    let _e2064 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2053.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2070 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2064.unnamed.root, _e2053.w), _e2064.unnamed_1);
+                                    let _e2076 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2070.unnamed, lt_bvh_traverse_Tree(_e2053.x, _e2070.unnamed_1.first_primitive));
+                                    phi_2463_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2076.unnamed, lt_bvh_traverse_Tree(_e2076.unnamed_1.root, _e2053.y));
                                 } else {
-                                    let _e2092 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2053.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2098 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2092.unnamed.word, _e2053.y), _e2092.unnamed_1);
-                                    let _e2104 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2098.unnamed, lt_mask_LightPlace(_e2053.z, _e2098.unnamed_1.shift));
-                                    phi_2463_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2104.unnamed, lt_mask_LightPlace(_e2104.unnamed_1.word, _e2053.w));
+                                    let _e2092 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2053.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2098 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2092.unnamed.root, _e2053.y), _e2092.unnamed_1);
+                                    let _e2104 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2098.unnamed, lt_bvh_traverse_Tree(_e2053.z, _e2098.unnamed_1.first_primitive));
+                                    phi_2463_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2104.unnamed, lt_bvh_traverse_Tree(_e2104.unnamed_1.root, _e2053.w));
                                 }
                                 let _e2112 = phi_2463_;
                                 let _e2122 = nodes.member[(0u + _e1922)].z;
                                 if (_e1702 < 0f) {
-                                    let _e2133 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2122.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2139 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2133.unnamed.word, _e2122.w), _e2133.unnamed_1);
-                                    let _e2145 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2139.unnamed, lt_mask_LightPlace(_e2122.x, _e2139.unnamed_1.shift));
-                                    phi_2490_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2145.unnamed, lt_mask_LightPlace(_e2145.unnamed_1.word, _e2122.y));
+                                    let _e2133 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2122.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2139 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2133.unnamed.root, _e2122.w), _e2133.unnamed_1);
+                                    let _e2145 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2139.unnamed, lt_bvh_traverse_Tree(_e2122.x, _e2139.unnamed_1.first_primitive));
+                                    phi_2490_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2145.unnamed, lt_bvh_traverse_Tree(_e2145.unnamed_1.root, _e2122.y));
                                 } else {
-                                    let _e2161 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2122.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2167 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2161.unnamed.word, _e2122.y), _e2161.unnamed_1);
-                                    let _e2173 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2167.unnamed, lt_mask_LightPlace(_e2122.z, _e2167.unnamed_1.shift));
-                                    phi_2490_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2173.unnamed, lt_mask_LightPlace(_e2173.unnamed_1.word, _e2122.w));
+                                    let _e2161 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2122.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2167 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2161.unnamed.root, _e2122.y), _e2161.unnamed_1);
+                                    let _e2173 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2167.unnamed, lt_bvh_traverse_Tree(_e2122.z, _e2167.unnamed_1.first_primitive));
+                                    phi_2490_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2173.unnamed, lt_bvh_traverse_Tree(_e2173.unnamed_1.root, _e2122.w));
                                 }
                                 let _e2181 = phi_2490_;
                                 phi_2496_ = 0u;
@@ -2416,41 +2416,41 @@ fn function_() {
                                         let _e2196 = (_e2191 >> bitcast<u32>(2i));
                                         let _e2197 = (_e2191 & 3u);
                                         if (_e2196 == 0u) {
-                                            phi_2513_ = _e2043.unnamed.word;
+                                            phi_2513_ = _e2043.unnamed.root;
                                         } else {
-                                            phi_2513_ = _e2043.unnamed.shift;
+                                            phi_2513_ = _e2043.unnamed.first_primitive;
                                         }
                                         let _e2200 = phi_2513_;
                                         if (_e2196 == 0u) {
-                                            phi_2523_ = _e2112.unnamed.word;
+                                            phi_2523_ = _e2112.unnamed.root;
                                         } else {
-                                            phi_2523_ = _e2112.unnamed.shift;
+                                            phi_2523_ = _e2112.unnamed.first_primitive;
                                         }
                                         let _e2209 = phi_2523_;
                                         if (_e2196 == 0u) {
-                                            phi_2533_ = _e2181.unnamed.word;
+                                            phi_2533_ = _e2181.unnamed.root;
                                         } else {
-                                            phi_2533_ = _e2181.unnamed.shift;
+                                            phi_2533_ = _e2181.unnamed.first_primitive;
                                         }
                                         let _e2218 = phi_2533_;
                                         let _e2231 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2200 >> bitcast<u32>(((_e2197 * 8u) & 31u))) & 255u)) * _e1956) + (_e1974 - _e1734)), ((f32(((_e2209 >> bitcast<u32>(((_e2197 * 8u) & 31u))) & 255u)) * _e1957) + (_e1975 - _e1735)));
                                         let _e2232 = core_intrinsics_maximum_number_nsz_f32_(_e2231, ((f32(((_e2218 >> bitcast<u32>(((_e2197 * 8u) & 31u))) & 255u)) * _e1958) + (_e1976 - _e1736)));
                                         if (_e2196 == 0u) {
-                                            phi_2551_ = _e2043.unnamed_1.word;
+                                            phi_2551_ = _e2043.unnamed_1.root;
                                         } else {
-                                            phi_2551_ = _e2043.unnamed_1.shift;
+                                            phi_2551_ = _e2043.unnamed_1.first_primitive;
                                         }
                                         let _e2235 = phi_2551_;
                                         if (_e2196 == 0u) {
-                                            phi_2561_ = _e2112.unnamed_1.word;
+                                            phi_2561_ = _e2112.unnamed_1.root;
                                         } else {
-                                            phi_2561_ = _e2112.unnamed_1.shift;
+                                            phi_2561_ = _e2112.unnamed_1.first_primitive;
                                         }
                                         let _e2244 = phi_2561_;
                                         if (_e2196 == 0u) {
-                                            phi_2571_ = _e2181.unnamed_1.word;
+                                            phi_2571_ = _e2181.unnamed_1.root;
                                         } else {
-                                            phi_2571_ = _e2181.unnamed_1.shift;
+                                            phi_2571_ = _e2181.unnamed_1.first_primitive;
                                         }
                                         let _e2253 = phi_2571_;
                                         let _e2266 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2235 >> bitcast<u32>(((_e2197 * 8u) & 31u))) & 255u)) * _e1956) + (_e1974 + _e1734)), ((f32(((_e2244 >> bitcast<u32>(((_e2197 * 8u) & 31u))) & 255u)) * _e1957) + (_e1975 + _e1735)));

@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_19 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
-    member: array<u32>,
-}
-
-struct type_17 {
+struct type_23 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct texture_TextureView {
@@ -68,7 +68,7 @@ struct abi_ShadowParams {
     pad1_: u32,
 }
 
-struct type_31 {
+struct type_33 {
     member: abi_ShadowParams,
 }
 
@@ -80,7 +80,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_35 {
+struct type_37 {
     member: array<lt_bvh_Node>,
 }
 
@@ -93,7 +93,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_39 {
+struct type_41 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -105,7 +105,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_43 {
+struct type_45 {
     member: array<abi_Vertex>,
 }
 
@@ -121,13 +121,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_47 {
+struct type_49 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -150,23 +150,23 @@ struct texture_Axis {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_19;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_17;
+var<storage, read_write> visibility: type_23;
 @group(0) @binding(0) 
-var<uniform> p: type_31;
+var<uniform> p: type_33;
 @group(0) @binding(2) 
-var<storage> nodes: type_35;
+var<storage> nodes: type_37;
 @group(0) @binding(3) 
-var<storage> triangles: type_39;
+var<storage> triangles: type_41;
 @group(0) @binding(6) 
-var<storage> vertices: type_43;
+var<storage> vertices: type_45;
 @group(0) @binding(7) 
-var<storage> materials: type_47;
+var<storage> materials: type_49;
 @group(0) @binding(8) 
-var<storage> alpha_texels: type_13;
+var<storage> alpha_texels: type_9;
 @group(0) @binding(5) 
-var<storage> list: type_13;
+var<storage> list: type_9;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
     var phi_195_: bool;
@@ -1118,41 +1118,41 @@ fn function_() {
                         let _e571 = ((bitcast<f32>(_e564) - _e130) * _e297);
                         let _e579 = nodes.member[(0u + _e517)].x;
                         if (_e277 < 0f) {
-                            let _e590 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e579.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e596 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e590.unnamed.word, _e579.w), _e590.unnamed_1);
-                            let _e602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e596.unnamed, lt_mask_LightPlace(_e579.x, _e596.unnamed_1.shift));
-                            phi_1206_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e602.unnamed, lt_mask_LightPlace(_e602.unnamed_1.word, _e579.y));
+                            let _e590 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e579.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e596 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e590.unnamed.root, _e579.w), _e590.unnamed_1);
+                            let _e602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e596.unnamed, lt_bvh_traverse_Tree(_e579.x, _e596.unnamed_1.first_primitive));
+                            phi_1206_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e602.unnamed, lt_bvh_traverse_Tree(_e602.unnamed_1.root, _e579.y));
                         } else {
-                            let _e618 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e579.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e618.unnamed.word, _e579.y), _e618.unnamed_1);
-                            let _e630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e624.unnamed, lt_mask_LightPlace(_e579.z, _e624.unnamed_1.shift));
-                            phi_1206_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e630.unnamed, lt_mask_LightPlace(_e630.unnamed_1.word, _e579.w));
+                            let _e618 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e579.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e618.unnamed.root, _e579.y), _e618.unnamed_1);
+                            let _e630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e624.unnamed, lt_bvh_traverse_Tree(_e579.z, _e624.unnamed_1.first_primitive));
+                            phi_1206_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e630.unnamed, lt_bvh_traverse_Tree(_e630.unnamed_1.root, _e579.w));
                         }
                         let _e638 = phi_1206_;
                         let _e648 = nodes.member[(0u + _e517)].y;
                         if (_e287 < 0f) {
-                            let _e659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e648.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e659.unnamed.word, _e648.w), _e659.unnamed_1);
-                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e665.unnamed, lt_mask_LightPlace(_e648.x, _e665.unnamed_1.shift));
-                            phi_1233_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_mask_LightPlace(_e671.unnamed_1.word, _e648.y));
+                            let _e659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e648.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e659.unnamed.root, _e648.w), _e659.unnamed_1);
+                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e665.unnamed, lt_bvh_traverse_Tree(_e648.x, _e665.unnamed_1.first_primitive));
+                            phi_1233_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_bvh_traverse_Tree(_e671.unnamed_1.root, _e648.y));
                         } else {
-                            let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e648.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e687.unnamed.word, _e648.y), _e687.unnamed_1);
-                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e693.unnamed, lt_mask_LightPlace(_e648.z, _e693.unnamed_1.shift));
-                            phi_1233_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_mask_LightPlace(_e699.unnamed_1.word, _e648.w));
+                            let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e648.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e687.unnamed.root, _e648.y), _e687.unnamed_1);
+                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e693.unnamed, lt_bvh_traverse_Tree(_e648.z, _e693.unnamed_1.first_primitive));
+                            phi_1233_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_bvh_traverse_Tree(_e699.unnamed_1.root, _e648.w));
                         }
                         let _e707 = phi_1233_;
                         let _e717 = nodes.member[(0u + _e517)].z;
                         if (_e297 < 0f) {
-                            let _e728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e717.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e728.unnamed.word, _e717.w), _e728.unnamed_1);
-                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e734.unnamed, lt_mask_LightPlace(_e717.x, _e734.unnamed_1.shift));
-                            phi_1260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_mask_LightPlace(_e740.unnamed_1.word, _e717.y));
+                            let _e728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e717.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e728.unnamed.root, _e717.w), _e728.unnamed_1);
+                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e734.unnamed, lt_bvh_traverse_Tree(_e717.x, _e734.unnamed_1.first_primitive));
+                            phi_1260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_bvh_traverse_Tree(_e740.unnamed_1.root, _e717.y));
                         } else {
-                            let _e756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e717.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e756.unnamed.word, _e717.y), _e756.unnamed_1);
-                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e762.unnamed, lt_mask_LightPlace(_e717.z, _e762.unnamed_1.shift));
-                            phi_1260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e768.unnamed, lt_mask_LightPlace(_e768.unnamed_1.word, _e717.w));
+                            let _e756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e717.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e756.unnamed.root, _e717.y), _e756.unnamed_1);
+                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e762.unnamed, lt_bvh_traverse_Tree(_e717.z, _e762.unnamed_1.first_primitive));
+                            phi_1260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e768.unnamed, lt_bvh_traverse_Tree(_e768.unnamed_1.root, _e717.w));
                         }
                         let _e776 = phi_1260_;
                         phi_1266_ = 0u;
@@ -1168,41 +1168,41 @@ fn function_() {
                                 let _e791 = (_e786 >> bitcast<u32>(2i));
                                 let _e792 = (_e786 & 3u);
                                 if (_e791 == 0u) {
-                                    phi_1283_ = _e638.unnamed.word;
+                                    phi_1283_ = _e638.unnamed.root;
                                 } else {
-                                    phi_1283_ = _e638.unnamed.shift;
+                                    phi_1283_ = _e638.unnamed.first_primitive;
                                 }
                                 let _e795 = phi_1283_;
                                 if (_e791 == 0u) {
-                                    phi_1293_ = _e707.unnamed.word;
+                                    phi_1293_ = _e707.unnamed.root;
                                 } else {
-                                    phi_1293_ = _e707.unnamed.shift;
+                                    phi_1293_ = _e707.unnamed.first_primitive;
                                 }
                                 let _e804 = phi_1293_;
                                 if (_e791 == 0u) {
-                                    phi_1303_ = _e776.unnamed.word;
+                                    phi_1303_ = _e776.unnamed.root;
                                 } else {
-                                    phi_1303_ = _e776.unnamed.shift;
+                                    phi_1303_ = _e776.unnamed.first_primitive;
                                 }
                                 let _e813 = phi_1303_;
                                 let _e826 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e795 >> bitcast<u32>(((_e792 * 8u) & 31u))) & 255u)) * _e551) + (_e569 - _e329)), ((f32(((_e804 >> bitcast<u32>(((_e792 * 8u) & 31u))) & 255u)) * _e552) + (_e570 - _e330)));
                                 let _e827 = core_intrinsics_maximum_number_nsz_f32_(_e826, ((f32(((_e813 >> bitcast<u32>(((_e792 * 8u) & 31u))) & 255u)) * _e553) + (_e571 - _e331)));
                                 if (_e791 == 0u) {
-                                    phi_1321_ = _e638.unnamed_1.word;
+                                    phi_1321_ = _e638.unnamed_1.root;
                                 } else {
-                                    phi_1321_ = _e638.unnamed_1.shift;
+                                    phi_1321_ = _e638.unnamed_1.first_primitive;
                                 }
                                 let _e830 = phi_1321_;
                                 if (_e791 == 0u) {
-                                    phi_1331_ = _e707.unnamed_1.word;
+                                    phi_1331_ = _e707.unnamed_1.root;
                                 } else {
-                                    phi_1331_ = _e707.unnamed_1.shift;
+                                    phi_1331_ = _e707.unnamed_1.first_primitive;
                                 }
                                 let _e839 = phi_1331_;
                                 if (_e791 == 0u) {
-                                    phi_1341_ = _e776.unnamed_1.word;
+                                    phi_1341_ = _e776.unnamed_1.root;
                                 } else {
-                                    phi_1341_ = _e776.unnamed_1.shift;
+                                    phi_1341_ = _e776.unnamed_1.first_primitive;
                                 }
                                 let _e848 = phi_1341_;
                                 let _e861 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e830 >> bitcast<u32>(((_e792 * 8u) & 31u))) & 255u)) * _e551) + (_e569 + _e329)), ((f32(((_e839 >> bitcast<u32>(((_e792 * 8u) & 31u))) & 255u)) * _e552) + (_e570 + _e330)));

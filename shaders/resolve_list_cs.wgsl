@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_19 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
-    member: array<u32>,
-}
-
-struct type_17 {
+struct type_23 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -62,7 +62,7 @@ struct abi_ShadowParams {
     pad1_: u32,
 }
 
-struct type_30 {
+struct type_32 {
     member: abi_ShadowParams,
 }
 
@@ -74,7 +74,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_34 {
+struct type_36 {
     member: array<lt_bvh_Node>,
 }
 
@@ -87,13 +87,13 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_38 {
+struct type_40 {
     member: array<lt_bvh_Triangle>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -105,17 +105,17 @@ struct lt_bvh_triangle_Intersection {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_19;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_17;
+var<storage, read_write> visibility: type_23;
 @group(0) @binding(0) 
-var<uniform> p: type_30;
+var<uniform> p: type_32;
 @group(0) @binding(2) 
-var<storage> nodes: type_34;
+var<storage> nodes: type_36;
 @group(0) @binding(3) 
-var<storage> triangles: type_38;
+var<storage> triangles: type_40;
 @group(0) @binding(5) 
-var<storage> list: type_13;
+var<storage> list: type_9;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
     var phi_148_: bool;
@@ -703,41 +703,41 @@ fn function_() {
                         let _e544 = ((bitcast<f32>(_e537) - _e103) * _e270);
                         let _e552 = nodes.member[(0u + _e490)].x;
                         if (_e250 < 0f) {
-                            let _e563 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e552.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e569 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e563.unnamed.word, _e552.w), _e563.unnamed_1);
-                            let _e575 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e569.unnamed, lt_mask_LightPlace(_e552.x, _e569.unnamed_1.shift));
-                            phi_772_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e575.unnamed, lt_mask_LightPlace(_e575.unnamed_1.word, _e552.y));
+                            let _e563 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e552.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e569 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e563.unnamed.root, _e552.w), _e563.unnamed_1);
+                            let _e575 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e569.unnamed, lt_bvh_traverse_Tree(_e552.x, _e569.unnamed_1.first_primitive));
+                            phi_772_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e575.unnamed, lt_bvh_traverse_Tree(_e575.unnamed_1.root, _e552.y));
                         } else {
-                            let _e591 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e552.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e591.unnamed.word, _e552.y), _e591.unnamed_1);
-                            let _e603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e597.unnamed, lt_mask_LightPlace(_e552.z, _e597.unnamed_1.shift));
-                            phi_772_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e603.unnamed, lt_mask_LightPlace(_e603.unnamed_1.word, _e552.w));
+                            let _e591 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e552.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e591.unnamed.root, _e552.y), _e591.unnamed_1);
+                            let _e603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e597.unnamed, lt_bvh_traverse_Tree(_e552.z, _e597.unnamed_1.first_primitive));
+                            phi_772_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e603.unnamed, lt_bvh_traverse_Tree(_e603.unnamed_1.root, _e552.w));
                         }
                         let _e611 = phi_772_;
                         let _e621 = nodes.member[(0u + _e490)].y;
                         if (_e260 < 0f) {
-                            let _e632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e621.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e632.unnamed.word, _e621.w), _e632.unnamed_1);
-                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e638.unnamed, lt_mask_LightPlace(_e621.x, _e638.unnamed_1.shift));
-                            phi_799_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_mask_LightPlace(_e644.unnamed_1.word, _e621.y));
+                            let _e632 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e621.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e638 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e632.unnamed.root, _e621.w), _e632.unnamed_1);
+                            let _e644 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e638.unnamed, lt_bvh_traverse_Tree(_e621.x, _e638.unnamed_1.first_primitive));
+                            phi_799_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e644.unnamed, lt_bvh_traverse_Tree(_e644.unnamed_1.root, _e621.y));
                         } else {
-                            let _e660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e621.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e660.unnamed.word, _e621.y), _e660.unnamed_1);
-                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e666.unnamed, lt_mask_LightPlace(_e621.z, _e666.unnamed_1.shift));
-                            phi_799_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e672.unnamed, lt_mask_LightPlace(_e672.unnamed_1.word, _e621.w));
+                            let _e660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e621.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e660.unnamed.root, _e621.y), _e660.unnamed_1);
+                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e666.unnamed, lt_bvh_traverse_Tree(_e621.z, _e666.unnamed_1.first_primitive));
+                            phi_799_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e672.unnamed, lt_bvh_traverse_Tree(_e672.unnamed_1.root, _e621.w));
                         }
                         let _e680 = phi_799_;
                         let _e690 = nodes.member[(0u + _e490)].z;
                         if (_e270 < 0f) {
-                            let _e701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e690.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e701.unnamed.word, _e690.w), _e701.unnamed_1);
-                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e707.unnamed, lt_mask_LightPlace(_e690.x, _e707.unnamed_1.shift));
-                            phi_826_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_mask_LightPlace(_e713.unnamed_1.word, _e690.y));
+                            let _e701 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e690.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e707 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e701.unnamed.root, _e690.w), _e701.unnamed_1);
+                            let _e713 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e707.unnamed, lt_bvh_traverse_Tree(_e690.x, _e707.unnamed_1.first_primitive));
+                            phi_826_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e713.unnamed, lt_bvh_traverse_Tree(_e713.unnamed_1.root, _e690.y));
                         } else {
-                            let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e690.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e729.unnamed.word, _e690.y), _e729.unnamed_1);
-                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_mask_LightPlace(_e690.z, _e735.unnamed_1.shift));
-                            phi_826_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_mask_LightPlace(_e741.unnamed_1.word, _e690.w));
+                            let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e690.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e729.unnamed.root, _e690.y), _e729.unnamed_1);
+                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_bvh_traverse_Tree(_e690.z, _e735.unnamed_1.first_primitive));
+                            phi_826_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_bvh_traverse_Tree(_e741.unnamed_1.root, _e690.w));
                         }
                         let _e749 = phi_826_;
                         phi_832_ = 0u;
@@ -753,41 +753,41 @@ fn function_() {
                                 let _e764 = (_e759 >> bitcast<u32>(2i));
                                 let _e765 = (_e759 & 3u);
                                 if (_e764 == 0u) {
-                                    phi_849_ = _e611.unnamed.word;
+                                    phi_849_ = _e611.unnamed.root;
                                 } else {
-                                    phi_849_ = _e611.unnamed.shift;
+                                    phi_849_ = _e611.unnamed.first_primitive;
                                 }
                                 let _e768 = phi_849_;
                                 if (_e764 == 0u) {
-                                    phi_859_ = _e680.unnamed.word;
+                                    phi_859_ = _e680.unnamed.root;
                                 } else {
-                                    phi_859_ = _e680.unnamed.shift;
+                                    phi_859_ = _e680.unnamed.first_primitive;
                                 }
                                 let _e777 = phi_859_;
                                 if (_e764 == 0u) {
-                                    phi_869_ = _e749.unnamed.word;
+                                    phi_869_ = _e749.unnamed.root;
                                 } else {
-                                    phi_869_ = _e749.unnamed.shift;
+                                    phi_869_ = _e749.unnamed.first_primitive;
                                 }
                                 let _e786 = phi_869_;
                                 let _e799 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e768 >> bitcast<u32>(((_e765 * 8u) & 31u))) & 255u)) * _e524) + (_e542 - _e302)), ((f32(((_e777 >> bitcast<u32>(((_e765 * 8u) & 31u))) & 255u)) * _e525) + (_e543 - _e303)));
                                 let _e800 = core_intrinsics_maximum_number_nsz_f32_(_e799, ((f32(((_e786 >> bitcast<u32>(((_e765 * 8u) & 31u))) & 255u)) * _e526) + (_e544 - _e304)));
                                 if (_e764 == 0u) {
-                                    phi_887_ = _e611.unnamed_1.word;
+                                    phi_887_ = _e611.unnamed_1.root;
                                 } else {
-                                    phi_887_ = _e611.unnamed_1.shift;
+                                    phi_887_ = _e611.unnamed_1.first_primitive;
                                 }
                                 let _e803 = phi_887_;
                                 if (_e764 == 0u) {
-                                    phi_897_ = _e680.unnamed_1.word;
+                                    phi_897_ = _e680.unnamed_1.root;
                                 } else {
-                                    phi_897_ = _e680.unnamed_1.shift;
+                                    phi_897_ = _e680.unnamed_1.first_primitive;
                                 }
                                 let _e812 = phi_897_;
                                 if (_e764 == 0u) {
-                                    phi_907_ = _e749.unnamed_1.word;
+                                    phi_907_ = _e749.unnamed_1.root;
                                 } else {
-                                    phi_907_ = _e749.unnamed_1.shift;
+                                    phi_907_ = _e749.unnamed_1.first_primitive;
                                 }
                                 let _e821 = phi_907_;
                                 let _e834 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e803 >> bitcast<u32>(((_e765 * 8u) & 31u))) & 255u)) * _e524) + (_e542 + _e302)), ((f32(((_e812 >> bitcast<u32>(((_e765 * 8u) & 31u))) & 255u)) * _e525) + (_e543 + _e303)));

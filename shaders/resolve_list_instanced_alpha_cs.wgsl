@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
-    member: array<u32>,
-}
-
-struct type_17 {
+struct type_24 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct texture_TextureView {
@@ -68,7 +68,7 @@ struct abi_ShadowParams {
     pad1_: u32,
 }
 
-struct type_33 {
+struct type_35 {
     member: abi_ShadowParams,
 }
 
@@ -80,7 +80,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_37 {
+struct type_39 {
     member: array<lt_bvh_Node>,
 }
 
@@ -93,7 +93,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_41 {
+struct type_43 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -105,7 +105,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_45 {
+struct type_47 {
     member: array<abi_Vertex>,
 }
 
@@ -121,13 +121,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_49 {
+struct type_51 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -165,25 +165,25 @@ struct type_62 {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_20;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_17;
+var<storage, read_write> visibility: type_24;
 @group(0) @binding(0) 
-var<uniform> p: type_33;
+var<uniform> p: type_35;
 @group(0) @binding(2) 
-var<storage> nodes: type_37;
+var<storage> nodes: type_39;
 @group(0) @binding(3) 
-var<storage> triangles: type_41;
+var<storage> triangles: type_43;
 @group(0) @binding(6) 
 var<storage> instances: type_62;
 @group(0) @binding(5) 
-var<storage> list: type_13;
+var<storage> list: type_9;
 @group(0) @binding(7) 
-var<storage> vertices: type_45;
+var<storage> vertices: type_47;
 @group(0) @binding(8) 
-var<storage> materials: type_49;
+var<storage> materials: type_51;
 @group(0) @binding(9) 
-var<storage> alpha_texels: type_13;
+var<storage> alpha_texels: type_9;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
     var phi_208_: bool;
@@ -1191,41 +1191,41 @@ fn function_() {
                         let _e546 = ((bitcast<f32>(_e539) - _e136) * _e302);
                         let _e554 = nodes.member[(0u + _e492)].x;
                         if (_e282 < 0f) {
-                            let _e565 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e554.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e571 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e565.unnamed.word, _e554.w), _e565.unnamed_1);
-                            let _e577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e571.unnamed, lt_mask_LightPlace(_e554.x, _e571.unnamed_1.shift));
-                            phi_1186_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e577.unnamed, lt_mask_LightPlace(_e577.unnamed_1.word, _e554.y));
+                            let _e565 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e554.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e571 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e565.unnamed.root, _e554.w), _e565.unnamed_1);
+                            let _e577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e571.unnamed, lt_bvh_traverse_Tree(_e554.x, _e571.unnamed_1.first_primitive));
+                            phi_1186_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e577.unnamed, lt_bvh_traverse_Tree(_e577.unnamed_1.root, _e554.y));
                         } else {
-                            let _e593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e554.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e593.unnamed.word, _e554.y), _e593.unnamed_1);
-                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e599.unnamed, lt_mask_LightPlace(_e554.z, _e599.unnamed_1.shift));
-                            phi_1186_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_mask_LightPlace(_e605.unnamed_1.word, _e554.w));
+                            let _e593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e554.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e593.unnamed.root, _e554.y), _e593.unnamed_1);
+                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e599.unnamed, lt_bvh_traverse_Tree(_e554.z, _e599.unnamed_1.first_primitive));
+                            phi_1186_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_bvh_traverse_Tree(_e605.unnamed_1.root, _e554.w));
                         }
                         let _e613 = phi_1186_;
                         let _e623 = nodes.member[(0u + _e492)].y;
                         if (_e292 < 0f) {
-                            let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e623.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e634.unnamed.word, _e623.w), _e634.unnamed_1);
-                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e640.unnamed, lt_mask_LightPlace(_e623.x, _e640.unnamed_1.shift));
-                            phi_1213_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_mask_LightPlace(_e646.unnamed_1.word, _e623.y));
+                            let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e623.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e634.unnamed.root, _e623.w), _e634.unnamed_1);
+                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e640.unnamed, lt_bvh_traverse_Tree(_e623.x, _e640.unnamed_1.first_primitive));
+                            phi_1213_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_bvh_traverse_Tree(_e646.unnamed_1.root, _e623.y));
                         } else {
-                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e623.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e662.unnamed.word, _e623.y), _e662.unnamed_1);
-                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_mask_LightPlace(_e623.z, _e668.unnamed_1.shift));
-                            phi_1213_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_mask_LightPlace(_e674.unnamed_1.word, _e623.w));
+                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e623.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e662.unnamed.root, _e623.y), _e662.unnamed_1);
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_bvh_traverse_Tree(_e623.z, _e668.unnamed_1.first_primitive));
+                            phi_1213_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_bvh_traverse_Tree(_e674.unnamed_1.root, _e623.w));
                         }
                         let _e682 = phi_1213_;
                         let _e692 = nodes.member[(0u + _e492)].z;
                         if (_e302 < 0f) {
-                            let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e692.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e703.unnamed.word, _e692.w), _e703.unnamed_1);
-                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e709.unnamed, lt_mask_LightPlace(_e692.x, _e709.unnamed_1.shift));
-                            phi_1240_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_mask_LightPlace(_e715.unnamed_1.word, _e692.y));
+                            let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e692.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e703.unnamed.root, _e692.w), _e703.unnamed_1);
+                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e709.unnamed, lt_bvh_traverse_Tree(_e692.x, _e709.unnamed_1.first_primitive));
+                            phi_1240_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_bvh_traverse_Tree(_e715.unnamed_1.root, _e692.y));
                         } else {
-                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e692.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e731.unnamed.word, _e692.y), _e731.unnamed_1);
-                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_mask_LightPlace(_e692.z, _e737.unnamed_1.shift));
-                            phi_1240_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_mask_LightPlace(_e743.unnamed_1.word, _e692.w));
+                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e692.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e731.unnamed.root, _e692.y), _e731.unnamed_1);
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_bvh_traverse_Tree(_e692.z, _e737.unnamed_1.first_primitive));
+                            phi_1240_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_bvh_traverse_Tree(_e743.unnamed_1.root, _e692.w));
                         }
                         let _e751 = phi_1240_;
                         phi_1246_ = 0u;
@@ -1241,41 +1241,41 @@ fn function_() {
                                 let _e766 = (_e761 >> bitcast<u32>(2i));
                                 let _e767 = (_e761 & 3u);
                                 if (_e766 == 0u) {
-                                    phi_1263_ = _e613.unnamed.word;
+                                    phi_1263_ = _e613.unnamed.root;
                                 } else {
-                                    phi_1263_ = _e613.unnamed.shift;
+                                    phi_1263_ = _e613.unnamed.first_primitive;
                                 }
                                 let _e770 = phi_1263_;
                                 if (_e766 == 0u) {
-                                    phi_1273_ = _e682.unnamed.word;
+                                    phi_1273_ = _e682.unnamed.root;
                                 } else {
-                                    phi_1273_ = _e682.unnamed.shift;
+                                    phi_1273_ = _e682.unnamed.first_primitive;
                                 }
                                 let _e779 = phi_1273_;
                                 if (_e766 == 0u) {
-                                    phi_1283_ = _e751.unnamed.word;
+                                    phi_1283_ = _e751.unnamed.root;
                                 } else {
-                                    phi_1283_ = _e751.unnamed.shift;
+                                    phi_1283_ = _e751.unnamed.first_primitive;
                                 }
                                 let _e788 = phi_1283_;
                                 let _e801 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e770 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e526) + (_e544 - _e334)), ((f32(((_e779 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e527) + (_e545 - _e335)));
                                 let _e802 = core_intrinsics_maximum_number_nsz_f32_(_e801, ((f32(((_e788 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e528) + (_e546 - _e336)));
                                 if (_e766 == 0u) {
-                                    phi_1301_ = _e613.unnamed_1.word;
+                                    phi_1301_ = _e613.unnamed_1.root;
                                 } else {
-                                    phi_1301_ = _e613.unnamed_1.shift;
+                                    phi_1301_ = _e613.unnamed_1.first_primitive;
                                 }
                                 let _e805 = phi_1301_;
                                 if (_e766 == 0u) {
-                                    phi_1311_ = _e682.unnamed_1.word;
+                                    phi_1311_ = _e682.unnamed_1.root;
                                 } else {
-                                    phi_1311_ = _e682.unnamed_1.shift;
+                                    phi_1311_ = _e682.unnamed_1.first_primitive;
                                 }
                                 let _e814 = phi_1311_;
                                 if (_e766 == 0u) {
-                                    phi_1321_ = _e751.unnamed_1.word;
+                                    phi_1321_ = _e751.unnamed_1.root;
                                 } else {
-                                    phi_1321_ = _e751.unnamed_1.shift;
+                                    phi_1321_ = _e751.unnamed_1.first_primitive;
                                 }
                                 let _e823 = phi_1321_;
                                 let _e836 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e805 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e526) + (_e544 + _e334)), ((f32(((_e814 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e527) + (_e545 + _e335)));
@@ -1770,41 +1770,41 @@ fn function_() {
                                                             let _e1507 = ((bitcast<f32>(_e1500) - _e1038) * _e1233);
                                                             let _e1515 = nodes.member[(0u + _e1453)].x;
                                                             if (_e1213 < 0f) {
-                                                                let _e1526 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1515.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1532 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1526.unnamed.word, _e1515.w), _e1526.unnamed_1);
-                                                                let _e1538 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1532.unnamed, lt_mask_LightPlace(_e1515.x, _e1532.unnamed_1.shift));
-                                                                phi_2133_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1538.unnamed, lt_mask_LightPlace(_e1538.unnamed_1.word, _e1515.y));
+                                                                let _e1526 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1515.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1532 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1526.unnamed.root, _e1515.w), _e1526.unnamed_1);
+                                                                let _e1538 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1532.unnamed, lt_bvh_traverse_Tree(_e1515.x, _e1532.unnamed_1.first_primitive));
+                                                                phi_2133_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1538.unnamed, lt_bvh_traverse_Tree(_e1538.unnamed_1.root, _e1515.y));
                                                             } else {
-                                                                let _e1554 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1515.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1560 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1554.unnamed.word, _e1515.y), _e1554.unnamed_1);
-                                                                let _e1566 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1560.unnamed, lt_mask_LightPlace(_e1515.z, _e1560.unnamed_1.shift));
-                                                                phi_2133_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1566.unnamed, lt_mask_LightPlace(_e1566.unnamed_1.word, _e1515.w));
+                                                                let _e1554 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1515.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1560 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1554.unnamed.root, _e1515.y), _e1554.unnamed_1);
+                                                                let _e1566 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1560.unnamed, lt_bvh_traverse_Tree(_e1515.z, _e1560.unnamed_1.first_primitive));
+                                                                phi_2133_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1566.unnamed, lt_bvh_traverse_Tree(_e1566.unnamed_1.root, _e1515.w));
                                                             }
                                                             let _e1574 = phi_2133_;
                                                             let _e1584 = nodes.member[(0u + _e1453)].y;
                                                             if (_e1223 < 0f) {
-                                                                let _e1595 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1584.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1595.unnamed.word, _e1584.w), _e1595.unnamed_1);
-                                                                let _e1607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1601.unnamed, lt_mask_LightPlace(_e1584.x, _e1601.unnamed_1.shift));
-                                                                phi_2160_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1607.unnamed, lt_mask_LightPlace(_e1607.unnamed_1.word, _e1584.y));
+                                                                let _e1595 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1584.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1595.unnamed.root, _e1584.w), _e1595.unnamed_1);
+                                                                let _e1607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1601.unnamed, lt_bvh_traverse_Tree(_e1584.x, _e1601.unnamed_1.first_primitive));
+                                                                phi_2160_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1607.unnamed, lt_bvh_traverse_Tree(_e1607.unnamed_1.root, _e1584.y));
                                                             } else {
-                                                                let _e1623 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1584.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1623.unnamed.word, _e1584.y), _e1623.unnamed_1);
-                                                                let _e1635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1629.unnamed, lt_mask_LightPlace(_e1584.z, _e1629.unnamed_1.shift));
-                                                                phi_2160_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1635.unnamed, lt_mask_LightPlace(_e1635.unnamed_1.word, _e1584.w));
+                                                                let _e1623 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1584.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1623.unnamed.root, _e1584.y), _e1623.unnamed_1);
+                                                                let _e1635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1629.unnamed, lt_bvh_traverse_Tree(_e1584.z, _e1629.unnamed_1.first_primitive));
+                                                                phi_2160_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1635.unnamed, lt_bvh_traverse_Tree(_e1635.unnamed_1.root, _e1584.w));
                                                             }
                                                             let _e1643 = phi_2160_;
                                                             let _e1653 = nodes.member[(0u + _e1453)].z;
                                                             if (_e1233 < 0f) {
-                                                                let _e1664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1653.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1664.unnamed.word, _e1653.w), _e1664.unnamed_1);
-                                                                let _e1676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1670.unnamed, lt_mask_LightPlace(_e1653.x, _e1670.unnamed_1.shift));
-                                                                phi_2187_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1676.unnamed, lt_mask_LightPlace(_e1676.unnamed_1.word, _e1653.y));
+                                                                let _e1664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1653.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1664.unnamed.root, _e1653.w), _e1664.unnamed_1);
+                                                                let _e1676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1670.unnamed, lt_bvh_traverse_Tree(_e1653.x, _e1670.unnamed_1.first_primitive));
+                                                                phi_2187_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1676.unnamed, lt_bvh_traverse_Tree(_e1676.unnamed_1.root, _e1653.y));
                                                             } else {
-                                                                let _e1692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1653.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1692.unnamed.word, _e1653.y), _e1692.unnamed_1);
-                                                                let _e1704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1698.unnamed, lt_mask_LightPlace(_e1653.z, _e1698.unnamed_1.shift));
-                                                                phi_2187_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1704.unnamed, lt_mask_LightPlace(_e1704.unnamed_1.word, _e1653.w));
+                                                                let _e1692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1653.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1692.unnamed.root, _e1653.y), _e1692.unnamed_1);
+                                                                let _e1704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1698.unnamed, lt_bvh_traverse_Tree(_e1653.z, _e1698.unnamed_1.first_primitive));
+                                                                phi_2187_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1704.unnamed, lt_bvh_traverse_Tree(_e1704.unnamed_1.root, _e1653.w));
                                                             }
                                                             let _e1712 = phi_2187_;
                                                             phi_2193_ = 0u;
@@ -1820,41 +1820,41 @@ fn function_() {
                                                                     let _e1727 = (_e1722 >> bitcast<u32>(2i));
                                                                     let _e1728 = (_e1722 & 3u);
                                                                     if (_e1727 == 0u) {
-                                                                        phi_2210_ = _e1574.unnamed.word;
+                                                                        phi_2210_ = _e1574.unnamed.root;
                                                                     } else {
-                                                                        phi_2210_ = _e1574.unnamed.shift;
+                                                                        phi_2210_ = _e1574.unnamed.first_primitive;
                                                                     }
                                                                     let _e1731 = phi_2210_;
                                                                     if (_e1727 == 0u) {
-                                                                        phi_2220_ = _e1643.unnamed.word;
+                                                                        phi_2220_ = _e1643.unnamed.root;
                                                                     } else {
-                                                                        phi_2220_ = _e1643.unnamed.shift;
+                                                                        phi_2220_ = _e1643.unnamed.first_primitive;
                                                                     }
                                                                     let _e1740 = phi_2220_;
                                                                     if (_e1727 == 0u) {
-                                                                        phi_2230_ = _e1712.unnamed.word;
+                                                                        phi_2230_ = _e1712.unnamed.root;
                                                                     } else {
-                                                                        phi_2230_ = _e1712.unnamed.shift;
+                                                                        phi_2230_ = _e1712.unnamed.first_primitive;
                                                                     }
                                                                     let _e1749 = phi_2230_;
                                                                     let _e1762 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1731 >> bitcast<u32>(((_e1728 * 8u) & 31u))) & 255u)) * _e1487) + (_e1505 - _e1265)), ((f32(((_e1740 >> bitcast<u32>(((_e1728 * 8u) & 31u))) & 255u)) * _e1488) + (_e1506 - _e1266)));
                                                                     let _e1763 = core_intrinsics_maximum_number_nsz_f32_(_e1762, ((f32(((_e1749 >> bitcast<u32>(((_e1728 * 8u) & 31u))) & 255u)) * _e1489) + (_e1507 - _e1267)));
                                                                     if (_e1727 == 0u) {
-                                                                        phi_2248_ = _e1574.unnamed_1.word;
+                                                                        phi_2248_ = _e1574.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2248_ = _e1574.unnamed_1.shift;
+                                                                        phi_2248_ = _e1574.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1766 = phi_2248_;
                                                                     if (_e1727 == 0u) {
-                                                                        phi_2258_ = _e1643.unnamed_1.word;
+                                                                        phi_2258_ = _e1643.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2258_ = _e1643.unnamed_1.shift;
+                                                                        phi_2258_ = _e1643.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1775 = phi_2258_;
                                                                     if (_e1727 == 0u) {
-                                                                        phi_2268_ = _e1712.unnamed_1.word;
+                                                                        phi_2268_ = _e1712.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2268_ = _e1712.unnamed_1.shift;
+                                                                        phi_2268_ = _e1712.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1784 = phi_2268_;
                                                                     let _e1797 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1766 >> bitcast<u32>(((_e1728 * 8u) & 31u))) & 255u)) * _e1487) + (_e1505 + _e1265)), ((f32(((_e1775 >> bitcast<u32>(((_e1728 * 8u) & 31u))) & 255u)) * _e1488) + (_e1506 + _e1266)));

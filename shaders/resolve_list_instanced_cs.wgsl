@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_20 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
-    member: array<u32>,
-}
-
-struct type_17 {
+struct type_24 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -62,7 +62,7 @@ struct abi_ShadowParams {
     pad1_: u32,
 }
 
-struct type_32 {
+struct type_34 {
     member: abi_ShadowParams,
 }
 
@@ -74,7 +74,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_36 {
+struct type_38 {
     member: array<lt_bvh_Node>,
 }
 
@@ -87,13 +87,13 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_40 {
+struct type_42 {
     member: array<lt_bvh_Triangle>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -120,19 +120,19 @@ struct type_50 {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_20;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_17;
+var<storage, read_write> visibility: type_24;
 @group(0) @binding(0) 
-var<uniform> p: type_32;
+var<uniform> p: type_34;
 @group(0) @binding(2) 
-var<storage> nodes: type_36;
+var<storage> nodes: type_38;
 @group(0) @binding(3) 
-var<storage> triangles: type_40;
+var<storage> triangles: type_42;
 @group(0) @binding(6) 
 var<storage> instances: type_50;
 @group(0) @binding(5) 
-var<storage> list: type_13;
+var<storage> list: type_9;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
     var phi_164_: bool;
@@ -776,41 +776,41 @@ fn function_() {
                         let _e521 = ((bitcast<f32>(_e514) - _e111) * _e277);
                         let _e529 = nodes.member[(0u + _e467)].x;
                         if (_e257 < 0f) {
-                            let _e540 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e529.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e546 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e540.unnamed.word, _e529.w), _e540.unnamed_1);
-                            let _e552 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e546.unnamed, lt_mask_LightPlace(_e529.x, _e546.unnamed_1.shift));
-                            phi_755_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e552.unnamed, lt_mask_LightPlace(_e552.unnamed_1.word, _e529.y));
+                            let _e540 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e529.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e546 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e540.unnamed.root, _e529.w), _e540.unnamed_1);
+                            let _e552 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e546.unnamed, lt_bvh_traverse_Tree(_e529.x, _e546.unnamed_1.first_primitive));
+                            phi_755_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e552.unnamed, lt_bvh_traverse_Tree(_e552.unnamed_1.root, _e529.y));
                         } else {
-                            let _e568 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e529.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e574 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e568.unnamed.word, _e529.y), _e568.unnamed_1);
-                            let _e580 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e574.unnamed, lt_mask_LightPlace(_e529.z, _e574.unnamed_1.shift));
-                            phi_755_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e580.unnamed, lt_mask_LightPlace(_e580.unnamed_1.word, _e529.w));
+                            let _e568 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e529.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e574 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e568.unnamed.root, _e529.y), _e568.unnamed_1);
+                            let _e580 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e574.unnamed, lt_bvh_traverse_Tree(_e529.z, _e574.unnamed_1.first_primitive));
+                            phi_755_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e580.unnamed, lt_bvh_traverse_Tree(_e580.unnamed_1.root, _e529.w));
                         }
                         let _e588 = phi_755_;
                         let _e598 = nodes.member[(0u + _e467)].y;
                         if (_e267 < 0f) {
-                            let _e609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e598.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e609.unnamed.word, _e598.w), _e609.unnamed_1);
-                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e615.unnamed, lt_mask_LightPlace(_e598.x, _e615.unnamed_1.shift));
-                            phi_782_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e621.unnamed, lt_mask_LightPlace(_e621.unnamed_1.word, _e598.y));
+                            let _e609 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e598.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e609.unnamed.root, _e598.w), _e609.unnamed_1);
+                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e615.unnamed, lt_bvh_traverse_Tree(_e598.x, _e615.unnamed_1.first_primitive));
+                            phi_782_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e621.unnamed, lt_bvh_traverse_Tree(_e621.unnamed_1.root, _e598.y));
                         } else {
-                            let _e637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e598.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e637.unnamed.word, _e598.y), _e637.unnamed_1);
-                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e643.unnamed, lt_mask_LightPlace(_e598.z, _e643.unnamed_1.shift));
-                            phi_782_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e649.unnamed, lt_mask_LightPlace(_e649.unnamed_1.word, _e598.w));
+                            let _e637 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e598.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e637.unnamed.root, _e598.y), _e637.unnamed_1);
+                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e643.unnamed, lt_bvh_traverse_Tree(_e598.z, _e643.unnamed_1.first_primitive));
+                            phi_782_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e649.unnamed, lt_bvh_traverse_Tree(_e649.unnamed_1.root, _e598.w));
                         }
                         let _e657 = phi_782_;
                         let _e667 = nodes.member[(0u + _e467)].z;
                         if (_e277 < 0f) {
-                            let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e667.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e678.unnamed.word, _e667.w), _e678.unnamed_1);
-                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e684.unnamed, lt_mask_LightPlace(_e667.x, _e684.unnamed_1.shift));
-                            phi_809_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_mask_LightPlace(_e690.unnamed_1.word, _e667.y));
+                            let _e678 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e667.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e678.unnamed.root, _e667.w), _e678.unnamed_1);
+                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e684.unnamed, lt_bvh_traverse_Tree(_e667.x, _e684.unnamed_1.first_primitive));
+                            phi_809_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_bvh_traverse_Tree(_e690.unnamed_1.root, _e667.y));
                         } else {
-                            let _e706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e667.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e706.unnamed.word, _e667.y), _e706.unnamed_1);
-                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e712.unnamed, lt_mask_LightPlace(_e667.z, _e712.unnamed_1.shift));
-                            phi_809_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_mask_LightPlace(_e718.unnamed_1.word, _e667.w));
+                            let _e706 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e667.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e706.unnamed.root, _e667.y), _e706.unnamed_1);
+                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e712.unnamed, lt_bvh_traverse_Tree(_e667.z, _e712.unnamed_1.first_primitive));
+                            phi_809_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_bvh_traverse_Tree(_e718.unnamed_1.root, _e667.w));
                         }
                         let _e726 = phi_809_;
                         phi_815_ = 0u;
@@ -826,41 +826,41 @@ fn function_() {
                                 let _e741 = (_e736 >> bitcast<u32>(2i));
                                 let _e742 = (_e736 & 3u);
                                 if (_e741 == 0u) {
-                                    phi_832_ = _e588.unnamed.word;
+                                    phi_832_ = _e588.unnamed.root;
                                 } else {
-                                    phi_832_ = _e588.unnamed.shift;
+                                    phi_832_ = _e588.unnamed.first_primitive;
                                 }
                                 let _e745 = phi_832_;
                                 if (_e741 == 0u) {
-                                    phi_842_ = _e657.unnamed.word;
+                                    phi_842_ = _e657.unnamed.root;
                                 } else {
-                                    phi_842_ = _e657.unnamed.shift;
+                                    phi_842_ = _e657.unnamed.first_primitive;
                                 }
                                 let _e754 = phi_842_;
                                 if (_e741 == 0u) {
-                                    phi_852_ = _e726.unnamed.word;
+                                    phi_852_ = _e726.unnamed.root;
                                 } else {
-                                    phi_852_ = _e726.unnamed.shift;
+                                    phi_852_ = _e726.unnamed.first_primitive;
                                 }
                                 let _e763 = phi_852_;
                                 let _e776 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e745 >> bitcast<u32>(((_e742 * 8u) & 31u))) & 255u)) * _e501) + (_e519 - _e309)), ((f32(((_e754 >> bitcast<u32>(((_e742 * 8u) & 31u))) & 255u)) * _e502) + (_e520 - _e310)));
                                 let _e777 = core_intrinsics_maximum_number_nsz_f32_(_e776, ((f32(((_e763 >> bitcast<u32>(((_e742 * 8u) & 31u))) & 255u)) * _e503) + (_e521 - _e311)));
                                 if (_e741 == 0u) {
-                                    phi_870_ = _e588.unnamed_1.word;
+                                    phi_870_ = _e588.unnamed_1.root;
                                 } else {
-                                    phi_870_ = _e588.unnamed_1.shift;
+                                    phi_870_ = _e588.unnamed_1.first_primitive;
                                 }
                                 let _e780 = phi_870_;
                                 if (_e741 == 0u) {
-                                    phi_880_ = _e657.unnamed_1.word;
+                                    phi_880_ = _e657.unnamed_1.root;
                                 } else {
-                                    phi_880_ = _e657.unnamed_1.shift;
+                                    phi_880_ = _e657.unnamed_1.first_primitive;
                                 }
                                 let _e789 = phi_880_;
                                 if (_e741 == 0u) {
-                                    phi_890_ = _e726.unnamed_1.word;
+                                    phi_890_ = _e726.unnamed_1.root;
                                 } else {
-                                    phi_890_ = _e726.unnamed_1.shift;
+                                    phi_890_ = _e726.unnamed_1.first_primitive;
                                 }
                                 let _e798 = phi_890_;
                                 let _e811 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e780 >> bitcast<u32>(((_e742 * 8u) & 31u))) & 255u)) * _e501) + (_e519 + _e309)), ((f32(((_e789 >> bitcast<u32>(((_e742 * 8u) & 31u))) & 255u)) * _e502) + (_e520 + _e310)));
@@ -1355,41 +1355,41 @@ fn function_() {
                                                             let _e1482 = ((bitcast<f32>(_e1475) - _e1013) * _e1208);
                                                             let _e1490 = nodes.member[(0u + _e1428)].x;
                                                             if (_e1188 < 0f) {
-                                                                let _e1501 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1490.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1507 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1501.unnamed.word, _e1490.w), _e1501.unnamed_1);
-                                                                let _e1513 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1507.unnamed, lt_mask_LightPlace(_e1490.x, _e1507.unnamed_1.shift));
-                                                                phi_1702_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1513.unnamed, lt_mask_LightPlace(_e1513.unnamed_1.word, _e1490.y));
+                                                                let _e1501 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1490.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1507 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1501.unnamed.root, _e1490.w), _e1501.unnamed_1);
+                                                                let _e1513 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1507.unnamed, lt_bvh_traverse_Tree(_e1490.x, _e1507.unnamed_1.first_primitive));
+                                                                phi_1702_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1513.unnamed, lt_bvh_traverse_Tree(_e1513.unnamed_1.root, _e1490.y));
                                                             } else {
-                                                                let _e1529 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1490.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1535 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1529.unnamed.word, _e1490.y), _e1529.unnamed_1);
-                                                                let _e1541 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1535.unnamed, lt_mask_LightPlace(_e1490.z, _e1535.unnamed_1.shift));
-                                                                phi_1702_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1541.unnamed, lt_mask_LightPlace(_e1541.unnamed_1.word, _e1490.w));
+                                                                let _e1529 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1490.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1535 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1529.unnamed.root, _e1490.y), _e1529.unnamed_1);
+                                                                let _e1541 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1535.unnamed, lt_bvh_traverse_Tree(_e1490.z, _e1535.unnamed_1.first_primitive));
+                                                                phi_1702_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1541.unnamed, lt_bvh_traverse_Tree(_e1541.unnamed_1.root, _e1490.w));
                                                             }
                                                             let _e1549 = phi_1702_;
                                                             let _e1559 = nodes.member[(0u + _e1428)].y;
                                                             if (_e1198 < 0f) {
-                                                                let _e1570 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1559.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1570.unnamed.word, _e1559.w), _e1570.unnamed_1);
-                                                                let _e1582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1576.unnamed, lt_mask_LightPlace(_e1559.x, _e1576.unnamed_1.shift));
-                                                                phi_1729_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1582.unnamed, lt_mask_LightPlace(_e1582.unnamed_1.word, _e1559.y));
+                                                                let _e1570 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1559.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1570.unnamed.root, _e1559.w), _e1570.unnamed_1);
+                                                                let _e1582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1576.unnamed, lt_bvh_traverse_Tree(_e1559.x, _e1576.unnamed_1.first_primitive));
+                                                                phi_1729_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1582.unnamed, lt_bvh_traverse_Tree(_e1582.unnamed_1.root, _e1559.y));
                                                             } else {
-                                                                let _e1598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1559.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1598.unnamed.word, _e1559.y), _e1598.unnamed_1);
-                                                                let _e1610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1604.unnamed, lt_mask_LightPlace(_e1559.z, _e1604.unnamed_1.shift));
-                                                                phi_1729_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1610.unnamed, lt_mask_LightPlace(_e1610.unnamed_1.word, _e1559.w));
+                                                                let _e1598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1559.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1598.unnamed.root, _e1559.y), _e1598.unnamed_1);
+                                                                let _e1610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1604.unnamed, lt_bvh_traverse_Tree(_e1559.z, _e1604.unnamed_1.first_primitive));
+                                                                phi_1729_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1610.unnamed, lt_bvh_traverse_Tree(_e1610.unnamed_1.root, _e1559.w));
                                                             }
                                                             let _e1618 = phi_1729_;
                                                             let _e1628 = nodes.member[(0u + _e1428)].z;
                                                             if (_e1208 < 0f) {
-                                                                let _e1639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1628.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1639.unnamed.word, _e1628.w), _e1639.unnamed_1);
-                                                                let _e1651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1645.unnamed, lt_mask_LightPlace(_e1628.x, _e1645.unnamed_1.shift));
-                                                                phi_1756_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1651.unnamed, lt_mask_LightPlace(_e1651.unnamed_1.word, _e1628.y));
+                                                                let _e1639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1628.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1639.unnamed.root, _e1628.w), _e1639.unnamed_1);
+                                                                let _e1651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1645.unnamed, lt_bvh_traverse_Tree(_e1628.x, _e1645.unnamed_1.first_primitive));
+                                                                phi_1756_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1651.unnamed, lt_bvh_traverse_Tree(_e1651.unnamed_1.root, _e1628.y));
                                                             } else {
-                                                                let _e1667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1628.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1667.unnamed.word, _e1628.y), _e1667.unnamed_1);
-                                                                let _e1679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1673.unnamed, lt_mask_LightPlace(_e1628.z, _e1673.unnamed_1.shift));
-                                                                phi_1756_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1679.unnamed, lt_mask_LightPlace(_e1679.unnamed_1.word, _e1628.w));
+                                                                let _e1667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1628.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1667.unnamed.root, _e1628.y), _e1667.unnamed_1);
+                                                                let _e1679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1673.unnamed, lt_bvh_traverse_Tree(_e1628.z, _e1673.unnamed_1.first_primitive));
+                                                                phi_1756_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1679.unnamed, lt_bvh_traverse_Tree(_e1679.unnamed_1.root, _e1628.w));
                                                             }
                                                             let _e1687 = phi_1756_;
                                                             phi_1762_ = 0u;
@@ -1405,41 +1405,41 @@ fn function_() {
                                                                     let _e1702 = (_e1697 >> bitcast<u32>(2i));
                                                                     let _e1703 = (_e1697 & 3u);
                                                                     if (_e1702 == 0u) {
-                                                                        phi_1779_ = _e1549.unnamed.word;
+                                                                        phi_1779_ = _e1549.unnamed.root;
                                                                     } else {
-                                                                        phi_1779_ = _e1549.unnamed.shift;
+                                                                        phi_1779_ = _e1549.unnamed.first_primitive;
                                                                     }
                                                                     let _e1706 = phi_1779_;
                                                                     if (_e1702 == 0u) {
-                                                                        phi_1789_ = _e1618.unnamed.word;
+                                                                        phi_1789_ = _e1618.unnamed.root;
                                                                     } else {
-                                                                        phi_1789_ = _e1618.unnamed.shift;
+                                                                        phi_1789_ = _e1618.unnamed.first_primitive;
                                                                     }
                                                                     let _e1715 = phi_1789_;
                                                                     if (_e1702 == 0u) {
-                                                                        phi_1799_ = _e1687.unnamed.word;
+                                                                        phi_1799_ = _e1687.unnamed.root;
                                                                     } else {
-                                                                        phi_1799_ = _e1687.unnamed.shift;
+                                                                        phi_1799_ = _e1687.unnamed.first_primitive;
                                                                     }
                                                                     let _e1724 = phi_1799_;
                                                                     let _e1737 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1706 >> bitcast<u32>(((_e1703 * 8u) & 31u))) & 255u)) * _e1462) + (_e1480 - _e1240)), ((f32(((_e1715 >> bitcast<u32>(((_e1703 * 8u) & 31u))) & 255u)) * _e1463) + (_e1481 - _e1241)));
                                                                     let _e1738 = core_intrinsics_maximum_number_nsz_f32_(_e1737, ((f32(((_e1724 >> bitcast<u32>(((_e1703 * 8u) & 31u))) & 255u)) * _e1464) + (_e1482 - _e1242)));
                                                                     if (_e1702 == 0u) {
-                                                                        phi_1817_ = _e1549.unnamed_1.word;
+                                                                        phi_1817_ = _e1549.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1817_ = _e1549.unnamed_1.shift;
+                                                                        phi_1817_ = _e1549.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1741 = phi_1817_;
                                                                     if (_e1702 == 0u) {
-                                                                        phi_1827_ = _e1618.unnamed_1.word;
+                                                                        phi_1827_ = _e1618.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1827_ = _e1618.unnamed_1.shift;
+                                                                        phi_1827_ = _e1618.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1750 = phi_1827_;
                                                                     if (_e1702 == 0u) {
-                                                                        phi_1837_ = _e1687.unnamed_1.word;
+                                                                        phi_1837_ = _e1687.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1837_ = _e1687.unnamed_1.shift;
+                                                                        phi_1837_ = _e1687.unnamed_1.first_primitive;
                                                                     }
                                                                     let _e1759 = phi_1837_;
                                                                     let _e1772 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1741 >> bitcast<u32>(((_e1703 * 8u) & 31u))) & 255u)) * _e1462) + (_e1480 + _e1240)), ((f32(((_e1750 >> bitcast<u32>(((_e1703 * 8u) & 31u))) & 255u)) * _e1463) + (_e1481 + _e1241)));

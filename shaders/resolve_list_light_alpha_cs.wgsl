@@ -8,6 +8,19 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct type_13 {
+    member: array<vec4<u32>>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +30,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_23 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
-    member: array<u32>,
-}
-
-struct type_17 {
+struct type_27 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct texture_TextureView {
@@ -68,7 +72,7 @@ struct abi_ShadowParams {
     pad1_: u32,
 }
 
-struct type_31 {
+struct type_37 {
     member: abi_ShadowParams,
 }
 
@@ -80,7 +84,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_35 {
+struct type_41 {
     member: array<lt_bvh_Node>,
 }
 
@@ -93,7 +97,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_39 {
+struct type_45 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -105,7 +109,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_43 {
+struct type_49 {
     member: array<abi_Vertex>,
 }
 
@@ -121,13 +125,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_47 {
+struct type_53 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -154,10 +158,6 @@ struct lt_math_Evsm {
     min_variance: f32,
 }
 
-struct type_59 {
-    member: array<vec4<u32>>,
-}
-
 struct lt_bvh_LightSpace {
     shear: vec2<f32>,
     diagonal: vec2<f32>,
@@ -182,27 +182,27 @@ struct u0028_lt_bvh_LightPoint_u0020_u32_u0029_ {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_23;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_17;
+var<storage, read_write> visibility: type_27;
 @group(0) @binding(0) 
-var<uniform> p: type_31;
+var<uniform> p: type_37;
 @group(0) @binding(2) 
-var<storage> nodes: type_35;
+var<storage> nodes: type_41;
 @group(0) @binding(3) 
-var<storage> triangles: type_39;
+var<storage> triangles: type_45;
 @group(0) @binding(5) 
-var<storage> list: type_13;
+var<storage> list: type_9;
 @group(0) @binding(6) 
-var<storage> rows: type_59;
+var<storage> rows: type_13;
 @group(0) @binding(7) 
 var<uniform> space: type_63;
 @group(0) @binding(8) 
-var<storage> vertices: type_43;
+var<storage> vertices: type_49;
 @group(0) @binding(9) 
-var<storage> materials: type_47;
+var<storage> materials: type_53;
 @group(0) @binding(10) 
-var<storage> alpha_texels: type_13;
+var<storage> alpha_texels: type_9;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
     var phi_221_: bool;
@@ -2853,41 +2853,41 @@ fn function_() {
                                 let _e2180 = ((bitcast<f32>(_e2173) - _e148) * _e1906);
                                 let _e2188 = nodes.member[(0u + _e2126)].x;
                                 if (_e1886 < 0f) {
-                                    let _e2199 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2188.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2205 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2199.unnamed.word, _e2188.w), _e2199.unnamed_1);
-                                    let _e2211 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2205.unnamed, lt_mask_LightPlace(_e2188.x, _e2205.unnamed_1.shift));
-                                    phi_3052_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2211.unnamed, lt_mask_LightPlace(_e2211.unnamed_1.word, _e2188.y));
+                                    let _e2199 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2188.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2205 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2199.unnamed.root, _e2188.w), _e2199.unnamed_1);
+                                    let _e2211 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2205.unnamed, lt_bvh_traverse_Tree(_e2188.x, _e2205.unnamed_1.first_primitive));
+                                    phi_3052_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2211.unnamed, lt_bvh_traverse_Tree(_e2211.unnamed_1.root, _e2188.y));
                                 } else {
-                                    let _e2227 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2188.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2233 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2227.unnamed.word, _e2188.y), _e2227.unnamed_1);
-                                    let _e2239 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2233.unnamed, lt_mask_LightPlace(_e2188.z, _e2233.unnamed_1.shift));
-                                    phi_3052_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2239.unnamed, lt_mask_LightPlace(_e2239.unnamed_1.word, _e2188.w));
+                                    let _e2227 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2188.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2233 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2227.unnamed.root, _e2188.y), _e2227.unnamed_1);
+                                    let _e2239 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2233.unnamed, lt_bvh_traverse_Tree(_e2188.z, _e2233.unnamed_1.first_primitive));
+                                    phi_3052_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2239.unnamed, lt_bvh_traverse_Tree(_e2239.unnamed_1.root, _e2188.w));
                                 }
                                 let _e2247 = phi_3052_;
                                 let _e2257 = nodes.member[(0u + _e2126)].y;
                                 if (_e1896 < 0f) {
-                                    let _e2268 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2257.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2274 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2268.unnamed.word, _e2257.w), _e2268.unnamed_1);
-                                    let _e2280 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2274.unnamed, lt_mask_LightPlace(_e2257.x, _e2274.unnamed_1.shift));
-                                    phi_3079_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2280.unnamed, lt_mask_LightPlace(_e2280.unnamed_1.word, _e2257.y));
+                                    let _e2268 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2257.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2274 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2268.unnamed.root, _e2257.w), _e2268.unnamed_1);
+                                    let _e2280 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2274.unnamed, lt_bvh_traverse_Tree(_e2257.x, _e2274.unnamed_1.first_primitive));
+                                    phi_3079_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2280.unnamed, lt_bvh_traverse_Tree(_e2280.unnamed_1.root, _e2257.y));
                                 } else {
-                                    let _e2296 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2257.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2302 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2296.unnamed.word, _e2257.y), _e2296.unnamed_1);
-                                    let _e2308 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2302.unnamed, lt_mask_LightPlace(_e2257.z, _e2302.unnamed_1.shift));
-                                    phi_3079_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2308.unnamed, lt_mask_LightPlace(_e2308.unnamed_1.word, _e2257.w));
+                                    let _e2296 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2257.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2302 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2296.unnamed.root, _e2257.y), _e2296.unnamed_1);
+                                    let _e2308 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2302.unnamed, lt_bvh_traverse_Tree(_e2257.z, _e2302.unnamed_1.first_primitive));
+                                    phi_3079_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2308.unnamed, lt_bvh_traverse_Tree(_e2308.unnamed_1.root, _e2257.w));
                                 }
                                 let _e2316 = phi_3079_;
                                 let _e2326 = nodes.member[(0u + _e2126)].z;
                                 if (_e1906 < 0f) {
-                                    let _e2337 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2326.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2343 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2337.unnamed.word, _e2326.w), _e2337.unnamed_1);
-                                    let _e2349 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2343.unnamed, lt_mask_LightPlace(_e2326.x, _e2343.unnamed_1.shift));
-                                    phi_3106_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2349.unnamed, lt_mask_LightPlace(_e2349.unnamed_1.word, _e2326.y));
+                                    let _e2337 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2326.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2343 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2337.unnamed.root, _e2326.w), _e2337.unnamed_1);
+                                    let _e2349 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2343.unnamed, lt_bvh_traverse_Tree(_e2326.x, _e2343.unnamed_1.first_primitive));
+                                    phi_3106_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2349.unnamed, lt_bvh_traverse_Tree(_e2349.unnamed_1.root, _e2326.y));
                                 } else {
-                                    let _e2365 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2326.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2371 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2365.unnamed.word, _e2326.y), _e2365.unnamed_1);
-                                    let _e2377 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2371.unnamed, lt_mask_LightPlace(_e2326.z, _e2371.unnamed_1.shift));
-                                    phi_3106_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2377.unnamed, lt_mask_LightPlace(_e2377.unnamed_1.word, _e2326.w));
+                                    let _e2365 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2326.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2371 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2365.unnamed.root, _e2326.y), _e2365.unnamed_1);
+                                    let _e2377 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2371.unnamed, lt_bvh_traverse_Tree(_e2326.z, _e2371.unnamed_1.first_primitive));
+                                    phi_3106_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2377.unnamed, lt_bvh_traverse_Tree(_e2377.unnamed_1.root, _e2326.w));
                                 }
                                 let _e2385 = phi_3106_;
                                 phi_3112_ = 0u;
@@ -2903,41 +2903,41 @@ fn function_() {
                                         let _e2400 = (_e2395 >> bitcast<u32>(2i));
                                         let _e2401 = (_e2395 & 3u);
                                         if (_e2400 == 0u) {
-                                            phi_3129_ = _e2247.unnamed.word;
+                                            phi_3129_ = _e2247.unnamed.root;
                                         } else {
-                                            phi_3129_ = _e2247.unnamed.shift;
+                                            phi_3129_ = _e2247.unnamed.first_primitive;
                                         }
                                         let _e2404 = phi_3129_;
                                         if (_e2400 == 0u) {
-                                            phi_3139_ = _e2316.unnamed.word;
+                                            phi_3139_ = _e2316.unnamed.root;
                                         } else {
-                                            phi_3139_ = _e2316.unnamed.shift;
+                                            phi_3139_ = _e2316.unnamed.first_primitive;
                                         }
                                         let _e2413 = phi_3139_;
                                         if (_e2400 == 0u) {
-                                            phi_3149_ = _e2385.unnamed.word;
+                                            phi_3149_ = _e2385.unnamed.root;
                                         } else {
-                                            phi_3149_ = _e2385.unnamed.shift;
+                                            phi_3149_ = _e2385.unnamed.first_primitive;
                                         }
                                         let _e2422 = phi_3149_;
                                         let _e2435 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2404 >> bitcast<u32>(((_e2401 * 8u) & 31u))) & 255u)) * _e2160) + (_e2178 - _e1938)), ((f32(((_e2413 >> bitcast<u32>(((_e2401 * 8u) & 31u))) & 255u)) * _e2161) + (_e2179 - _e1939)));
                                         let _e2436 = core_intrinsics_maximum_number_nsz_f32_(_e2435, ((f32(((_e2422 >> bitcast<u32>(((_e2401 * 8u) & 31u))) & 255u)) * _e2162) + (_e2180 - _e1940)));
                                         if (_e2400 == 0u) {
-                                            phi_3167_ = _e2247.unnamed_1.word;
+                                            phi_3167_ = _e2247.unnamed_1.root;
                                         } else {
-                                            phi_3167_ = _e2247.unnamed_1.shift;
+                                            phi_3167_ = _e2247.unnamed_1.first_primitive;
                                         }
                                         let _e2439 = phi_3167_;
                                         if (_e2400 == 0u) {
-                                            phi_3177_ = _e2316.unnamed_1.word;
+                                            phi_3177_ = _e2316.unnamed_1.root;
                                         } else {
-                                            phi_3177_ = _e2316.unnamed_1.shift;
+                                            phi_3177_ = _e2316.unnamed_1.first_primitive;
                                         }
                                         let _e2448 = phi_3177_;
                                         if (_e2400 == 0u) {
-                                            phi_3187_ = _e2385.unnamed_1.word;
+                                            phi_3187_ = _e2385.unnamed_1.root;
                                         } else {
-                                            phi_3187_ = _e2385.unnamed_1.shift;
+                                            phi_3187_ = _e2385.unnamed_1.first_primitive;
                                         }
                                         let _e2457 = phi_3187_;
                                         let _e2470 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2439 >> bitcast<u32>(((_e2401 * 8u) & 31u))) & 255u)) * _e2160) + (_e2178 + _e1938)), ((f32(((_e2448 >> bitcast<u32>(((_e2401 * 8u) & 31u))) & 255u)) * _e2161) + (_e2179 + _e1939)));

@@ -8,6 +8,19 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct type_13 {
+    member: array<vec4<u32>>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +30,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_23 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
-    member: array<u32>,
-}
-
-struct type_17 {
+struct type_27 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct lt_bvh_traverse_Stack {
@@ -62,7 +66,7 @@ struct abi_ShadowParams {
     pad1_: u32,
 }
 
-struct type_30 {
+struct type_36 {
     member: abi_ShadowParams,
 }
 
@@ -74,7 +78,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_34 {
+struct type_40 {
     member: array<lt_bvh_Node>,
 }
 
@@ -87,13 +91,13 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_38 {
+struct type_44 {
     member: array<lt_bvh_Triangle>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -107,10 +111,6 @@ struct lt_math_Evsm {
     positive_exponent: f32,
     negative_exponent: f32,
     min_variance: f32,
-}
-
-struct type_47 {
-    member: array<vec4<u32>>,
 }
 
 struct lt_bvh_LightSpace {
@@ -137,19 +137,19 @@ struct u0028_lt_bvh_LightPoint_u0020_u32_u0029_ {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_23;
 @group(0) @binding(4) 
-var<storage, read_write> visibility: type_17;
+var<storage, read_write> visibility: type_27;
 @group(0) @binding(0) 
-var<uniform> p: type_30;
+var<uniform> p: type_36;
 @group(0) @binding(2) 
-var<storage> nodes: type_34;
+var<storage> nodes: type_40;
 @group(0) @binding(3) 
-var<storage> triangles: type_38;
+var<storage> triangles: type_44;
 @group(0) @binding(5) 
-var<storage> list: type_13;
+var<storage> list: type_9;
 @group(0) @binding(6) 
-var<storage> rows: type_47;
+var<storage> rows: type_13;
 @group(0) @binding(7) 
 var<uniform> space: type_51;
 
@@ -2357,41 +2357,41 @@ fn function_() {
                                 let _e1969 = ((bitcast<f32>(_e1962) - _e123) * _e1695);
                                 let _e1977 = nodes.member[(0u + _e1915)].x;
                                 if (_e1675 < 0f) {
-                                    let _e1988 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1977.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e1994 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1988.unnamed.word, _e1977.w), _e1988.unnamed_1);
-                                    let _e2000 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1994.unnamed, lt_mask_LightPlace(_e1977.x, _e1994.unnamed_1.shift));
-                                    phi_2423_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2000.unnamed, lt_mask_LightPlace(_e2000.unnamed_1.word, _e1977.y));
+                                    let _e1988 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1977.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e1994 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1988.unnamed.root, _e1977.w), _e1988.unnamed_1);
+                                    let _e2000 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1994.unnamed, lt_bvh_traverse_Tree(_e1977.x, _e1994.unnamed_1.first_primitive));
+                                    phi_2423_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2000.unnamed, lt_bvh_traverse_Tree(_e2000.unnamed_1.root, _e1977.y));
                                 } else {
-                                    let _e2016 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e1977.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2022 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2016.unnamed.word, _e1977.y), _e2016.unnamed_1);
-                                    let _e2028 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2022.unnamed, lt_mask_LightPlace(_e1977.z, _e2022.unnamed_1.shift));
-                                    phi_2423_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2028.unnamed, lt_mask_LightPlace(_e2028.unnamed_1.word, _e1977.w));
+                                    let _e2016 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1977.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2022 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2016.unnamed.root, _e1977.y), _e2016.unnamed_1);
+                                    let _e2028 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2022.unnamed, lt_bvh_traverse_Tree(_e1977.z, _e2022.unnamed_1.first_primitive));
+                                    phi_2423_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2028.unnamed, lt_bvh_traverse_Tree(_e2028.unnamed_1.root, _e1977.w));
                                 }
                                 let _e2036 = phi_2423_;
                                 let _e2046 = nodes.member[(0u + _e1915)].y;
                                 if (_e1685 < 0f) {
-                                    let _e2057 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2046.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2063 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2057.unnamed.word, _e2046.w), _e2057.unnamed_1);
-                                    let _e2069 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2063.unnamed, lt_mask_LightPlace(_e2046.x, _e2063.unnamed_1.shift));
-                                    phi_2450_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2069.unnamed, lt_mask_LightPlace(_e2069.unnamed_1.word, _e2046.y));
+                                    let _e2057 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2046.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2063 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2057.unnamed.root, _e2046.w), _e2057.unnamed_1);
+                                    let _e2069 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2063.unnamed, lt_bvh_traverse_Tree(_e2046.x, _e2063.unnamed_1.first_primitive));
+                                    phi_2450_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2069.unnamed, lt_bvh_traverse_Tree(_e2069.unnamed_1.root, _e2046.y));
                                 } else {
-                                    let _e2085 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2046.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2091 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2085.unnamed.word, _e2046.y), _e2085.unnamed_1);
-                                    let _e2097 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2091.unnamed, lt_mask_LightPlace(_e2046.z, _e2091.unnamed_1.shift));
-                                    phi_2450_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2097.unnamed, lt_mask_LightPlace(_e2097.unnamed_1.word, _e2046.w));
+                                    let _e2085 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2046.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2091 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2085.unnamed.root, _e2046.y), _e2085.unnamed_1);
+                                    let _e2097 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2091.unnamed, lt_bvh_traverse_Tree(_e2046.z, _e2091.unnamed_1.first_primitive));
+                                    phi_2450_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2097.unnamed, lt_bvh_traverse_Tree(_e2097.unnamed_1.root, _e2046.w));
                                 }
                                 let _e2105 = phi_2450_;
                                 let _e2115 = nodes.member[(0u + _e1915)].z;
                                 if (_e1695 < 0f) {
-                                    let _e2126 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2115.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2132 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2126.unnamed.word, _e2115.w), _e2126.unnamed_1);
-                                    let _e2138 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2132.unnamed, lt_mask_LightPlace(_e2115.x, _e2132.unnamed_1.shift));
-                                    phi_2477_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2138.unnamed, lt_mask_LightPlace(_e2138.unnamed_1.word, _e2115.y));
+                                    let _e2126 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2115.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2132 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2126.unnamed.root, _e2115.w), _e2126.unnamed_1);
+                                    let _e2138 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2132.unnamed, lt_bvh_traverse_Tree(_e2115.x, _e2132.unnamed_1.first_primitive));
+                                    phi_2477_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2138.unnamed, lt_bvh_traverse_Tree(_e2138.unnamed_1.root, _e2115.y));
                                 } else {
-                                    let _e2154 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2115.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2160 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e2154.unnamed.word, _e2115.y), _e2154.unnamed_1);
-                                    let _e2166 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2160.unnamed, lt_mask_LightPlace(_e2115.z, _e2160.unnamed_1.shift));
-                                    phi_2477_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2166.unnamed, lt_mask_LightPlace(_e2166.unnamed_1.word, _e2115.w));
+                                    let _e2154 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2115.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2160 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2154.unnamed.root, _e2115.y), _e2154.unnamed_1);
+                                    let _e2166 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2160.unnamed, lt_bvh_traverse_Tree(_e2115.z, _e2160.unnamed_1.first_primitive));
+                                    phi_2477_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2166.unnamed, lt_bvh_traverse_Tree(_e2166.unnamed_1.root, _e2115.w));
                                 }
                                 let _e2174 = phi_2477_;
                                 phi_2483_ = 0u;
@@ -2407,41 +2407,41 @@ fn function_() {
                                         let _e2189 = (_e2184 >> bitcast<u32>(2i));
                                         let _e2190 = (_e2184 & 3u);
                                         if (_e2189 == 0u) {
-                                            phi_2500_ = _e2036.unnamed.word;
+                                            phi_2500_ = _e2036.unnamed.root;
                                         } else {
-                                            phi_2500_ = _e2036.unnamed.shift;
+                                            phi_2500_ = _e2036.unnamed.first_primitive;
                                         }
                                         let _e2193 = phi_2500_;
                                         if (_e2189 == 0u) {
-                                            phi_2510_ = _e2105.unnamed.word;
+                                            phi_2510_ = _e2105.unnamed.root;
                                         } else {
-                                            phi_2510_ = _e2105.unnamed.shift;
+                                            phi_2510_ = _e2105.unnamed.first_primitive;
                                         }
                                         let _e2202 = phi_2510_;
                                         if (_e2189 == 0u) {
-                                            phi_2520_ = _e2174.unnamed.word;
+                                            phi_2520_ = _e2174.unnamed.root;
                                         } else {
-                                            phi_2520_ = _e2174.unnamed.shift;
+                                            phi_2520_ = _e2174.unnamed.first_primitive;
                                         }
                                         let _e2211 = phi_2520_;
                                         let _e2224 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2193 >> bitcast<u32>(((_e2190 * 8u) & 31u))) & 255u)) * _e1949) + (_e1967 - _e1727)), ((f32(((_e2202 >> bitcast<u32>(((_e2190 * 8u) & 31u))) & 255u)) * _e1950) + (_e1968 - _e1728)));
                                         let _e2225 = core_intrinsics_maximum_number_nsz_f32_(_e2224, ((f32(((_e2211 >> bitcast<u32>(((_e2190 * 8u) & 31u))) & 255u)) * _e1951) + (_e1969 - _e1729)));
                                         if (_e2189 == 0u) {
-                                            phi_2538_ = _e2036.unnamed_1.word;
+                                            phi_2538_ = _e2036.unnamed_1.root;
                                         } else {
-                                            phi_2538_ = _e2036.unnamed_1.shift;
+                                            phi_2538_ = _e2036.unnamed_1.first_primitive;
                                         }
                                         let _e2228 = phi_2538_;
                                         if (_e2189 == 0u) {
-                                            phi_2548_ = _e2105.unnamed_1.word;
+                                            phi_2548_ = _e2105.unnamed_1.root;
                                         } else {
-                                            phi_2548_ = _e2105.unnamed_1.shift;
+                                            phi_2548_ = _e2105.unnamed_1.first_primitive;
                                         }
                                         let _e2237 = phi_2548_;
                                         if (_e2189 == 0u) {
-                                            phi_2558_ = _e2174.unnamed_1.word;
+                                            phi_2558_ = _e2174.unnamed_1.root;
                                         } else {
-                                            phi_2558_ = _e2174.unnamed_1.shift;
+                                            phi_2558_ = _e2174.unnamed_1.first_primitive;
                                         }
                                         let _e2246 = phi_2558_;
                                         let _e2259 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2228 >> bitcast<u32>(((_e2190 * 8u) & 31u))) & 255u)) * _e1949) + (_e1967 + _e1727)), ((f32(((_e2237 >> bitcast<u32>(((_e2190 * 8u) & 31u))) & 255u)) * _e1950) + (_e1968 + _e1728)));

@@ -21,6 +21,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -30,17 +39,8 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_18 {
     member: array<abi_Sample>,
-}
-
-struct type_13 {
-    member: array<u32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct type_31 {
@@ -59,28 +59,28 @@ struct type_35 {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_18;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_35;
 @group(0) @binding(2) 
 var<storage> light: type_31;
 @group(0) @binding(3) 
-var<storage, read_write> picture: type_13;
+var<storage, read_write> picture: type_9;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_133_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_133_: lt_bvh_traverse_Tree;
     var phi_134_: bool;
-    var phi_135_: lt_mask_LightPlace;
+    var phi_135_: lt_bvh_traverse_Tree;
     var phi_136_: bool;
-    var phi_141_: lt_mask_LightPlace;
+    var phi_141_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_133_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_133_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_134_ = false;
         } else {
-            phi_133_ = lt_mask_LightPlace();
+            phi_133_ = lt_bvh_traverse_Tree();
             phi_134_ = true;
         }
         let _e63 = phi_133_;
@@ -88,18 +88,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_135_ = _e63;
         phi_136_ = _e65;
     } else {
-        phi_135_ = lt_mask_LightPlace();
+        phi_135_ = lt_bvh_traverse_Tree();
         phi_136_ = true;
     }
     let _e67 = phi_135_;
     let _e69 = phi_136_;
     if _e69 {
-        phi_141_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_141_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_141_ = _e67;
     }
     let _e74 = phi_141_;
-    return lt_mask_LightPlace(_e74.word, _e74.shift);
+    return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
 }
 
 fn function_() {
@@ -127,16 +127,16 @@ fn function_() {
     let _e64 = p.member.camera.size[0u];
     let _e66 = p.member.camera.size[1u];
     let _e67 = lt_shaders_entry_pixel_index(_e50, _e64, _e66);
-    if (bitcast<i32>(_e67.word) != 0i) {
-        if (_e67.shift < arrayLength((&samples.member))) {
+    if (bitcast<i32>(_e67.root) != 0i) {
+        if (_e67.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        if (_e67.shift < arrayLength((&light.member))) {
+        if (_e67.first_primitive < arrayLength((&light.member))) {
         } else {
             return;
         }
-        let _e80 = light.member[(0u + _e67.shift)];
+        let _e80 = light.member[(0u + _e67.first_primitive)];
         let _e87 = p.member.camera.grid[0u];
         let _e89 = p.member.camera.grid[1u];
         let _e108 = p.member.camera.size[0u];
@@ -151,13 +151,13 @@ fn function_() {
         let _e146 = ((_e121.z + (_e123.z * _e112)) + (_e137.z * _e119));
         let _e153 = (1f / sqrt((((_e144 * _e144) + (_e145 * _e145)) + (_e146 * _e146))));
         let _e155 = (_e145 * _e153);
-        let _e159 = samples.member[(0u + _e67.shift)].normal[0u];
+        let _e159 = samples.member[(0u + _e67.first_primitive)].normal[0u];
         let _e161 = global[0u];
         if (_e159 == _e161) {
-            let _e164 = samples.member[(0u + _e67.shift)].normal[1u];
+            let _e164 = samples.member[(0u + _e67.first_primitive)].normal[1u];
             let _e166 = global[1u];
             if (_e164 == _e166) {
-                let _e169 = samples.member[(0u + _e67.shift)].normal[2u];
+                let _e169 = samples.member[(0u + _e67.first_primitive)].normal[2u];
                 let _e171 = global[2u];
                 phi_280_ = (_e169 == _e171);
                 phi_281_ = false;
@@ -182,17 +182,17 @@ fn function_() {
         }
         let _e182 = phi_287_;
         if !(_e182) {
-            let _e185 = samples.member[(0u + _e67.shift)].shading_normal;
+            let _e185 = samples.member[(0u + _e67.first_primitive)].shading_normal;
             let _e188 = (0.5f + (0.5f * _e185.y));
             let _e189 = (1f - 0.4f);
             let _e208 = (1f - _e188);
             let _e234 = (0.8f + (0.2f * abs((((_e185.x * -((_e144 * _e153))) + (_e185.y * -(_e155))) + (_e185.z * -((_e146 * _e153)))))));
-            let _e236 = samples.member[(0u + _e67.shift)].albedo;
+            let _e236 = samples.member[(0u + _e67.first_primitive)].albedo;
             let _e247 = (1f / 255f);
             let _e248 = (f32((_e236 & 255u)) * _e247);
             let _e249 = (f32(((_e236 >> bitcast<u32>(8i)) & 255u)) * _e247);
             let _e250 = (f32(((_e236 >> bitcast<u32>(16i)) & 255u)) * _e247);
-            let _e264 = samples.member[(0u + _e67.shift)].position;
+            let _e264 = samples.member[(0u + _e67.first_primitive)].position;
             let _e267 = p.member.camera.eye;
             let _e270 = (_e264.x - _e267.x);
             let _e273 = (_e264.y - _e267.y);
@@ -294,11 +294,11 @@ fn function_() {
         let _e403 = ((_e353 * 255f) + 0.5f);
         let _e412 = ((_e377 * 255f) + 0.5f);
         let _e424 = ((_e401 * 255f) + 0.5f);
-        if (_e67.shift < arrayLength((&picture.member))) {
+        if (_e67.first_primitive < arrayLength((&picture.member))) {
         } else {
             return;
         }
-        picture.member[(0u + _e67.shift)] = (((select(select(u32(_e403), 0u, (_e403 < bitcast<f32>(0u))), 4294967295u, (_e403 > bitcast<f32>(1333788671u))) | (select(select(u32(_e412), 0u, (_e412 < bitcast<f32>(0u))), 4294967295u, (_e412 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e424), 0u, (_e424 < bitcast<f32>(0u))), 4294967295u, (_e424 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
+        picture.member[(0u + _e67.first_primitive)] = (((select(select(u32(_e403), 0u, (_e403 < bitcast<f32>(0u))), 4294967295u, (_e403 > bitcast<f32>(1333788671u))) | (select(select(u32(_e412), 0u, (_e412 < bitcast<f32>(0u))), 4294967295u, (_e412 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e424), 0u, (_e424 < bitcast<f32>(0u))), 4294967295u, (_e424 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
     }
     return;
 }

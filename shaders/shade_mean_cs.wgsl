@@ -21,6 +21,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -30,17 +39,8 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_18 {
     member: array<abi_Sample>,
-}
-
-struct type_13 {
-    member: array<u32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct type_31 {
@@ -59,28 +59,28 @@ struct type_35 {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_18;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
 var<uniform> p: type_35;
 @group(0) @binding(2) 
 var<storage> light: type_31;
 @group(0) @binding(3) 
-var<storage, read_write> picture: type_13;
+var<storage, read_write> picture: type_9;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_139_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_139_: lt_bvh_traverse_Tree;
     var phi_140_: bool;
-    var phi_141_: lt_mask_LightPlace;
+    var phi_141_: lt_bvh_traverse_Tree;
     var phi_142_: bool;
-    var phi_147_: lt_mask_LightPlace;
+    var phi_147_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_139_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_139_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_140_ = false;
         } else {
-            phi_139_ = lt_mask_LightPlace();
+            phi_139_ = lt_bvh_traverse_Tree();
             phi_140_ = true;
         }
         let _e65 = phi_139_;
@@ -88,18 +88,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_141_ = _e65;
         phi_142_ = _e67;
     } else {
-        phi_141_ = lt_mask_LightPlace();
+        phi_141_ = lt_bvh_traverse_Tree();
         phi_142_ = true;
     }
     let _e69 = phi_141_;
     let _e71 = phi_142_;
     if _e71 {
-        phi_147_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_147_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_147_ = _e69;
     }
     let _e76 = phi_147_;
-    return lt_mask_LightPlace(_e76.word, _e76.shift);
+    return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
 }
 
 fn function_() {
@@ -142,7 +142,7 @@ fn function_() {
         return;
     }
     let _e79 = lt_shaders_entry_pixel_index(_e52, (_e66 / _e72), (_e68 / _e74));
-    if (bitcast<i32>(_e79.word) != 0i) {
+    if (bitcast<i32>(_e79.root) != 0i) {
         let _e89 = p.member.camera.grid[0u];
         let _e91 = p.member.camera.grid[1u];
         phi_201_ = vec3<f32>(0f, 0f, 0f);
@@ -354,11 +354,11 @@ fn function_() {
         let _e475 = ((_e427 * 255f) + 0.5f);
         let _e484 = ((_e450 * 255f) + 0.5f);
         let _e496 = ((_e473 * 255f) + 0.5f);
-        if (_e79.shift < arrayLength((&picture.member))) {
+        if (_e79.first_primitive < arrayLength((&picture.member))) {
         } else {
             return;
         }
-        picture.member[(0u + _e79.shift)] = (((select(select(u32(_e475), 0u, (_e475 < bitcast<f32>(0u))), 4294967295u, (_e475 > bitcast<f32>(1333788671u))) | (select(select(u32(_e484), 0u, (_e484 < bitcast<f32>(0u))), 4294967295u, (_e484 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e496), 0u, (_e496 < bitcast<f32>(0u))), 4294967295u, (_e496 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
+        picture.member[(0u + _e79.first_primitive)] = (((select(select(u32(_e475), 0u, (_e475 < bitcast<f32>(0u))), 4294967295u, (_e475 > bitcast<f32>(1333788671u))) | (select(select(u32(_e484), 0u, (_e484 < bitcast<f32>(0u))), 4294967295u, (_e484 > bitcast<f32>(1333788671u))) << bitcast<u32>(8i))) | (select(select(u32(_e496), 0u, (_e496 < bitcast<f32>(0u))), 4294967295u, (_e496 > bitcast<f32>(1333788671u))) << bitcast<u32>(16i))) | 4278190080u);
     }
     return;
 }

@@ -8,6 +8,15 @@ struct abi_LightParams {
     mask_words: u32,
 }
 
+struct type_9 {
+    member: array<u32>,
+}
+
+struct lt_bvh_traverse_Tree {
+    root: u32,
+    first_primitive: u32,
+}
+
 struct abi_Sample {
     position: vec3<f32>,
     magnitude: f32,
@@ -17,21 +26,12 @@ struct abi_Sample {
     albedo: u32,
 }
 
-struct type_9 {
+struct type_21 {
     member: array<abi_Sample>,
 }
 
-struct type_13 {
-    member: array<u32>,
-}
-
-struct type_17 {
+struct type_25 {
     member: array<f32>,
-}
-
-struct lt_mask_LightPlace {
-    word: u32,
-    shift: u32,
 }
 
 struct evaluate_Verdict {
@@ -44,7 +44,7 @@ struct u0028_evaluate_Verdict_u0020_bool_u0029_ {
     unnamed_1: bool,
 }
 
-struct type_35 {
+struct type_37 {
     member: array<vec4<f32>>,
 }
 
@@ -82,7 +82,7 @@ struct abi_ShadowParams {
     pad1_: u32,
 }
 
-struct type_42 {
+struct type_44 {
     member: abi_ShadowParams,
 }
 
@@ -94,7 +94,7 @@ struct lt_bvh_Node {
     z: vec4<u32>,
 }
 
-struct type_46 {
+struct type_48 {
     member: array<lt_bvh_Node>,
 }
 
@@ -107,7 +107,7 @@ struct lt_bvh_Triangle {
     i2_: u32,
 }
 
-struct type_50 {
+struct type_52 {
     member: array<lt_bvh_Triangle>,
 }
 
@@ -119,7 +119,7 @@ struct abi_Vertex {
     material: u32,
 }
 
-struct type_54 {
+struct type_56 {
     member: array<abi_Vertex>,
 }
 
@@ -135,13 +135,13 @@ struct abi_Material {
     pad: u32,
 }
 
-struct type_58 {
+struct type_60 {
     member: array<abi_Material>,
 }
 
 struct u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_ {
-    unnamed: lt_mask_LightPlace,
-    unnamed_1: lt_mask_LightPlace,
+    unnamed: lt_bvh_traverse_Tree,
+    unnamed_1: lt_bvh_traverse_Tree,
 }
 
 struct lt_bvh_triangle_Intersection {
@@ -164,40 +164,40 @@ struct texture_Axis {
 
 var<private> id_1: vec3<u32>;
 @group(0) @binding(1) 
-var<storage> samples: type_9;
+var<storage> samples: type_21;
 var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 @group(0) @binding(0) 
-var<uniform> p: type_42;
+var<uniform> p: type_44;
 @group(0) @binding(2) 
-var<storage> nodes: type_46;
+var<storage> nodes: type_48;
 @group(0) @binding(3) 
-var<storage> triangles: type_50;
+var<storage> triangles: type_52;
 @group(0) @binding(4) 
-var<storage> visibility: type_17;
+var<storage> visibility: type_25;
 @group(0) @binding(5) 
-var<storage, read_write> tints: type_35;
+var<storage, read_write> tints: type_37;
 @group(0) @binding(6) 
-var<storage> vertices: type_54;
+var<storage> vertices: type_56;
 @group(0) @binding(7) 
-var<storage> materials: type_58;
+var<storage> materials: type_60;
 @group(0) @binding(8) 
-var<storage> alpha_texels: type_13;
+var<storage> alpha_texels: type_9;
 @group(0) @binding(9) 
-var<storage> color_texels: type_13;
+var<storage> color_texels: type_9;
 
-fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_mask_LightPlace {
-    var phi_225_: lt_mask_LightPlace;
+fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
+    var phi_225_: lt_bvh_traverse_Tree;
     var phi_226_: bool;
-    var phi_227_: lt_mask_LightPlace;
+    var phi_227_: lt_bvh_traverse_Tree;
     var phi_228_: bool;
-    var phi_233_: lt_mask_LightPlace;
+    var phi_233_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_225_ = lt_mask_LightPlace(1u, ((param.y * param_1) + param.x));
+            phi_225_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
             phi_226_ = false;
         } else {
-            phi_225_ = lt_mask_LightPlace();
+            phi_225_ = lt_bvh_traverse_Tree();
             phi_226_ = true;
         }
         let _e86 = phi_225_;
@@ -205,18 +205,18 @@ fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) ->
         phi_227_ = _e86;
         phi_228_ = _e88;
     } else {
-        phi_227_ = lt_mask_LightPlace();
+        phi_227_ = lt_bvh_traverse_Tree();
         phi_228_ = true;
     }
     let _e90 = phi_227_;
     let _e92 = phi_228_;
     if _e92 {
-        phi_233_ = lt_mask_LightPlace(0u, lt_mask_LightPlace().shift);
+        phi_233_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
         phi_233_ = _e90;
     }
     let _e97 = phi_233_;
-    return lt_mask_LightPlace(_e97.word, _e97.shift);
+    return lt_bvh_traverse_Tree(_e97.root, _e97.first_primitive);
 }
 
 fn _lt_shaders_texture_TextureView_quad(param_3: ptr<function, texture_TextureView>, param_4: f32, param_5: f32) -> texture_TexelQuad {
@@ -844,24 +844,24 @@ fn function_() {
     let _e107 = p.member.size[0u];
     let _e109 = p.member.size[1u];
     let _e110 = lt_shaders_entry_pixel_index(_e76, _e107, _e109);
-    if (bitcast<i32>(_e110.word) != 0i) {
-        if (_e110.shift < arrayLength((&samples.member))) {
+    if (bitcast<i32>(_e110.root) != 0i) {
+        if (_e110.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        if (_e110.shift < arrayLength((&visibility.member))) {
+        if (_e110.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        let _e122 = visibility.member[(0u + _e110.shift)];
+        let _e122 = visibility.member[(0u + _e110.first_primitive)];
         if (_e122 > 0f) {
-            let _e126 = samples.member[(0u + _e110.shift)].normal[0u];
+            let _e126 = samples.member[(0u + _e110.first_primitive)].normal[0u];
             let _e128 = global[0u];
             if (_e126 == _e128) {
-                let _e131 = samples.member[(0u + _e110.shift)].normal[1u];
+                let _e131 = samples.member[(0u + _e110.first_primitive)].normal[1u];
                 let _e133 = global[1u];
                 if (_e131 == _e133) {
-                    let _e136 = samples.member[(0u + _e110.shift)].normal[2u];
+                    let _e136 = samples.member[(0u + _e110.first_primitive)].normal[2u];
                     let _e138 = global[2u];
                     phi_324_ = (_e136 == _e138);
                     phi_325_ = false;
@@ -886,13 +886,13 @@ fn function_() {
             }
             let _e149 = phi_331_;
             if !(_e149) {
-                let _e152 = samples.member[(0u + _e110.shift)].position;
+                let _e152 = samples.member[(0u + _e110.first_primitive)].position;
                 let _e154 = p.member.light.place;
                 let _e160 = p.member.light.place[3u];
                 let _e167 = (_e154.x - (_e152.x * _e160));
                 let _e168 = (_e154.y - (_e152.y * _e160));
                 let _e169 = (_e154.z - (_e152.z * _e160));
-                let _e171 = samples.member[(0u + _e110.shift)].normal;
+                let _e171 = samples.member[(0u + _e110.first_primitive)].normal;
                 if ((((_e171.x * _e167) + (_e171.y * _e168)) + (_e171.z * _e169)) > 0f) {
                     let _e185 = (((_e167 * _e167) + (_e168 * _e168)) + (_e169 * _e169));
                     let _e187 = p.member.light.axis;
@@ -912,7 +912,7 @@ fn function_() {
                     }
                     let _e212 = phi_402_;
                     if _e212 {
-                        let _e214 = samples.member[(0u + _e110.shift)].flags;
+                        let _e214 = samples.member[(0u + _e110.first_primitive)].flags;
                         let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
                         let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
                         phi_413_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, ((_e214 & 1u) == 0u));
@@ -952,9 +952,9 @@ fn function_() {
         }
         let _e277 = phi_430_;
         if _e277 {
-            let _e279 = samples.member[(0u + _e110.shift)].position;
-            let _e281 = samples.member[(0u + _e110.shift)].normal;
-            let _e283 = samples.member[(0u + _e110.shift)].magnitude;
+            let _e279 = samples.member[(0u + _e110.first_primitive)].position;
+            let _e281 = samples.member[(0u + _e110.first_primitive)].normal;
+            let _e283 = samples.member[(0u + _e110.first_primitive)].magnitude;
             let _e285 = ((8f / 8388608f) * _e283);
             let _e293 = (_e279.x + (_e281.x * _e285));
             let _e295 = (_e279.y + (_e281.y * _e285));
@@ -1292,41 +1292,41 @@ fn function_() {
                             let _e738 = ((bitcast<f32>(_e731) - _e297) * _e464);
                             let _e746 = nodes.member[(0u + _e684)].x;
                             if (_e444 < 0f) {
-                                let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e746.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e757.unnamed.word, _e746.w), _e757.unnamed_1);
-                                let _e769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_mask_LightPlace(_e746.x, _e763.unnamed_1.shift));
-                                phi_988_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e769.unnamed, lt_mask_LightPlace(_e769.unnamed_1.word, _e746.y));
+                                let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e746.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e757.unnamed.root, _e746.w), _e757.unnamed_1);
+                                let _e769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_bvh_traverse_Tree(_e746.x, _e763.unnamed_1.first_primitive));
+                                phi_988_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e769.unnamed, lt_bvh_traverse_Tree(_e769.unnamed_1.root, _e746.y));
                             } else {
-                                let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e746.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e785.unnamed.word, _e746.y), _e785.unnamed_1);
-                                let _e797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_mask_LightPlace(_e746.z, _e791.unnamed_1.shift));
-                                phi_988_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e797.unnamed, lt_mask_LightPlace(_e797.unnamed_1.word, _e746.w));
+                                let _e785 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e746.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e791 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e785.unnamed.root, _e746.y), _e785.unnamed_1);
+                                let _e797 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e791.unnamed, lt_bvh_traverse_Tree(_e746.z, _e791.unnamed_1.first_primitive));
+                                phi_988_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e797.unnamed, lt_bvh_traverse_Tree(_e797.unnamed_1.root, _e746.w));
                             }
                             let _e805 = phi_988_;
                             let _e815 = nodes.member[(0u + _e684)].y;
                             if (_e454 < 0f) {
-                                let _e826 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e815.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e832 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e826.unnamed.word, _e815.w), _e826.unnamed_1);
-                                let _e838 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e832.unnamed, lt_mask_LightPlace(_e815.x, _e832.unnamed_1.shift));
-                                phi_1015_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e838.unnamed, lt_mask_LightPlace(_e838.unnamed_1.word, _e815.y));
+                                let _e826 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e815.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e832 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e826.unnamed.root, _e815.w), _e826.unnamed_1);
+                                let _e838 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e832.unnamed, lt_bvh_traverse_Tree(_e815.x, _e832.unnamed_1.first_primitive));
+                                phi_1015_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e838.unnamed, lt_bvh_traverse_Tree(_e838.unnamed_1.root, _e815.y));
                             } else {
-                                let _e854 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e815.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e860 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e854.unnamed.word, _e815.y), _e854.unnamed_1);
-                                let _e866 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e860.unnamed, lt_mask_LightPlace(_e815.z, _e860.unnamed_1.shift));
-                                phi_1015_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e866.unnamed, lt_mask_LightPlace(_e866.unnamed_1.word, _e815.w));
+                                let _e854 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e815.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e860 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e854.unnamed.root, _e815.y), _e854.unnamed_1);
+                                let _e866 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e860.unnamed, lt_bvh_traverse_Tree(_e815.z, _e860.unnamed_1.first_primitive));
+                                phi_1015_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e866.unnamed, lt_bvh_traverse_Tree(_e866.unnamed_1.root, _e815.w));
                             }
                             let _e874 = phi_1015_;
                             let _e884 = nodes.member[(0u + _e684)].z;
                             if (_e464 < 0f) {
-                                let _e895 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e884.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e901 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e895.unnamed.word, _e884.w), _e895.unnamed_1);
-                                let _e907 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e901.unnamed, lt_mask_LightPlace(_e884.x, _e901.unnamed_1.shift));
-                                phi_1042_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e907.unnamed, lt_mask_LightPlace(_e907.unnamed_1.word, _e884.y));
+                                let _e895 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e884.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e901 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e895.unnamed.root, _e884.w), _e895.unnamed_1);
+                                let _e907 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e901.unnamed, lt_bvh_traverse_Tree(_e884.x, _e901.unnamed_1.first_primitive));
+                                phi_1042_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e907.unnamed, lt_bvh_traverse_Tree(_e907.unnamed_1.root, _e884.y));
                             } else {
-                                let _e923 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e884.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.shift), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                let _e929 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_mask_LightPlace(_e923.unnamed.word, _e884.y), _e923.unnamed_1);
-                                let _e935 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e929.unnamed, lt_mask_LightPlace(_e884.z, _e929.unnamed_1.shift));
-                                phi_1042_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e935.unnamed, lt_mask_LightPlace(_e935.unnamed_1.word, _e884.w));
+                                let _e923 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e884.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                let _e929 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e923.unnamed.root, _e884.y), _e923.unnamed_1);
+                                let _e935 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e929.unnamed, lt_bvh_traverse_Tree(_e884.z, _e929.unnamed_1.first_primitive));
+                                phi_1042_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e935.unnamed, lt_bvh_traverse_Tree(_e935.unnamed_1.root, _e884.w));
                             }
                             let _e943 = phi_1042_;
                             phi_1048_ = 0u;
@@ -1342,41 +1342,41 @@ fn function_() {
                                     let _e958 = (_e953 >> bitcast<u32>(2i));
                                     let _e959 = (_e953 & 3u);
                                     if (_e958 == 0u) {
-                                        phi_1065_ = _e805.unnamed.word;
+                                        phi_1065_ = _e805.unnamed.root;
                                     } else {
-                                        phi_1065_ = _e805.unnamed.shift;
+                                        phi_1065_ = _e805.unnamed.first_primitive;
                                     }
                                     let _e962 = phi_1065_;
                                     if (_e958 == 0u) {
-                                        phi_1075_ = _e874.unnamed.word;
+                                        phi_1075_ = _e874.unnamed.root;
                                     } else {
-                                        phi_1075_ = _e874.unnamed.shift;
+                                        phi_1075_ = _e874.unnamed.first_primitive;
                                     }
                                     let _e971 = phi_1075_;
                                     if (_e958 == 0u) {
-                                        phi_1085_ = _e943.unnamed.word;
+                                        phi_1085_ = _e943.unnamed.root;
                                     } else {
-                                        phi_1085_ = _e943.unnamed.shift;
+                                        phi_1085_ = _e943.unnamed.first_primitive;
                                     }
                                     let _e980 = phi_1085_;
                                     let _e993 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e962 >> bitcast<u32>(((_e959 * 8u) & 31u))) & 255u)) * _e718) + (_e736 - _e496)), ((f32(((_e971 >> bitcast<u32>(((_e959 * 8u) & 31u))) & 255u)) * _e719) + (_e737 - _e497)));
                                     let _e994 = core_intrinsics_maximum_number_nsz_f32_(_e993, ((f32(((_e980 >> bitcast<u32>(((_e959 * 8u) & 31u))) & 255u)) * _e720) + (_e738 - _e498)));
                                     if (_e958 == 0u) {
-                                        phi_1103_ = _e805.unnamed_1.word;
+                                        phi_1103_ = _e805.unnamed_1.root;
                                     } else {
-                                        phi_1103_ = _e805.unnamed_1.shift;
+                                        phi_1103_ = _e805.unnamed_1.first_primitive;
                                     }
                                     let _e997 = phi_1103_;
                                     if (_e958 == 0u) {
-                                        phi_1113_ = _e874.unnamed_1.word;
+                                        phi_1113_ = _e874.unnamed_1.root;
                                     } else {
-                                        phi_1113_ = _e874.unnamed_1.shift;
+                                        phi_1113_ = _e874.unnamed_1.first_primitive;
                                     }
                                     let _e1006 = phi_1113_;
                                     if (_e958 == 0u) {
-                                        phi_1123_ = _e943.unnamed_1.word;
+                                        phi_1123_ = _e943.unnamed_1.root;
                                     } else {
-                                        phi_1123_ = _e943.unnamed_1.shift;
+                                        phi_1123_ = _e943.unnamed_1.first_primitive;
                                     }
                                     let _e1015 = phi_1123_;
                                     let _e1028 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e997 >> bitcast<u32>(((_e959 * 8u) & 31u))) & 255u)) * _e718) + (_e736 + _e496)), ((f32(((_e1006 >> bitcast<u32>(((_e959 * 8u) & 31u))) & 255u)) * _e719) + (_e737 + _e497)));
@@ -2345,11 +2345,11 @@ fn function_() {
             phi_2424_ = vec3<f32>(1f, 1f, 1f);
         }
         let _e2181 = phi_2424_;
-        if (_e110.shift < arrayLength((&tints.member))) {
+        if (_e110.first_primitive < arrayLength((&tints.member))) {
         } else {
             return;
         }
-        tints.member[(0u + _e110.shift)] = vec4<f32>(_e2181.x, _e2181.y, _e2181.z, 1f);
+        tints.member[(0u + _e110.first_primitive)] = vec4<f32>(_e2181.x, _e2181.y, _e2181.z, 1f);
     }
     return;
 }

@@ -21,7 +21,7 @@
 //!
 //! What a pixel remembers is [`MaskBits`]: ST (the shadow test said shadow), LTT (a ray was traced), RS (the ray hit).
 //! [`PackedMask`] holds 42 lights in a 128-bit texel, [`reproject()`] finds the pixel's past, [`Pattern`] picks the
-//! neighbours, [`decide()`] puts it all in order.
+//! neighbours, [`decide()`] puts it all in order. [`MaskRow`] and [`Window`] hear the neighbours of 32 pixels at once.
 //!
 //! # Conventions
 //!
@@ -73,6 +73,7 @@ mod pack;
 mod pattern;
 mod refresh;
 mod reproject;
+mod rows;
 
 pub use bits::MaskBits;
 pub use decide::{
@@ -83,3 +84,4 @@ pub use pack::{LightPlace, MAX_LIGHTS, PackedMask, words_for_lights};
 pub use pattern::{Pattern, gather_corner};
 pub use refresh::{MAX_REFRESH, is_due, refresh_stride};
 pub use reproject::{Reprojection, reproject};
+pub use rows::{MaskRow, Offsets, Window, repeat_from};

@@ -2,7 +2,7 @@
 
 use std::{collections::HashMap, time::Instant};
 
-use lt_mask::DEPTH_CONSISTENCY_TOLERANCE;
+use lt_mask::{DEPTH_CONSISTENCY_TOLERANCE, Offsets};
 use lt_math::glam::{UVec2, Vec3, Vec4};
 use lt_scene::{Bounds, Camera, Light, LightKind, Scene};
 use lt_shaders::abi::{
@@ -534,15 +534,15 @@ impl Session {
             current: self.camera,
             previous: last.map_or(self.camera, |l| l.camera),
             light,
+            still: Offsets::of(still_pattern, slot.frame).0,
+            moving: Offsets::of(moving_pattern, slot.frame).0,
             frame: slot.frame,
-            still_pattern: still_pattern.to_index(),
-            moving_pattern: moving_pattern.to_index(),
             flags,
             // A cleared history saw no depths: any agrees.
             depth_tolerance: if is_cold { 3.0e38 } else { DEPTH_CONSISTENCY_TOLERANCE },
             refresh: mask.refresh,
             expansion: expansion.to_index(),
-            pad0: 0,
+            ..bytemuck::Zeroable::zeroed()
         }
     }
 }

@@ -242,12 +242,12 @@ pub struct MaskParams {
     pub previous: CameraParams,
     /// The light.
     pub light: LightParams,
-    /// Counts frames; steers the patterns that change over time.
+    /// Neighbours of pixels that stand still, in this frame (`lt_mask::Offsets`).
+    pub still: UVec2,
+    /// Neighbours of pixels that move, in this frame.
+    pub moving: UVec2,
+    /// Counts frames; steers the rolling refresh.
     pub frame: u32,
-    /// Number of the pattern where pixels stand still (`lt_mask::Pattern`).
-    pub still_pattern: u32,
-    /// Number of the pattern where pixels move.
-    pub moving_pattern: u32,
     /// [`MaskParams::HAS_HISTORY`] and the other flags.
     pub flags: u32,
     /// Relative tolerance of the temporal depth test.
@@ -258,6 +258,10 @@ pub struct MaskParams {
     pub expansion: u32,
     /// Explicit padding.
     pub pad0: u32,
+    /// Explicit padding.
+    pub pad1: u32,
+    /// Explicit padding.
+    pub pad2: u32,
 }
 
 impl MaskParams {
@@ -324,7 +328,7 @@ const _: () = {
     assert!(size_of::<ShadowParams>() == 160);
     assert!(size_of::<Vertex>() == 20);
     assert!(size_of::<Material>() == 48);
-    assert!(size_of::<MaskParams>() == 240);
+    assert!(size_of::<MaskParams>() == 256);
     assert!(size_of::<ShadeParams>() == 144);
     assert!(size_of::<DepthParams>() == 80);
     assert!(size_of::<FilterParams>() == 32);

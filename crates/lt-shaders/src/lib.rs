@@ -41,6 +41,7 @@ pub mod gbuffer;
 pub mod geometry;
 pub mod layers;
 pub mod mask;
+pub mod neighbours;
 pub mod resolve;
 pub mod sampling;
 pub mod shade;

@@ -5,21 +5,25 @@
 //! test), `EXPANDS` (ER) and `REMOVES` (RR, as published or by known answers). One that is off costs neither a branch nor a read.
 
 use lt_mask::{
-    Evidence, Expansion, LightPlace, MaskBits, Neighbourhood, Pattern, Reprojection, decide_doubt,
-    is_depth_consistent, is_due, is_test_shadowed, reproject,
+    Evidence, LightPlace, MaskBits, Neighbourhood, Reprojection, decide_doubt, is_depth_consistent, is_due,
+    is_test_shadowed, reproject,
 };
 use lt_math::glam::{UVec2, Vec2, Vec3};
 
 use crate::{
     abi::{CameraParams, LightParams, MaskParams, Sample},
     evaluate::{Verdict, settle},
+    neighbours::{Heard, row_words},
     sampling::sample_place,
 };
 
 /// What the last frame left behind.
 pub trait HistorySource: Copy {
-    /// The three bits of a pixel on the screen.
-    fn bits(&self, pixel: UVec2) -> MaskBits;
+    /// Whether anyone around a pixel on the screen contradicts a shadow test, by the pattern of pixels that stand still or that have
+    /// moved.
+    fn asks(&self, pixel: UVec2, is_test_shadowed: bool, has_moved: bool) -> bool;
+    /// What a pixel's own ray found, whatever the shadow test said; [`MaskBits::BLACK`] where none was traced.
+    fn ray(&self, pixel: UVec2) -> MaskBits;
     /// The depth along the view axis that was seen there; read under the temporal depth test only.
     fn depth(&self, pixel: UVec2) -> f32;
 }
@@ -55,45 +59,33 @@ impl BitsPlace {
     }
 }
 
-/// Bits alone, row by row.
-#[derive(Clone, Copy)]
-pub struct BitsHistory<'a> {
-    /// `width · height` pixels' words.
-    pub bits: &'a [u32],
-    /// Where a pixel's lie.
-    pub place: BitsPlace,
-    /// Pixels in a row.
-    pub width: u32,
-}
-
-impl HistorySource for BitsHistory<'_> {
-    #[inline]
-    fn bits(&self, pixel: UVec2) -> MaskBits {
-        self.place.read(self.bits, pixel.y * self.width + pixel.x)
-    }
-    #[inline]
-    fn depth(&self, _pixel: UVec2) -> f32 {
-        0.0
-    }
-}
-
-/// Bits and depths, row by row.
+/// Neighbours and depths, row by row.
 #[derive(Clone, Copy)]
 pub struct DepthHistory<'a> {
-    /// `width · height` pixels' words.
-    pub bits: &'a [u32],
-    /// Where a pixel's lie.
-    pub place: BitsPlace,
+    /// See [`Heard::words`].
+    pub words: &'a [u32],
     /// `width · height` depths.
     pub depths: &'a [f32],
     /// Pixels in a row.
     pub width: u32,
 }
 
+impl<'a> DepthHistory<'a> {
+    /// All but the depths.
+    #[inline]
+    fn heard(&self) -> Heard<'a> {
+        Heard { words: self.words, columns: row_words(self.width) }
+    }
+}
+
 impl HistorySource for DepthHistory<'_> {
     #[inline]
-    fn bits(&self, pixel: UVec2) -> MaskBits {
-        self.place.read(self.bits, pixel.y * self.width + pixel.x)
+    fn asks(&self, pixel: UVec2, is_test_shadowed: bool, has_moved: bool) -> bool {
+        self.heard().asks(pixel, is_test_shadowed, has_moved)
+    }
+    #[inline]
+    fn ray(&self, pixel: UVec2) -> MaskBits {
+        self.heard().ray(pixel)
     }
     #[inline]
     fn depth(&self, pixel: UVec2) -> f32 {
@@ -221,19 +213,14 @@ pub fn mask<
     let place = find::<H, MOTION, DEPTH>(px, sample, previous_position, p, history);
     let removal = REMOVES && p.flags & MaskParams::REMOVES_AS_PUBLISHED != 0;
     let keeps = REMOVES && p.flags & MaskParams::KEEPS_ANSWERS != 0 && place.is_valid && !place.has_moved;
-    let known = if keeps { history.bits(px) } else { MaskBits::BLACK };
+    let known = if keeps { history.ray(px) } else { MaskBits::BLACK };
     let mut neighbourhood = Neighbourhood::EMPTY;
     // Only what may change the decision is read: neighbours of a trusted pixel for ER, of a doubted one for RR.
-    let asks = if is_doubted { removal } else { EXPANDS };
-    if asks && place.is_valid && !known.is_traced() {
-        let expansion = Expansion::from_index(p.expansion);
-        let pattern = Pattern::from_index(if place.has_moved { p.moving_pattern } else { p.still_pattern });
-        let mut i = 0;
-        while i < pattern.neighbour_count() {
-            let at = pattern.neighbour(i, place.pixel, p.frame, p.current.size);
-            neighbourhood = neighbourhood.with(history.bits(at), st, expansion);
-            i += 1;
-        }
+    let is_open = if is_doubted { removal } else { EXPANDS };
+    if is_open && place.is_valid && !known.is_traced() {
+        let any_expands = history.asks(place.pixel, st, place.has_moved);
+        // Over the states that occur, eqs. 6 and 8 negate each other; rays are removed as published under ER as published.
+        neighbourhood = Neighbourhood { any_expands, all_remove: !any_expands };
     }
     let decision = decide_doubt(
         st,
@@ -255,6 +242,9 @@ pub fn mask<
 mod tests {
     use super::*;
     use crate::abi::LightParams;
+    use crate::neighbours::{HEARD_WORDS, hear_all};
+    use lt_mask::{Expansion, Offsets, Pattern};
+    use lt_math::glam::UVec4;
 
     const SIZE: UVec2 = UVec2::new(4, 3);
 
@@ -279,13 +269,13 @@ mod tests {
             previous: camera(previous_eye),
             light: LightParams::directional(Vec3::Z),
             frame: 0,
-            still_pattern: Pattern::FULL_3X3.to_index(),
-            moving_pattern: Pattern::FULL_3X3.to_index(),
+            still: Offsets::of(Pattern::FULL_3X3, 0).0,
+            moving: Offsets::of(Pattern::FULL_3X3, 0).0,
             flags: MaskParams::HAS_HISTORY | MaskParams::KEEPS_ANSWERS,
             depth_tolerance: 0.1,
             refresh: 0,
             expansion: Expansion::PUBLISHED.to_index(),
-            pad0: 0,
+            ..bytemuck::Zeroable::zeroed()
         }
     }
 
@@ -308,9 +298,25 @@ mod tests {
         bits: &[u32],
         depths: &[f32],
     ) -> Masked {
-        let history = DepthHistory { bits, place: BitsPlace::of(&p.light), depths, width: SIZE.x };
         let sample = wall(px);
-        mask::<_, M, D, true, true>(px, &sample, sample.position, estimate, p, history)
+        decide_from::<M, D>(px, &sample, sample.position, estimate, p, bits, depths)
+    }
+
+    /// All passes of the mask.
+    fn decide_from<const M: bool, const D: bool>(
+        px: UVec2,
+        sample: &Sample,
+        before: Vec3,
+        estimate: f32,
+        p: &MaskParams,
+        bits: &[u32],
+        depths: &[f32],
+    ) -> Masked {
+        const ROWS: usize = SIZE.y as usize;
+        let (mut rows, mut words) = ([UVec4::ZERO; ROWS], [0; ROWS * HEARD_WORDS as usize]);
+        hear_all(bits, p, &mut rows, &mut words);
+        let history = DepthHistory { words: &words, depths, width: SIZE.x };
+        mask::<_, M, D, true, true>(px, sample, before, estimate, p, history)
     }
 
     const AT: UVec2 = UVec2::new(1, 1);
@@ -397,15 +403,14 @@ mod tests {
     #[test]
     fn a_camera_at_rest_moves_nothing_whatever_its_projections_round_to() {
         let moving =
-            MaskParams { moving_pattern: Pattern::PLUS.to_index(), ..params(Vec3::new(1e-5, 0.0, 0.0)) };
+            MaskParams { moving: Offsets::of(Pattern::PLUS, 0).0, ..params(Vec3::new(1e-5, 0.0, 0.0)) };
         let resting = MaskParams { flags: moving.flags | MaskParams::CAMERA_RESTS, ..moving };
         let red = [MaskBits::RED.to_bits(); 12];
         assert!(decide::<true, false>(AT, 0.7, &moving, &red, &[]).needs_ray);
         assert!(!decide::<true, false>(AT, 0.7, &resting, &red, &[]).needs_ray);
         let sample = wall(AT);
         let before = sample.position + Vec3::X * 1e-3;
-        let history = BitsHistory { bits: &red, place: BitsPlace::of(&resting.light), width: SIZE.x };
-        assert!(mask::<_, true, false, true, true>(AT, &sample, before, 0.7, &resting, history).needs_ray);
+        assert!(decide_from::<true, false>(AT, &sample, before, 0.7, &resting, &red, &[]).needs_ray);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The temporal mask on the CPU: histories in blocks, two that take turns.
 
-use lt_mask::{Expansion, MaskBits, Pattern};
+use lt_mask::{Expansion, MaskBits, Offsets};
 use lt_shaders::abi::MaskParams;
 use rayon::prelude::*;
 
@@ -84,9 +84,8 @@ impl History {
         let (last, bits) = if self.current == 1 { (first, second) } else { (second, first) };
         let [first, second] = &mut self.depths;
         let (last_depths, depths) = if self.current == 1 { (first, second) } else { (second, first) };
-        let patterns = [params.still_pattern, params.moving_pattern].map(Pattern::from_index);
-        let expansion = Expansion::from_index(params.expansion);
-        self.asks.hear(tiles, last, expansion, patterns, params.frame);
+        let offsets = [params.still, params.moving].map(Offsets);
+        self.asks.hear(tiles, last, Expansion::from_index(params.expansion), offsets);
         let frames = Frames { tiles, params, effects, asks: &self.asks, last, last_depths };
         let mut depths = depths.chunks_mut(BLOCK);
         let blocks = bits.iter_mut().map(|bits| Memory { bits, depths: depths.next().unwrap_or(&mut []) });

@@ -215,10 +215,11 @@ mod tests {
     use super::super::tiles::{BLOCK, PIECES};
     use super::*;
     use lt_bvh::SimdLevel;
-    use lt_mask::{Expansion, MaskBits, Pattern};
-    use lt_math::glam::Vec3;
+    use lt_mask::{Expansion, MaskBits, Offsets, Pattern};
+    use lt_math::glam::{UVec4, Vec3};
     use lt_shaders::abi::{CameraParams, LightParams, Sample};
-    use lt_shaders::mask::{BitsPlace, DepthHistory, bits_after_ray, mask, seen_depth};
+    use lt_shaders::mask::{DepthHistory, bits_after_ray, mask, seen_depth};
+    use lt_shaders::neighbours::{HEARD_WORDS, hear_all, row_words};
 
     fn camera(size: UVec2, eye: Vec3) -> CameraParams {
         CameraParams {
@@ -304,7 +305,7 @@ mod tests {
     /// Three frames of random samples, each decided by the history that the one before left, rays and all.
     fn check(size: UVec2, p: &MaskParams, effects: MaskEffects, object_motion: bool) -> [usize; 2] {
         let tiles = Tiles::new(size);
-        let mut unit = random(size.x + p.still_pattern + 31 * p.flags);
+        let mut unit = random(size.x + p.still.x + 31 * p.flags);
         let (mut bits, mut depths) = (vec![0u32; (size.x * size.y) as usize], vec![]);
         depths.resize(bits.len(), 0.0f32);
         let mut history = History::default();
@@ -315,8 +316,10 @@ mod tests {
                 case.1 = case.0.iter().map(|s| s.position).collect();
             }
             let p = MaskParams { frame, flags: if frame == 0 { 0 } else { p.flags }, ..*p };
-            let last =
-                DepthHistory { bits: &bits, place: BitsPlace::of(&p.light), depths: &depths, width: size.x };
+            let mut rows = vec![UVec4::ZERO; (row_words(size.x) * size.y) as usize];
+            let mut words = vec![0; rows.len() * HEARD_WORDS as usize];
+            hear_all(&bits, &p, &mut rows, &mut words);
+            let last = DepthHistory { words: &words, depths: &depths, width: size.x };
             let expected: Vec<_> = (0..bits.len())
                 .map(|i| match (effects.motion, effects.depth_test) {
                     (false, false) => shared::<false, false>(&case, &p, effects, last, i),
@@ -390,8 +393,8 @@ mod tests {
                         current: camera(size, Vec3::ZERO),
                         previous: camera(size, if flag(4) { Vec3::ZERO } else { Vec3::new(0.1, 0.05, 0.3) }),
                         light: LightParams::directional(Vec3::new(0.1, 0.2, 1.0)),
-                        still_pattern: pattern.to_index(),
-                        moving_pattern: Pattern::ALL[(bits % 8) as usize].to_index(),
+                        still: Offsets::of(pattern, 1).0,
+                        moving: Offsets::of(Pattern::ALL[(bits % 8) as usize], 1).0,
                         flags: MaskParams::HAS_HISTORY
                             | removal[bits as usize % 4]
                             | if flag(4) { MaskParams::CAMERA_RESTS } else { 0 },
@@ -432,7 +435,8 @@ mod tests {
             ..bytemuck::Zeroable::zeroed()
         };
         let mut asks = Asks::default();
-        asks.hear(tiles, &last, Expansion::PUBLISHED, [Pattern::GATHER_2X2, Pattern::FULL_3X3], 1);
+        let offsets = [Pattern::GATHER_2X2, Pattern::FULL_3X3].map(|p| Offsets::of(p, 1));
+        asks.hear(tiles, &last, Expansion::PUBLISHED, offsets);
         let last_depths: Vec<f32> = (0..tiles.len()).map(|i| 2.0 + (i % 5) as f32 * 0.7).collect();
         let effects = MaskEffects { motion: true, depth_test: true, expands: true, removes: true };
         let frames =

@@ -3,7 +3,7 @@
 //! Rows of bits are what neighbourhoods are made of by shifts ([`super::asks`]); pixels come and go in tile order, eight
 //! by eight, and are turned by [`store_piece`].
 
-use lt_mask::MaskBits;
+use lt_mask::{MaskBits, MaskRow};
 
 use super::tiles::{BLOCK, PIECE, SIDE};
 
@@ -19,20 +19,18 @@ pub struct BlockBits {
 }
 
 impl BlockBits {
-    /// What a pixel at (x, y) of the block remembers.
-    pub fn get(&self, x: u32, y: u32) -> MaskBits {
-        let has = |rows: &[u32; SIDE as usize]| rows[y as usize] >> x & 1 != 0;
-        match has(&self.traced) {
-            true => MaskBits::traced(has(&self.shadowed), has(&self.hit)),
-            false => MaskBits::untraced(has(&self.shadowed)),
-        }
+    /// The row at `y` < 32.
+    #[inline(always)]
+    pub fn row(&self, y: u32) -> MaskRow {
+        let y = y as usize;
+        MaskRow { shadowed: self.shadowed[y], traced: self.traced[y], hit: self.hit[y] }
     }
 
     /// The whole block in tile order.
     pub fn in_tile_order(&self) -> impl Iterator<Item = MaskBits> + '_ {
         (0..BLOCK).map(|i| {
             let (x, y) = place_in_block(i as u32);
-            self.get(x, y)
+            self.row(y).get(x)
         })
     }
 }
@@ -138,7 +136,7 @@ mod tests {
             traced: [0b111_100; SIDE as usize],
             hit: [0b011_000; SIDE as usize],
         };
-        let states: Vec<_> = (0..6).map(|x| bits.get(x, 7)).collect();
+        let states: Vec<_> = (0..6).map(|x| bits.row(7).get(x)).collect();
         let expected = [
             MaskBits::BLACK,
             MaskBits::GREEN,
@@ -148,7 +146,7 @@ mod tests {
             MaskBits::YELLOW,
         ];
         assert_eq!(states, expected);
-        assert_eq!(bits.in_tile_order().nth(1), Some(bits.get(1, 0)));
-        assert_eq!(bits.in_tile_order().nth(2), Some(bits.get(0, 1)));
+        assert_eq!(bits.in_tile_order().nth(1), Some(bits.row(0).get(1)));
+        assert_eq!(bits.in_tile_order().nth(2), Some(bits.row(1).get(0)));
     }
 }

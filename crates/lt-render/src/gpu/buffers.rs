@@ -6,6 +6,7 @@ use lt_math::glam::{UVec2, Vec4};
 use lt_shaders::{
     abi::{Sample, Sight},
     doubt::list_words,
+    neighbours::{HEARD_WORDS, row_words},
 };
 use wgpu::BufferUsages as Usage;
 
@@ -92,6 +93,9 @@ pub(super) struct HistoryBuffers {
     /// Words of a pixel, three bits a light.
     pub words: u32,
     pub bits: [wgpu::Buffer; 2],
+    /// One light's last frame as words, and what they ask for around each pixel: written and read within its mask pass.
+    pub rows: wgpu::Buffer,
+    pub heard: wgpu::Buffer,
     /// Depths along the view axis, for the temporal depth test.
     pub depths: Option<[wgpu::Buffer; 2]>,
     /// Which of the two is this frame's.
@@ -353,9 +357,12 @@ impl Allocator {
         let usage = Usage::STORAGE | Usage::COPY_SRC | Usage::COPY_DST;
         let bits = || self.empty("mask", bytes * u64::from(words), usage);
         let depths = || self.empty("last depths", bytes, Usage::STORAGE);
+        let rows = u64::from(row_words(size.x)) * u64::from(size.y);
         Ok(HistoryBuffers {
             words,
             bits: [bits()?, bits()?],
+            rows: self.empty("mask rows", rows * 16, Usage::STORAGE)?,
+            heard: self.empty("neighbours", rows * u64::from(HEARD_WORDS) * 4, Usage::STORAGE)?,
             depths: match has_depths {
                 true => Some([depths()?, depths()?]),
                 false => None,

@@ -5,7 +5,8 @@ mod depth;
 use std::collections::HashMap;
 
 use lt_math::glam::UVec2;
-use lt_shaders::abi::{CameraParams, ShadeParams};
+use lt_shaders::abi::{CameraParams, MaskParams, ShadeParams};
+use lt_shaders::neighbours::row_words;
 use wgpu::BufferUsages as Usage;
 
 use super::buffers::{
@@ -403,11 +404,17 @@ impl Recorder {
         if job.clears_history() && p.light.number == 0 {
             encoder.clear_buffer(&history.bits[last], 0, None);
         }
+        if p.flags & MaskParams::HAS_HISTORY != 0 {
+            let rows = grid(UVec2::new(row_words(frame.size.x), frame.size.y));
+            let bindings = [&uniform, &history.bits[last], &history.rows];
+            self.dispatch(encoder, "neighbours_row_cs", &bindings, rows)?;
+            self.dispatch(encoder, "neighbours_hear_cs", &[&uniform, &history.rows, &history.heard], rows)?;
+        }
         let mut name = "mask".to_owned();
         let mut bindings = vec![
             &uniform,
             &frame.samples,
-            &history.bits[last],
+            &history.heard,
             &history.bits[current],
             &frame.visibility,
             &doubt.list,
@@ -655,6 +662,7 @@ impl Recorder {
 }
 
 /// How many workgroups.
+#[derive(Clone, Copy)]
 enum Groups<'a> {
     Fixed(u32, u32),
     Indirect(&'a wgpu::Buffer),

@@ -7,7 +7,8 @@ use spirv_std::spirv;
 use super::{doubt::list_pixel, pixel_index};
 use crate::{
     abi::{MaskParams, Sample},
-    mask::{BitsHistory, BitsPlace, DepthHistory, mask, seen_depth},
+    mask::{BitsPlace, DepthHistory, mask, seen_depth},
+    neighbours::{Heard, row_words},
 };
 
 macro_rules! mask_entry {
@@ -21,7 +22,7 @@ macro_rules! mask_entry {
             #[spirv(workgroup)] shared: &mut [u32; 2],
             #[spirv(uniform, descriptor_set = 0, binding = 0)] p: &MaskParams,
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] samples: &[Sample],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] last_bits: &[u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] heard: &[u32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] bits: &mut [u32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] visibility: &mut [f32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] list: &mut [u32],
@@ -32,7 +33,7 @@ macro_rules! mask_entry {
             let mut needs_ray = false;
             let mut index = 0;
             if let Some(i) = pixel_index(id, p.current.size) {
-                let history = mask_entry!(@history last_bits, p $(, last_depths $last_d)?);
+                let history = mask_entry!(@history heard, p $(, last_depths $last_d)?);
                 // SAFETY: the host sizes every buffer to the picture, and i lies in it. A checked index may leave the
                 // function before the list's barriers, which WebGPU's uniformity analysis forbids.
                 unsafe {
@@ -58,16 +59,11 @@ macro_rules! mask_entry {
             list_pixel(needs_ray, index, local, shared, list);
         }
     };
-    (@history $bits:ident, $p:ident, $depths:ident $b:literal) => {
-        DepthHistory {
-            bits: $bits,
-            place: BitsPlace::of(&$p.light),
-            depths: $depths,
-            width: $p.current.size.x,
-        }
+    (@history $heard:ident, $p:ident, $depths:ident $b:literal) => {
+        DepthHistory { words: $heard, depths: $depths, width: $p.current.size.x }
     };
-    (@history $bits:ident, $p:ident) => {
-        BitsHistory { bits: $bits, place: BitsPlace::of(&$p.light), width: $p.current.size.x }
+    (@history $heard:ident, $p:ident) => {
+        Heard { words: $heard, columns: row_words($p.current.size.x) }
     };
     (@past $sample:ident, $i:ident, $past:ident $b:literal) => { $past.index_unchecked($i).xyz() };
     (@past $sample:ident, $i:ident) => { $sample.position };

@@ -11,6 +11,7 @@ pub mod filter;
 pub mod gbuffer;
 pub mod layers;
 pub mod mask;
+pub mod neighbours;
 pub mod resolve;
 pub mod shade;
 pub mod tint;
