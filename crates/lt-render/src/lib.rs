@@ -60,7 +60,9 @@ pub use light_fit::{KEPT_GROWTH, LightFit, fit_directional, fit_kept};
 pub use lt_mask::MaskBits;
 pub use lt_shaders::abi::Sample;
 pub use pace::{median_motion_px, way_per_frame};
-pub use packed::{DrawRange, MappedCoverage, OpacityMaps, PackStats, PackedScene, Packing, Trees, Upkeep};
+pub use packed::{
+    Culling, DrawRange, MappedCoverage, OpacityMaps, PackStats, PackedScene, Packing, Trees, Upkeep,
+};
 pub use plan::{Effect, EffectPlan, MaskEffects, Sequence};
 pub use sample_grid::SampleGrid;
 pub use session::{SceneInfo, Session};

@@ -194,7 +194,8 @@ mod tests {
             for (pattern, rule) in Pattern::ALL.into_iter().flat_map(|p| Expansion::ALL.map(|e| (p, e))) {
                 for frame in 0..4 {
                     p.expansion = rule.to_index();
-                    (p.still, p.moving) = (Offsets::of(pattern, frame).0, Offsets::of(Pattern::PLUS, frame).0);
+                    (p.still, p.moving) =
+                        (Offsets::of(pattern, frame).0, Offsets::of(Pattern::PLUS, frame).0);
                     hear_all(&bits, &p, &mut rows, &mut words);
                     let heard = Heard { words: &words, columns };
                     for i in 0..size.element_product() {

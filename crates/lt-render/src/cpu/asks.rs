@@ -67,7 +67,8 @@ fn around(
     let everywhere = |bit: u32| 0u32.wrapping_sub(bit & 1);
     let mut window = Window::EMPTY;
     for i in 0..ROWS + 2 * REACH {
-        let y = (by as i64 * i64::from(SIDE) + i as i64 - REACH as i64).clamp(0, i64::from(size.y) - 1) as u32;
+        let y =
+            (by as i64 * i64::from(SIDE) + i as i64 - REACH as i64).clamp(0, i64::from(size.y) - 1) as u32;
         let own = contradicting(bx, y);
         let left = if bx == 0 { everywhere(own) } else { contradicting(bx - 1, y) };
         let right = if bx + 1 == columns { everywhere(own >> 31) } else { contradicting(bx + 1, y) };

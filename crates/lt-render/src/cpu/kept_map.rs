@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use lt_shaders::abi::DepthParams;
 
-use super::raster::{clear, draw_depths};
+use super::raster::{Ground, draw_depths};
 use crate::PackedScene;
 
 /// What stands still, and what a copy of it must forget before the next frame.
@@ -37,18 +37,17 @@ impl StillMap {
             let size = p.map_size as usize;
             let changed = self.moving_rows.start * size..self.moving_rows.end * size;
             map[changed.clone()].copy_from_slice(&self.depths[changed]);
-            self.moving_rows = draw_depths(scene, moving, p, map);
+            self.moving_rows = draw_depths(scene, moving, p, Ground::Kept, map);
             return;
         }
-        clear(map);
         if kind == Draw::Once || moving.is_empty() {
-            draw_depths(scene, scene.draws(), p, map);
+            draw_depths(scene, scene.draws(), p, Ground::Empty, map);
             *self = Self::default();
         } else {
-            draw_depths(scene, scene.still_draws(), p, map);
+            draw_depths(scene, scene.still_draws(), p, Ground::Empty, map);
             self.depths.resize(map.len(), 1.0);
             self.depths.copy_from_slice(map);
-            self.moving_rows = draw_depths(scene, moving, p, map);
+            self.moving_rows = draw_depths(scene, moving, p, Ground::Kept, map);
         }
     }
 
@@ -88,8 +87,7 @@ mod tests {
                 let kind = if i == 0 { Draw::Whole } else { Draw::Moving };
                 still.draw(kind, &scene, &p, &mut kept);
                 let mut whole = vec![0.0; kept.len()];
-                clear(&mut whole);
-                draw_depths(&scene, scene.draws(), &p, &mut whole);
+                draw_depths(&scene, scene.draws(), &p, Ground::Empty, &mut whole);
                 assert!(bits(&kept) == bits(&whole), "{name} frame {i}");
                 moved += usize::from(i > 0 && before != bits(&kept));
             }

@@ -3,10 +3,11 @@
 
 use lt_bvh::Triangle;
 use lt_bvh::lanes::{Chosen, NodeLanes, Work};
-use lt_math::glam::{Vec2, Vec3, Vec4, Vec4Swizzles};
+use lt_math::glam::{Vec2, Vec4, Vec4Swizzles};
 use lt_shaders::abi::{DepthParams, Material};
 use lt_shaders::depth::{corner, map_position, placed_corner};
 use rayon::prelude::*;
+use std::iter;
 use std::ops::Range;
 
 use super::fill::{Band, Prepared, placed, rows_of};
@@ -19,26 +20,31 @@ const BAND: usize = 64;
 const BATCH: u32 = 1 << 18;
 /// Triangles one thread prepares at a time.
 const PREPARE: u32 = 1 << 12;
-/// Depths one thread clears at a time.
-const CLEAR: usize = 1 << 16;
 /// Layers of depth that triangles with holes are sorted into.
 const LAYERS: usize = 1024;
 
-/// Empties a map: 1 everywhere.
-pub fn clear(map: &mut [f32]) {
-    map.par_chunks_mut(CLEAR).for_each(|part| part.fill(1.0));
+/// What casters are drawn over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ground {
+    /// Nothing: depths are 1.
+    Empty,
+    /// What the map holds.
+    Kept,
 }
 
 /// Draws casters into `map`: `map_size²` depths, row by row, each of which keeps the least that fell on it. Returns the
-/// rows that may have changed.
+/// rows on which any may have fallen.
 pub fn draw_depths(
     scene: &PackedScene,
     draws: &[DrawRange],
     p: &DepthParams,
+    ground: Ground,
     map: &mut [f32],
 ) -> Range<usize> {
-    let seen: Vec<DrawRange> = draws.iter().filter(|draw| may_appear(scene, p, draw)).copied().collect();
-    batches(&seen).iter().map(|batch| draw_batch(scene, p, batch, map)).fold(0..0, joined)
+    let grounds = iter::once(ground).chain(iter::repeat(Ground::Kept));
+    let batches = batches(&scene.visible_draws(draws, p));
+    let drawn = batches.iter().zip(grounds).map(|(batch, ground)| draw_batch(scene, p, batch, ground, map));
+    drawn.fold(0..0, joined)
 }
 
 /// The least range that holds both; an empty one counts for nothing.
@@ -50,27 +56,7 @@ fn joined(a: Range<usize>, b: Range<usize>) -> Range<usize> {
     }
 }
 
-/// Whether any of a draw may fall on the map, by the box of its instance; without instances anything may.
-fn may_appear(scene: &PackedScene, p: &DepthParams, draw: &DrawRange) -> bool {
-    let Some(instance) = scene.instances().get(draw.instance as usize) else { return true };
-    let (low, high) = (instance.low_world, instance.high_world);
-    let corners: [Vec4; 8] = std::array::from_fn(|i| {
-        let pick = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
-        map_position(&p.projection, Vec3::new(pick(0), pick(1), pick(2)), p.map_size)
-    });
-    // A texel of margin for rounding. Comparisons are false for NaN, which keeps the draw.
-    let size = p.map_size as f32;
-    let is_beyond = |beyond: &dyn Fn(Vec4) -> bool| corners.iter().all(|&c| beyond(c));
-    // Homogeneous half-spaces: they hold behind the light, too.
-    !(is_beyond(&|c| c.x < -c.w)
-        || is_beyond(&|c| c.y < -c.w)
-        || is_beyond(&|c| c.x > (size + 1.0) * c.w)
-        || is_beyond(&|c| c.y > (size + 1.0) * c.w)
-        || is_beyond(&|c| c.w <= 0.0)
-        || is_beyond(&|c| c.z > 1.0 + 1e-3))
-}
-
-/// Cuts and joins draws into lists of about [`BATCH`] triangles.
+/// Cuts and joins draws into lists of about [`BATCH`] triangles, at least one.
 fn batches(draws: &[DrawRange]) -> Vec<Vec<DrawRange>> {
     let mut batches = vec![Vec::new()];
     let mut room = BATCH;
@@ -129,7 +115,13 @@ impl Work for Prepare<'_> {
     }
 }
 
-fn draw_batch(scene: &PackedScene, p: &DepthParams, draws: &[DrawRange], map: &mut [f32]) -> Range<usize> {
+fn draw_batch(
+    scene: &PackedScene,
+    p: &DepthParams,
+    draws: &[DrawRange],
+    ground: Ground,
+    map: &mut [f32],
+) -> Range<usize> {
     let size = p.map_size as usize;
     // One by one: on two threads rayon's own shares are quarters, and a thread that is done waits for the other's last.
     let pieces: Vec<Piece> =
@@ -138,6 +130,9 @@ fn draw_batch(scene: &PackedScene, p: &DepthParams, draws: &[DrawRange], map: &m
     map.par_chunks_mut(BAND * size).with_max_len(1).enumerate().for_each(|(band, rows)| {
         let members = pieces.iter().flat_map(|p| p.bands[band].iter().map(|&i| &p.triangles[i as usize]));
         let mut triangles: Vec<&Prepared> = members.collect();
+        if ground == Ground::Empty {
+            rows.fill(1.0);
+        }
         // Nearest first where casters have holes: what lies behind then fails the depth test before it costs an alpha
         // test. The map is the same in any order.
         if coverage.is_some() {
@@ -217,5 +212,49 @@ impl Iterator for Parts {
             Self::One(part) => part.take(),
             Self::Many(parts) => parts.next(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lt_math::glam::Vec3;
+    use lt_math::{LightFrame, LightProjection};
+
+    /// Suns and lamps that see a part of the scene only.
+    #[test]
+    fn what_no_map_sees_leaves_nothing_to_draw() {
+        let (mut left_out, mut drawn) = (0, 0);
+        for name in ["town", "street:4", "random:20000"] {
+            let posed = lt_scene::Source::open(name, 1).and_then(|s| s.pose(0.0)).expect("a scene");
+            let scene = PackedScene::new(&posed).expect("packs");
+            let bounds = posed.bounds();
+            let (centre, extent) = ((bounds.min + bounds.max) * 0.5, bounds.max - bounds.min);
+            for i in 0..6 {
+                let frame = LightFrame::from_direction(Vec3::new(0.4 - i as f32 * 0.2, -1.0, 0.3));
+                let reach = extent * 0.1;
+                let middle = frame.to_light(centre + extent * 0.07 * i as f32);
+                let (far, near) = (extent.length(), extent.length() * 1e-3);
+                let (projection, near) = match i % 2 {
+                    0 => (LightProjection::orthographic(&frame, middle - reach, middle + reach), 0.0),
+                    _ => {
+                        let eye = centre + extent * 0.1;
+                        (LightProjection::perspective(eye, &frame, 0.4, near, far), near)
+                    }
+                };
+                let p = DepthParams { projection, map_size: 256, near, pad0: 0, pad1: 0 };
+                let mut is_seen = vec![false; scene.triangles().len()];
+                for draw in scene.visible_draws(scene.draws(), &p) {
+                    is_seen[draw.first_triangle as usize..][..draw.triangles as usize].fill(true);
+                }
+                for (at, t) in (0..).zip(scene.triangles()) {
+                    let is_drawn = prepare(&scene, &p, &scene.draws()[0], at, t).next().is_some();
+                    assert!(is_seen[at as usize] || !is_drawn, "{name} map {i} triangle {at}");
+                    left_out += usize::from(!is_seen[at as usize]);
+                    drawn += usize::from(is_drawn);
+                }
+            }
+        }
+        assert!(left_out > 100_000 && drawn > 5_000, "{left_out} left out, {drawn} drawn");
     }
 }

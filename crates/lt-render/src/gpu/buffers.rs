@@ -10,6 +10,7 @@ use lt_shaders::{
 };
 use wgpu::BufferUsages as Usage;
 
+use crate::packed::Culling;
 use crate::{DrawRange, PackedScene, RenderError};
 
 /// A scene on the device. Buffers of effects that the scene does not call for do not exist.
@@ -22,6 +23,8 @@ pub struct GpuScene {
     pub(super) alpha_texels: Option<wgpu::Buffer>,
     pub(super) color_texels: Option<wgpu::Buffer>,
     pub(super) previous_positions: Option<wgpu::Buffer>,
+    /// Which of the draws a map sees.
+    pub(super) culling: Culling,
     pub(super) draws: Vec<DrawRange>,
     /// The parts of `draws` that stand still in every pose, and that move.
     pub(super) still_draws: Vec<DrawRange>,
@@ -228,6 +231,7 @@ impl Allocator {
                 [] => None,
                 all => Some(self.filled("last positions", all, Usage::STORAGE)?),
             },
+            culling: scene.culling(),
             draws: scene.draws().to_vec(),
             still_draws: scene.still_draws().to_vec(),
             moving_draws: scene.moving_draws().to_vec(),

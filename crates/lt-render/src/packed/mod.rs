@@ -4,6 +4,7 @@
 //! a TLAS, unless the scene is small enough that copies cost less than a second level of traversal.
 
 mod coverage;
+mod culling;
 mod meshes;
 mod moving;
 mod opacity;
@@ -15,10 +16,11 @@ use std::sync::OnceLock;
 use lt_bvh::{BuildQuality, Bvh, Dropped, Instance, InstancedBvh, Node, Placement, Triangle};
 use lt_math::glam::{Affine3A, Vec4};
 use lt_scene::{Bounds, Scene};
-use lt_shaders::abi::{Material, Vertex};
+use lt_shaders::abi::{DepthParams, Material, Vertex};
 use lt_shaders::surface::Coverage;
 
 use crate::RenderError;
+use culling::Runs;
 use textures::PackedMaterials;
 
 pub use coverage::MappedCoverage;
@@ -69,6 +71,20 @@ pub struct DrawRange {
     pub has_holes: bool,
 }
 
+/// Boxes of casters.
+#[derive(Clone, Debug)]
+pub struct Culling {
+    bounds: Vec<Bounds>,
+    instances: Vec<Instance>,
+}
+
+impl Culling {
+    /// [`PackedScene::visible_draws`].
+    pub fn visible_draws(&self, draws: &[DrawRange], p: &DepthParams) -> Vec<DrawRange> {
+        culling::visible(|run| self.bounds[run as usize], &self.instances, draws, p)
+    }
+}
+
 /// Trees of a scene.
 #[derive(Clone, Debug)]
 pub enum Trees {
@@ -101,6 +117,7 @@ pub struct PackedScene {
     draws: Vec<DrawRange>,
     still_draws: Vec<DrawRange>,
     moving_draws: Vec<DrawRange>,
+    runs: Runs,
     bounds: Bounds,
     stats: PackStats,
     previous_positions: Vec<Vec4>,
@@ -177,6 +194,7 @@ impl PackedScene {
             draws,
             still_draws: Vec::new(),
             moving_draws: Vec::new(),
+            runs: Runs::default(),
             bounds: scene.bounds(),
             stats,
             previous_positions: Vec::new(),
@@ -189,6 +207,7 @@ impl PackedScene {
             + size_of_val(packed.instances())
             + packed.translucent.as_ref().map_or(0, |b| size_of_val(b.nodes()) + size_of_val(b.triangles())))
             as u64;
+        packed.runs = Runs::new(packed.triangles().len());
         let moving = moving::moving_vertices(scene, &groups);
         (packed.still_draws, packed.moving_draws) = moving::split(&packed.draws, packed.triangles(), &moving);
         Ok(packed)
@@ -302,6 +321,17 @@ impl PackedScene {
     /// What the depth map pass draws.
     pub fn draws(&self) -> &[DrawRange] {
         &self.draws
+    }
+
+    /// The parts of such draws that may fall on a map: what is left out has no effect on it.
+    pub fn visible_draws(&self, draws: &[DrawRange], p: &DepthParams) -> Vec<DrawRange> {
+        let bounds_of = |run| self.runs.bounds(self.triangles(), run);
+        culling::visible(bounds_of, self.instances(), draws, p)
+    }
+
+    /// What [`PackedScene::visible_draws`] goes by, for those who keep the scene elsewhere.
+    pub fn culling(&self) -> Culling {
+        Culling { bounds: self.runs.all(self.triangles()), instances: self.instances().to_vec() }
     }
 
     /// The part of [`PackedScene::draws`] that stands still in every pose.

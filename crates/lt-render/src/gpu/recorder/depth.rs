@@ -78,8 +78,9 @@ impl Recorder {
         (draws, load): (&[DrawRange], wgpu::LoadOp<f32>),
     ) -> Result<(), RenderError> {
         let uniform = self.allocator.filled("depth map", &[*p], Usage::UNIFORM)?;
+        let draws = scene.culling.visible_draws(draws, p);
         let mut variants: HashMap<&str, (wgpu::RenderPipeline, wgpu::BindGroup)> = HashMap::new();
-        for draw in draws {
+        for draw in &draws {
             let name = depth_variant(p.near > 0.0, scene.instances.is_some(), draw.has_holes);
             if !variants.contains_key(name) {
                 let pipeline = self.depth_pipeline(name)?;
@@ -103,7 +104,7 @@ impl Recorder {
             }),
             ..wgpu::RenderPassDescriptor::default()
         });
-        for draw in draws {
+        for draw in &draws {
             let (pipeline, group) =
                 &variants[depth_variant(p.near > 0.0, scene.instances.is_some(), draw.has_holes)];
             pass.set_pipeline(pipeline);
