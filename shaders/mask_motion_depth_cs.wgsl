@@ -120,1077 +120,1068 @@ var<storage> last_depths: type_27;
 var<storage, read_write> depths: type_27;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_166_: lt_bvh_traverse_Tree;
-    var phi_167_: bool;
-    var phi_168_: lt_bvh_traverse_Tree;
-    var phi_169_: bool;
-    var phi_174_: lt_bvh_traverse_Tree;
+    var phi_165_: lt_bvh_traverse_Tree;
+    var phi_166_: bool;
+    var phi_167_: lt_bvh_traverse_Tree;
+    var phi_168_: bool;
+    var phi_173_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_166_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_167_ = false;
+            phi_165_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_166_ = false;
         } else {
-            phi_166_ = lt_bvh_traverse_Tree();
-            phi_167_ = true;
+            phi_165_ = lt_bvh_traverse_Tree();
+            phi_166_ = true;
         }
-        let _e66 = phi_166_;
-        let _e68 = phi_167_;
-        phi_168_ = _e66;
-        phi_169_ = _e68;
+        let _e65 = phi_165_;
+        let _e67 = phi_166_;
+        phi_167_ = _e65;
+        phi_168_ = _e67;
     } else {
-        phi_168_ = lt_bvh_traverse_Tree();
-        phi_169_ = true;
+        phi_167_ = lt_bvh_traverse_Tree();
+        phi_168_ = true;
     }
-    let _e70 = phi_168_;
-    let _e72 = phi_169_;
-    if _e72 {
-        phi_174_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e69 = phi_167_;
+    let _e71 = phi_168_;
+    if _e71 {
+        phi_173_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_174_ = _e70;
+        phi_173_ = _e69;
     }
-    let _e77 = phi_174_;
-    return lt_bvh_traverse_Tree(_e77.root, _e77.first_primitive);
+    let _e76 = phi_173_;
+    return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
 }
 
 fn function_() {
+    var phi_241_: bool;
     var phi_242_: bool;
     var phi_243_: bool;
     var phi_244_: bool;
-    var phi_245_: bool;
-    var phi_249_: bool;
+    var phi_248_: bool;
+    var phi_318_: bool;
     var phi_319_: bool;
-    var phi_320_: bool;
-    var phi_331_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_332_: bool;
-    var phi_333_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_334_: bool;
-    var phi_341_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_345_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_358_: bool;
+    var phi_330_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_331_: bool;
+    var phi_332_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_333_: bool;
+    var phi_340_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_344_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_357_: bool;
+    var phi_388_: bool;
     var phi_389_: bool;
     var phi_390_: bool;
     var phi_391_: bool;
-    var phi_392_: bool;
+    var phi_395_: bool;
     var phi_396_: bool;
-    var phi_397_: bool;
-    var phi_608_: f32;
-    var phi_613_: f32;
-    var phi_614_: bool;
-    var phi_615_: f32;
-    var phi_616_: bool;
-    var phi_620_: f32;
-    var phi_641_: f32;
-    var phi_646_: f32;
-    var phi_647_: bool;
-    var phi_648_: f32;
-    var phi_649_: bool;
-    var phi_653_: f32;
-    var phi_674_: bool;
-    var phi_693_: vec2<u32>;
-    var phi_694_: bool;
-    var phi_695_: bool;
-    var phi_696_: bool;
-    var phi_697_: vec2<u32>;
+    var phi_535_: f32;
+    var phi_540_: f32;
+    var phi_541_: bool;
+    var phi_542_: f32;
+    var phi_543_: bool;
+    var phi_547_: f32;
+    var phi_568_: f32;
+    var phi_573_: f32;
+    var phi_574_: bool;
+    var phi_575_: f32;
+    var phi_576_: bool;
+    var phi_580_: f32;
+    var phi_601_: bool;
+    var phi_620_: vec2<u32>;
+    var phi_621_: bool;
+    var phi_622_: bool;
+    var phi_623_: bool;
+    var phi_624_: vec2<u32>;
+    var phi_625_: bool;
+    var phi_626_: bool;
+    var phi_627_: bool;
+    var phi_628_: bool;
+    var phi_629_: bool;
+    var phi_630_: bool;
+    var phi_631_: vec2<u32>;
+    var phi_632_: bool;
+    var phi_633_: bool;
+    var phi_634_: bool;
+    var phi_635_: bool;
+    var phi_636_: bool;
+    var phi_637_: bool;
+    var phi_638_: vec2<u32>;
+    var phi_639_: bool;
+    var phi_640_: bool;
+    var phi_641_: bool;
+    var phi_642_: bool;
+    var phi_651_: bool;
+    var phi_652_: bool;
+    var phi_653_: bool;
+    var phi_654_: bool;
+    var phi_658_: bool;
+    var phi_659_: bool;
+    var phi_660_: vec2<u32>;
     var phi_698_: bool;
-    var phi_699_: bool;
-    var phi_700_: bool;
-    var phi_701_: bool;
-    var phi_702_: bool;
+    var phi_700_: lt_mask_Reprojection;
+    var phi_701_: lt_mask_Reprojection;
+    var phi_702_: lt_mask_Reprojection;
     var phi_703_: bool;
-    var phi_704_: vec2<u32>;
-    var phi_705_: bool;
-    var phi_706_: bool;
-    var phi_707_: bool;
+    var phi_704_: bool;
+    var phi_705_: lt_mask_Reprojection;
+    var phi_706_: lt_mask_Reprojection;
+    var phi_707_: lt_mask_Reprojection;
     var phi_708_: bool;
     var phi_709_: bool;
-    var phi_710_: bool;
-    var phi_711_: vec2<u32>;
-    var phi_712_: bool;
-    var phi_713_: bool;
-    var phi_714_: bool;
-    var phi_715_: bool;
-    var phi_724_: bool;
-    var phi_725_: bool;
-    var phi_726_: bool;
-    var phi_727_: bool;
-    var phi_731_: bool;
-    var phi_732_: bool;
-    var phi_733_: vec2<u32>;
-    var phi_771_: bool;
-    var phi_773_: lt_mask_Reprojection;
-    var phi_774_: lt_mask_Reprojection;
-    var phi_775_: lt_mask_Reprojection;
-    var phi_776_: bool;
-    var phi_777_: bool;
-    var phi_778_: lt_mask_Reprojection;
-    var phi_779_: lt_mask_Reprojection;
-    var phi_780_: lt_mask_Reprojection;
-    var phi_781_: bool;
-    var phi_782_: bool;
-    var phi_837_: bool;
-    var phi_841_: f32;
-    var phi_845_: lt_mask_Reprojection;
-    var phi_846_: bool;
-    var phi_858_: bool;
-    var phi_859_: bool;
-    var phi_860_: bool;
-    var phi_861_: lt_mask_Reprojection;
-    var phi_862_: bool;
-    var phi_866_: bool;
-    var phi_867_: lt_mask_Reprojection;
-    var phi_905_: u32;
-    var phi_954_: u32;
-    var phi_959_: u32;
-    var phi_960_: u32;
-    var phi_961_: u32;
-    var phi_962_: bool;
-    var phi_963_: u32;
-    var phi_964_: bool;
-    var phi_965_: bool;
-    var phi_966_: u32;
-    var phi_967_: bool;
-    var phi_968_: bool;
-    var phi_972_: bool;
-    var phi_976_: u32;
-    var phi_981_: bool;
-    var phi_1013_: u32;
-    var phi_1042_: lt_mask_Neighbourhood;
-    var phi_1043_: lt_mask_Neighbourhood;
-    var phi_1044_: lt_mask_Neighbourhood;
-    var phi_1076_: bool;
-    var phi_1077_: bool;
-    var phi_1099_: bool;
-    var phi_1100_: bool;
-    var phi_1101_: bool;
-    var phi_1105_: bool;
-    var phi_1127_: bool;
-    var phi_1128_: bool;
-    var phi_1141_: bool;
-    var phi_1142_: bool;
-    var phi_1143_: bool;
-    var phi_1150_: u32;
-    var phi_1151_: u32;
-    var phi_1152_: u32;
-    var phi_1153_: u32;
-    var phi_1154_: u32;
-    var phi_1155_: u32;
-    var phi_1156_: u32;
-    var phi_1168_: bool;
-    var phi_1169_: bool;
-    var phi_1170_: bool;
-    var phi_1171_: bool;
-    var phi_1175_: bool;
-    var phi_1181_: bool;
-    var phi_1189_: u32;
-    var phi_1194_: u32;
-    var phi_1203_: u32;
-    var phi_1208_: u32;
-    var phi_1212_: u32;
-    var phi_1213_: u32;
-    var phi_1214_: u32;
-    var phi_1218_: f32;
-    var phi_1220_: mask_Masked;
-    var phi_1292_: bool;
-    var phi_1293_: bool;
-    var phi_1294_: bool;
-    var phi_1295_: bool;
-    var phi_1299_: bool;
-    var phi_1327_: f32;
-    var phi_1330_: bool;
-    var phi_1331_: u32;
-    var phi_1342_: u32;
+    var phi_764_: bool;
+    var phi_768_: f32;
+    var phi_772_: lt_mask_Reprojection;
+    var phi_773_: bool;
+    var phi_785_: bool;
+    var phi_786_: bool;
+    var phi_787_: bool;
+    var phi_788_: lt_mask_Reprojection;
+    var phi_789_: bool;
+    var phi_793_: bool;
+    var phi_794_: lt_mask_Reprojection;
+    var phi_832_: u32;
+    var phi_881_: u32;
+    var phi_886_: u32;
+    var phi_887_: u32;
+    var phi_888_: u32;
+    var phi_889_: bool;
+    var phi_890_: u32;
+    var phi_891_: bool;
+    var phi_892_: bool;
+    var phi_893_: u32;
+    var phi_894_: bool;
+    var phi_895_: bool;
+    var phi_899_: bool;
+    var phi_903_: u32;
+    var phi_908_: bool;
+    var phi_940_: u32;
+    var phi_969_: lt_mask_Neighbourhood;
+    var phi_970_: lt_mask_Neighbourhood;
+    var phi_971_: lt_mask_Neighbourhood;
+    var phi_1003_: bool;
+    var phi_1004_: bool;
+    var phi_1026_: bool;
+    var phi_1027_: bool;
+    var phi_1028_: bool;
+    var phi_1032_: bool;
+    var phi_1054_: bool;
+    var phi_1055_: bool;
+    var phi_1068_: bool;
+    var phi_1069_: bool;
+    var phi_1070_: bool;
+    var phi_1077_: u32;
+    var phi_1078_: u32;
+    var phi_1079_: u32;
+    var phi_1080_: u32;
+    var phi_1081_: u32;
+    var phi_1082_: u32;
+    var phi_1083_: u32;
+    var phi_1095_: bool;
+    var phi_1096_: bool;
+    var phi_1097_: bool;
+    var phi_1098_: bool;
+    var phi_1102_: bool;
+    var phi_1108_: bool;
+    var phi_1116_: u32;
+    var phi_1121_: u32;
+    var phi_1130_: u32;
+    var phi_1135_: u32;
+    var phi_1139_: u32;
+    var phi_1140_: u32;
+    var phi_1141_: u32;
+    var phi_1145_: f32;
+    var phi_1147_: mask_Masked;
+    var phi_1219_: bool;
+    var phi_1220_: bool;
+    var phi_1221_: bool;
+    var phi_1222_: bool;
+    var phi_1226_: bool;
+    var phi_1254_: f32;
+    var phi_1257_: bool;
+    var phi_1258_: u32;
+    var phi_1269_: u32;
 
-    let _e53 = id_1;
-    let _e54 = local_1;
-    let _e59 = arrayLength((&heard.member));
-    let _e70 = p.member.current.size[0u];
-    let _e72 = p.member.current.size[1u];
-    let _e73 = lt_shaders_entry_pixel_index(_e53, _e70, _e72);
-    if (bitcast<i32>(_e73.root) != 0i) {
-        let _e81 = p.member.current.size[0u];
-        let _e84 = samples.member[_e73.first_primitive].position;
-        let _e86 = visibility.member[_e73.first_primitive];
-        let _e92 = samples.member[_e73.first_primitive].normal[0u];
-        let _e94 = global[0u];
-        if (_e92 == _e94) {
-            let _e97 = samples.member[_e73.first_primitive].normal[1u];
-            let _e99 = global[1u];
-            if (_e97 == _e99) {
-                let _e102 = samples.member[_e73.first_primitive].normal[2u];
-                let _e104 = global[2u];
-                phi_242_ = (_e102 == _e104);
-                phi_243_ = false;
+    let _e52 = id_1;
+    let _e53 = local_1;
+    let _e58 = arrayLength((&heard.member));
+    let _e69 = p.member.current.size[0u];
+    let _e71 = p.member.current.size[1u];
+    let _e72 = lt_shaders_entry_pixel_index(_e52, _e69, _e71);
+    if (bitcast<i32>(_e72.root) != 0i) {
+        let _e80 = p.member.current.size[0u];
+        let _e83 = samples.member[_e72.first_primitive].position;
+        let _e85 = visibility.member[_e72.first_primitive];
+        let _e91 = samples.member[_e72.first_primitive].normal[0u];
+        let _e93 = global[0u];
+        if (_e91 == _e93) {
+            let _e96 = samples.member[_e72.first_primitive].normal[1u];
+            let _e98 = global[1u];
+            if (_e96 == _e98) {
+                let _e101 = samples.member[_e72.first_primitive].normal[2u];
+                let _e103 = global[2u];
+                phi_241_ = (_e101 == _e103);
+                phi_242_ = false;
             } else {
-                phi_242_ = bool();
-                phi_243_ = true;
+                phi_241_ = bool();
+                phi_242_ = true;
             }
-            let _e107 = phi_242_;
-            let _e109 = phi_243_;
-            phi_244_ = _e107;
-            phi_245_ = _e109;
+            let _e106 = phi_241_;
+            let _e108 = phi_242_;
+            phi_243_ = _e106;
+            phi_244_ = _e108;
         } else {
-            phi_244_ = bool();
-            phi_245_ = true;
+            phi_243_ = bool();
+            phi_244_ = true;
         }
-        let _e111 = phi_244_;
-        let _e113 = phi_245_;
-        if _e113 {
-            phi_249_ = false;
+        let _e110 = phi_243_;
+        let _e112 = phi_244_;
+        if _e112 {
+            phi_248_ = false;
         } else {
-            phi_249_ = _e111;
+            phi_248_ = _e110;
         }
-        let _e115 = phi_249_;
-        if !(_e115) {
-            let _e118 = samples.member[_e73.first_primitive].position;
-            let _e120 = p.member.light.place;
-            let _e126 = p.member.light.place[3u];
-            let _e133 = (_e120.x - (_e118.x * _e126));
-            let _e134 = (_e120.y - (_e118.y * _e126));
-            let _e135 = (_e120.z - (_e118.z * _e126));
-            let _e137 = samples.member[_e73.first_primitive].normal;
-            if ((((_e137.x * _e133) + (_e137.y * _e134)) + (_e137.z * _e135)) > 0f) {
-                let _e151 = (((_e133 * _e133) + (_e134 * _e134)) + (_e135 * _e135));
-                let _e153 = p.member.light.axis;
-                let _e165 = p.member.light.place[3u];
-                if (_e165 == 0f) {
-                    phi_320_ = true;
+        let _e114 = phi_248_;
+        if !(_e114) {
+            let _e117 = samples.member[_e72.first_primitive].position;
+            let _e119 = p.member.light.place;
+            let _e125 = p.member.light.place[3u];
+            let _e132 = (_e119.x - (_e117.x * _e125));
+            let _e133 = (_e119.y - (_e117.y * _e125));
+            let _e134 = (_e119.z - (_e117.z * _e125));
+            let _e136 = samples.member[_e72.first_primitive].normal;
+            if ((((_e136.x * _e132) + (_e136.y * _e133)) + (_e136.z * _e134)) > 0f) {
+                let _e150 = (((_e132 * _e132) + (_e133 * _e133)) + (_e134 * _e134));
+                let _e152 = p.member.light.axis;
+                let _e164 = p.member.light.place[3u];
+                if (_e164 == 0f) {
+                    phi_319_ = true;
                 } else {
-                    let _e168 = p.member.light.range_squared;
-                    if (_e151 <= _e168) {
-                        let _e171 = p.member.light.cos_outer;
-                        phi_319_ = (-((((_e133 * _e153.x) + (_e134 * _e153.y)) + (_e135 * _e153.z))) >= (_e171 * sqrt(_e151)));
+                    let _e167 = p.member.light.range_squared;
+                    if (_e150 <= _e167) {
+                        let _e170 = p.member.light.cos_outer;
+                        phi_318_ = (-((((_e132 * _e152.x) + (_e133 * _e152.y)) + (_e134 * _e152.z))) >= (_e170 * sqrt(_e150)));
                     } else {
-                        phi_319_ = false;
+                        phi_318_ = false;
                     }
-                    let _e176 = phi_319_;
-                    phi_320_ = _e176;
+                    let _e175 = phi_318_;
+                    phi_319_ = _e175;
                 }
-                let _e178 = phi_320_;
-                if _e178 {
-                    let _e180 = samples.member[_e73.first_primitive].flags;
-                    let _e188 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e188.unnamed.visibility, false), _e188.unnamed_1);
-                    phi_331_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e194.unnamed, ((_e180 & 1u) == 0u));
-                    phi_332_ = false;
+                let _e177 = phi_319_;
+                if _e177 {
+                    let _e179 = samples.member[_e72.first_primitive].flags;
+                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e187.unnamed.visibility, false), _e187.unnamed_1);
+                    phi_330_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e193.unnamed, ((_e179 & 1u) == 0u));
+                    phi_331_ = false;
                 } else {
-                    phi_331_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_332_ = true;
+                    phi_330_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_331_ = true;
                 }
-                let _e199 = phi_331_;
-                let _e201 = phi_332_;
-                phi_333_ = _e199;
-                phi_334_ = _e201;
+                let _e198 = phi_330_;
+                let _e200 = phi_331_;
+                phi_332_ = _e198;
+                phi_333_ = _e200;
             } else {
-                phi_333_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_334_ = true;
+                phi_332_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_333_ = true;
             }
-            let _e203 = phi_333_;
-            let _e205 = phi_334_;
-            if _e205 {
-                let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e211.unnamed.visibility, false), _e211.unnamed_1);
-                phi_341_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e217.unnamed, true);
+            let _e202 = phi_332_;
+            let _e204 = phi_333_;
+            if _e204 {
+                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e210.unnamed.visibility, false), _e210.unnamed_1);
+                phi_340_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e216.unnamed, true);
             } else {
-                phi_341_ = _e203;
+                phi_340_ = _e202;
             }
-            let _e222 = phi_341_;
-            phi_345_ = _e222;
+            let _e221 = phi_340_;
+            phi_344_ = _e221;
         } else {
-            let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e234 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e228.unnamed.visibility, false), _e228.unnamed_1);
-            phi_345_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e234.unnamed, true);
+            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e233 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e227.unnamed.visibility, false), _e227.unnamed_1);
+            phi_344_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e233.unnamed, true);
         }
-        let _e239 = phi_345_;
-        if _e239.unnamed_1 {
-            phi_1220_ = mask_Masked(_e239.unnamed.visibility, 0u, false);
+        let _e238 = phi_344_;
+        if _e238.unnamed_1 {
+            phi_1147_ = mask_Masked(_e238.unnamed.visibility, 0u, false);
         } else {
-            let _e244 = (_e86 < 0.5f);
-            if (_e86 > 0f) {
-                phi_358_ = (_e86 < 1f);
+            let _e243 = (_e85 < 0.5f);
+            if (_e85 > 0f) {
+                phi_357_ = (_e85 < 1f);
             } else {
-                phi_358_ = false;
+                phi_357_ = false;
             }
-            let _e248 = phi_358_;
-            let _e255 = lt_mask_Reprojection(vec2<u32>(_e53.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e262 = lt_mask_Reprojection(vec2<u32>(_e255.pixel.x, _e53.y), _e255.is_valid, _e255.has_moved);
-            let _e266 = lt_mask_Reprojection(_e262.pixel, true, _e262.has_moved);
-            let _e272 = p.member.flags;
-            if ((_e272 & 16u) == 0u) {
-                phi_397_ = false;
+            let _e247 = phi_357_;
+            let _e254 = lt_mask_Reprojection(vec2<u32>(_e52.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e261 = lt_mask_Reprojection(vec2<u32>(_e254.pixel.x, _e52.y), _e254.is_valid, _e254.has_moved);
+            let _e265 = lt_mask_Reprojection(_e261.pixel, true, _e261.has_moved);
+            let _e271 = p.member.flags;
+            if ((_e271 & 16u) == 0u) {
+                phi_396_ = false;
             } else {
-                let _e278 = samples.member[_e73.first_primitive].position[0u];
-                if (_e84.x == _e278) {
-                    let _e282 = samples.member[_e73.first_primitive].position[1u];
-                    if (_e84.y == _e282) {
-                        let _e286 = samples.member[_e73.first_primitive].position[2u];
-                        phi_389_ = (_e84.z == _e286);
-                        phi_390_ = false;
+                let _e277 = samples.member[_e72.first_primitive].position[0u];
+                if (_e83.x == _e277) {
+                    let _e281 = samples.member[_e72.first_primitive].position[1u];
+                    if (_e83.y == _e281) {
+                        let _e285 = samples.member[_e72.first_primitive].position[2u];
+                        phi_388_ = (_e83.z == _e285);
+                        phi_389_ = false;
                     } else {
-                        phi_389_ = bool();
-                        phi_390_ = true;
+                        phi_388_ = bool();
+                        phi_389_ = true;
                     }
-                    let _e289 = phi_389_;
-                    let _e291 = phi_390_;
-                    phi_391_ = _e289;
-                    phi_392_ = _e291;
+                    let _e288 = phi_388_;
+                    let _e290 = phi_389_;
+                    phi_390_ = _e288;
+                    phi_391_ = _e290;
                 } else {
-                    phi_391_ = bool();
-                    phi_392_ = true;
+                    phi_390_ = bool();
+                    phi_391_ = true;
                 }
-                let _e293 = phi_391_;
-                let _e295 = phi_392_;
-                if _e295 {
-                    phi_396_ = false;
+                let _e292 = phi_390_;
+                let _e294 = phi_391_;
+                if _e294 {
+                    phi_395_ = false;
                 } else {
-                    phi_396_ = _e293;
+                    phi_395_ = _e292;
                 }
-                let _e297 = phi_396_;
-                phi_397_ = _e297;
+                let _e296 = phi_395_;
+                phi_396_ = _e296;
             }
-            let _e299 = phi_397_;
-            if _e299 {
-                phi_778_ = lt_mask_Reprojection(_e266.pixel, _e266.is_valid, false);
-                phi_779_ = lt_mask_Reprojection();
-                phi_780_ = lt_mask_Reprojection();
-                phi_781_ = true;
-                phi_782_ = false;
+            let _e298 = phi_396_;
+            if _e298 {
+                phi_705_ = lt_mask_Reprojection(_e265.pixel, _e265.is_valid, false);
+                phi_706_ = lt_mask_Reprojection();
+                phi_707_ = lt_mask_Reprojection();
+                phi_708_ = true;
+                phi_709_ = false;
             } else {
-                let _e301 = samples.member[_e73.first_primitive].position;
-                let _e305 = p.member.previous.eye;
-                let _e308 = (_e84.x - _e305.x);
-                let _e311 = (_e84.y - _e305.y);
-                let _e314 = (_e84.z - _e305.z);
-                let _e316 = p.member.previous.forward;
-                let _e324 = (((_e308 * _e316.x) + (_e311 * _e316.y)) + (_e314 * _e316.z));
-                let _e326 = p.member.previous.right;
-                let _e336 = p.member.previous.right;
-                let _e351 = p.member.previous.up;
-                let _e361 = p.member.previous.up;
-                let _e376 = p.member.current.eye;
-                let _e379 = (_e301.x - _e376.x);
-                let _e382 = (_e301.y - _e376.y);
-                let _e385 = (_e301.z - _e376.z);
-                let _e387 = p.member.current.forward;
-                let _e395 = (((_e379 * _e387.x) + (_e382 * _e387.y)) + (_e385 * _e387.z));
-                let _e397 = p.member.current.right;
-                let _e407 = p.member.current.right;
-                let _e422 = p.member.current.up;
-                let _e432 = p.member.current.up;
-                let _e451 = p.member.current.size[0u];
-                let _e453 = (((((((_e308 * _e326.x) + (_e311 * _e326.y)) + (_e314 * _e326.z)) / ((((_e336.x * _e336.x) + (_e336.y * _e336.y)) + (_e336.z * _e336.z)) * _e324)) - ((((_e379 * _e397.x) + (_e382 * _e397.y)) + (_e385 * _e397.z)) / ((((_e407.x * _e407.x) + (_e407.y * _e407.y)) + (_e407.z * _e407.z)) * _e395))) * 0.5f) * f32(_e451));
-                let _e457 = p.member.current.size[1u];
-                let _e459 = (((((((_e308 * _e351.x) + (_e311 * _e351.y)) + (_e314 * _e351.z)) / ((((_e361.x * _e361.x) + (_e361.y * _e361.y)) + (_e361.z * _e361.z)) * _e324)) - ((((_e379 * _e422.x) + (_e382 * _e422.y)) + (_e385 * _e422.z)) / ((((_e432.x * _e432.x) + (_e432.y * _e432.y)) + (_e432.z * _e432.z)) * _e395))) * -0.5f) * f32(_e457));
-                let _e463 = p.member.current.grid[0u];
-                let _e465 = p.member.current.grid[1u];
-                let _e485 = p.member.current.size[0u];
-                let _e487 = p.member.current.size[1u];
-                let _e489 = ((f32(_e53.x) + ((f32((_e53.y & (_e465 - 1u))) + 0.5f) / f32(_e465))) + _e453);
-                if (_e489 > -8388608f) {
-                    let _e501 = f32(select(0i, select(select(i32(_e489), i32(-2147483648), (_e489 < bitcast<f32>(3472883712u))), 2147483647i, (_e489 > bitcast<f32>(1325400063u))), (_e489 == _e489)));
-                    if (_e501 > _e489) {
-                        phi_608_ = 1f;
+                let _e302 = p.member.current.grid[0u];
+                let _e304 = p.member.current.grid[1u];
+                let _e318 = (f32(_e52.x) + ((f32((_e52.y & (_e304 - 1u))) + 0.5f) / f32(_e304)));
+                let _e320 = (f32(_e52.y) + ((f32((_e52.x & (_e302 - 1u))) + 0.5f) / f32(_e302)));
+                let _e323 = p.member.previous.eye;
+                let _e326 = (_e83.x - _e323.x);
+                let _e329 = (_e83.y - _e323.y);
+                let _e332 = (_e83.z - _e323.z);
+                let _e334 = p.member.previous.forward;
+                let _e342 = (((_e326 * _e334.x) + (_e329 * _e334.y)) + (_e332 * _e334.z));
+                let _e344 = p.member.previous.right;
+                let _e354 = p.member.previous.right;
+                let _e369 = p.member.previous.up;
+                let _e379 = p.member.previous.up;
+                let _e396 = p.member.previous.size[0u];
+                let _e403 = p.member.previous.size[1u];
+                let _e407 = (((((((_e326 * _e344.x) + (_e329 * _e344.y)) + (_e332 * _e344.z)) / ((((_e354.x * _e354.x) + (_e354.y * _e354.y)) + (_e354.z * _e354.z)) * _e342)) + 1f) * (0.5f * f32(_e396))) - _e318);
+                let _e408 = (((1f - ((((_e326 * _e369.x) + (_e329 * _e369.y)) + (_e332 * _e369.z)) / ((((_e379.x * _e379.x) + (_e379.y * _e379.y)) + (_e379.z * _e379.z)) * _e342))) * (0.5f * f32(_e403))) - _e320);
+                let _e412 = p.member.current.size[0u];
+                let _e414 = p.member.current.size[1u];
+                let _e416 = (_e318 + _e407);
+                if (_e416 > -8388608f) {
+                    let _e428 = f32(select(0i, select(select(i32(_e416), i32(-2147483648), (_e416 < bitcast<f32>(3472883712u))), 2147483647i, (_e416 > bitcast<f32>(1325400063u))), (_e416 == _e416)));
+                    if (_e428 > _e416) {
+                        phi_535_ = 1f;
                     } else {
-                        phi_608_ = 0f;
+                        phi_535_ = 0f;
                     }
-                    let _e504 = phi_608_;
-                    if (_e489 < 8388608f) {
-                        phi_613_ = (_e501 - _e504);
-                        phi_614_ = false;
+                    let _e431 = phi_535_;
+                    if (_e416 < 8388608f) {
+                        phi_540_ = (_e428 - _e431);
+                        phi_541_ = false;
                     } else {
-                        phi_613_ = f32();
-                        phi_614_ = true;
+                        phi_540_ = f32();
+                        phi_541_ = true;
                     }
-                    let _e507 = phi_613_;
-                    let _e509 = phi_614_;
-                    phi_615_ = _e507;
-                    phi_616_ = _e509;
+                    let _e434 = phi_540_;
+                    let _e436 = phi_541_;
+                    phi_542_ = _e434;
+                    phi_543_ = _e436;
                 } else {
-                    phi_615_ = f32();
-                    phi_616_ = true;
+                    phi_542_ = f32();
+                    phi_543_ = true;
                 }
-                let _e511 = phi_615_;
-                let _e513 = phi_616_;
-                if _e513 {
-                    phi_620_ = _e489;
+                let _e438 = phi_542_;
+                let _e440 = phi_543_;
+                if _e440 {
+                    phi_547_ = _e416;
                 } else {
-                    phi_620_ = _e511;
+                    phi_547_ = _e438;
                 }
-                let _e515 = phi_620_;
-                let _e516 = ((f32(_e53.y) + ((f32((_e53.x & (_e463 - 1u))) + 0.5f) / f32(_e463))) + _e459);
-                if (_e516 > -8388608f) {
-                    let _e528 = f32(select(0i, select(select(i32(_e516), i32(-2147483648), (_e516 < bitcast<f32>(3472883712u))), 2147483647i, (_e516 > bitcast<f32>(1325400063u))), (_e516 == _e516)));
-                    if (_e528 > _e516) {
-                        phi_641_ = 1f;
+                let _e442 = phi_547_;
+                let _e443 = (_e320 + _e408);
+                if (_e443 > -8388608f) {
+                    let _e455 = f32(select(0i, select(select(i32(_e443), i32(-2147483648), (_e443 < bitcast<f32>(3472883712u))), 2147483647i, (_e443 > bitcast<f32>(1325400063u))), (_e443 == _e443)));
+                    if (_e455 > _e443) {
+                        phi_568_ = 1f;
                     } else {
-                        phi_641_ = 0f;
+                        phi_568_ = 0f;
                     }
-                    let _e531 = phi_641_;
-                    if (_e516 < 8388608f) {
-                        phi_646_ = (_e528 - _e531);
-                        phi_647_ = false;
+                    let _e458 = phi_568_;
+                    if (_e443 < 8388608f) {
+                        phi_573_ = (_e455 - _e458);
+                        phi_574_ = false;
                     } else {
-                        phi_646_ = f32();
-                        phi_647_ = true;
+                        phi_573_ = f32();
+                        phi_574_ = true;
                     }
-                    let _e534 = phi_646_;
-                    let _e536 = phi_647_;
-                    phi_648_ = _e534;
-                    phi_649_ = _e536;
+                    let _e461 = phi_573_;
+                    let _e463 = phi_574_;
+                    phi_575_ = _e461;
+                    phi_576_ = _e463;
                 } else {
-                    phi_648_ = f32();
-                    phi_649_ = true;
+                    phi_575_ = f32();
+                    phi_576_ = true;
                 }
-                let _e538 = phi_648_;
-                let _e540 = phi_649_;
-                if _e540 {
-                    phi_653_ = _e516;
+                let _e465 = phi_575_;
+                let _e467 = phi_576_;
+                if _e467 {
+                    phi_580_ = _e443;
                 } else {
-                    phi_653_ = _e538;
+                    phi_580_ = _e465;
                 }
-                let _e542 = phi_653_;
-                if (_e515 >= 0f) {
-                    if (_e542 >= 0f) {
-                        if (_e515 < f32(_e485)) {
-                            let _e548 = (_e542 < f32(_e487));
-                            if (_e453 == 0f) {
-                                phi_674_ = (_e459 == 0f);
+                let _e469 = phi_580_;
+                if (_e442 >= 0f) {
+                    if (_e469 >= 0f) {
+                        if (_e442 < f32(_e412)) {
+                            let _e475 = (_e469 < f32(_e414));
+                            if (_e407 == 0f) {
+                                phi_601_ = (_e408 == 0f);
                             } else {
-                                phi_674_ = false;
+                                phi_601_ = false;
                             }
-                            let _e552 = phi_674_;
-                            if _e548 {
-                                phi_693_ = vec2<u32>(select(select(u32(_e515), 0u, (_e515 < bitcast<f32>(0u))), 4294967295u, (_e515 > bitcast<f32>(1333788671u))), select(select(u32(_e542), 0u, (_e542 < bitcast<f32>(0u))), 4294967295u, (_e542 > bitcast<f32>(1333788671u))));
-                                phi_694_ = false;
+                            let _e479 = phi_601_;
+                            if _e475 {
+                                phi_620_ = vec2<u32>(select(select(u32(_e442), 0u, (_e442 < bitcast<f32>(0u))), 4294967295u, (_e442 > bitcast<f32>(1333788671u))), select(select(u32(_e469), 0u, (_e469 < bitcast<f32>(0u))), 4294967295u, (_e469 > bitcast<f32>(1333788671u))));
+                                phi_621_ = false;
                             } else {
-                                phi_693_ = vec2<u32>();
-                                phi_694_ = true;
+                                phi_620_ = vec2<u32>();
+                                phi_621_ = true;
                             }
-                            let _e569 = phi_693_;
-                            let _e571 = phi_694_;
-                            phi_695_ = _e552;
-                            phi_696_ = _e548;
-                            phi_697_ = _e569;
-                            phi_698_ = _e552;
-                            phi_699_ = _e548;
-                            phi_700_ = false;
-                            phi_701_ = _e571;
+                            let _e496 = phi_620_;
+                            let _e498 = phi_621_;
+                            phi_622_ = _e479;
+                            phi_623_ = _e475;
+                            phi_624_ = _e496;
+                            phi_625_ = _e479;
+                            phi_626_ = _e475;
+                            phi_627_ = false;
+                            phi_628_ = _e498;
                         } else {
-                            phi_695_ = bool();
-                            phi_696_ = bool();
-                            phi_697_ = vec2<u32>();
-                            phi_698_ = bool();
-                            phi_699_ = bool();
-                            phi_700_ = true;
-                            phi_701_ = false;
+                            phi_622_ = bool();
+                            phi_623_ = bool();
+                            phi_624_ = vec2<u32>();
+                            phi_625_ = bool();
+                            phi_626_ = bool();
+                            phi_627_ = true;
+                            phi_628_ = false;
                         }
-                        let _e573 = phi_695_;
-                        let _e575 = phi_696_;
-                        let _e577 = phi_697_;
-                        let _e579 = phi_698_;
-                        let _e581 = phi_699_;
-                        let _e583 = phi_700_;
-                        let _e585 = phi_701_;
-                        phi_702_ = _e573;
-                        phi_703_ = _e575;
-                        phi_704_ = _e577;
-                        phi_705_ = _e579;
-                        phi_706_ = _e581;
-                        phi_707_ = _e583;
-                        phi_708_ = _e585;
+                        let _e500 = phi_622_;
+                        let _e502 = phi_623_;
+                        let _e504 = phi_624_;
+                        let _e506 = phi_625_;
+                        let _e508 = phi_626_;
+                        let _e510 = phi_627_;
+                        let _e512 = phi_628_;
+                        phi_629_ = _e500;
+                        phi_630_ = _e502;
+                        phi_631_ = _e504;
+                        phi_632_ = _e506;
+                        phi_633_ = _e508;
+                        phi_634_ = _e510;
+                        phi_635_ = _e512;
                     } else {
-                        phi_702_ = bool();
-                        phi_703_ = bool();
-                        phi_704_ = vec2<u32>();
-                        phi_705_ = bool();
-                        phi_706_ = bool();
-                        phi_707_ = true;
-                        phi_708_ = false;
+                        phi_629_ = bool();
+                        phi_630_ = bool();
+                        phi_631_ = vec2<u32>();
+                        phi_632_ = bool();
+                        phi_633_ = bool();
+                        phi_634_ = true;
+                        phi_635_ = false;
                     }
-                    let _e587 = phi_702_;
-                    let _e589 = phi_703_;
-                    let _e591 = phi_704_;
-                    let _e593 = phi_705_;
-                    let _e595 = phi_706_;
-                    let _e597 = phi_707_;
-                    let _e599 = phi_708_;
-                    phi_709_ = _e587;
-                    phi_710_ = _e589;
-                    phi_711_ = _e591;
-                    phi_712_ = _e593;
-                    phi_713_ = _e595;
-                    phi_714_ = _e597;
-                    phi_715_ = _e599;
+                    let _e514 = phi_629_;
+                    let _e516 = phi_630_;
+                    let _e518 = phi_631_;
+                    let _e520 = phi_632_;
+                    let _e522 = phi_633_;
+                    let _e524 = phi_634_;
+                    let _e526 = phi_635_;
+                    phi_636_ = _e514;
+                    phi_637_ = _e516;
+                    phi_638_ = _e518;
+                    phi_639_ = _e520;
+                    phi_640_ = _e522;
+                    phi_641_ = _e524;
+                    phi_642_ = _e526;
                 } else {
-                    phi_709_ = bool();
-                    phi_710_ = bool();
-                    phi_711_ = vec2<u32>();
-                    phi_712_ = bool();
-                    phi_713_ = bool();
-                    phi_714_ = true;
-                    phi_715_ = false;
+                    phi_636_ = bool();
+                    phi_637_ = bool();
+                    phi_638_ = vec2<u32>();
+                    phi_639_ = bool();
+                    phi_640_ = bool();
+                    phi_641_ = true;
+                    phi_642_ = false;
                 }
-                let _e601 = phi_709_;
-                let _e603 = phi_710_;
-                let _e605 = phi_711_;
-                let _e607 = phi_712_;
-                let _e609 = phi_713_;
-                let _e611 = phi_714_;
-                let _e613 = phi_715_;
-                if _e611 {
-                    if (_e453 == 0f) {
-                        phi_724_ = (_e459 == 0f);
+                let _e528 = phi_636_;
+                let _e530 = phi_637_;
+                let _e532 = phi_638_;
+                let _e534 = phi_639_;
+                let _e536 = phi_640_;
+                let _e538 = phi_641_;
+                let _e540 = phi_642_;
+                if _e538 {
+                    if (_e407 == 0f) {
+                        phi_651_ = (_e408 == 0f);
                     } else {
-                        phi_724_ = false;
+                        phi_651_ = false;
                     }
-                    let _e617 = phi_724_;
-                    phi_725_ = _e617;
-                    phi_726_ = false;
-                    phi_727_ = true;
+                    let _e544 = phi_651_;
+                    phi_652_ = _e544;
+                    phi_653_ = false;
+                    phi_654_ = true;
                 } else {
-                    phi_725_ = _e607;
-                    phi_726_ = _e609;
-                    phi_727_ = _e613;
+                    phi_652_ = _e534;
+                    phi_653_ = _e536;
+                    phi_654_ = _e540;
                 }
-                let _e619 = phi_725_;
-                let _e621 = phi_726_;
-                let _e623 = phi_727_;
-                if _e623 {
-                    phi_731_ = _e619;
-                    phi_732_ = _e621;
-                    phi_733_ = vec2<u32>(_e53.x, _e53.y);
+                let _e546 = phi_652_;
+                let _e548 = phi_653_;
+                let _e550 = phi_654_;
+                if _e550 {
+                    phi_658_ = _e546;
+                    phi_659_ = _e548;
+                    phi_660_ = vec2<u32>(_e52.x, _e52.y);
                 } else {
-                    phi_731_ = _e601;
-                    phi_732_ = _e603;
-                    phi_733_ = _e605;
+                    phi_658_ = _e528;
+                    phi_659_ = _e530;
+                    phi_660_ = _e532;
                 }
-                let _e625 = phi_731_;
-                let _e627 = phi_732_;
-                let _e629 = phi_733_;
-                let _e639 = lt_mask_Reprojection(vec2<u32>(_e629.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e646 = lt_mask_Reprojection(vec2<u32>(_e639.pixel.x, _e629.y), _e639.is_valid, _e639.has_moved);
-                let _e650 = lt_mask_Reprojection(_e646.pixel, _e627, _e646.has_moved);
-                let _e654 = lt_mask_Reprojection(_e650.pixel, _e650.is_valid, !(_e625));
-                if _e627 {
-                    let _e657 = p.member.previous.eye;
-                    let _e668 = p.member.previous.forward;
-                    let _e677 = (((((_e84.x - _e657.x) * _e668.x) + ((_e84.y - _e657.y) * _e668.y)) + ((_e84.z - _e657.z) * _e668.z)) > 0f);
-                    let _e681 = lt_mask_Reprojection(_e654.pixel, _e677, _e654.has_moved);
-                    if _e677 {
-                        phi_771_ = false;
+                let _e552 = phi_658_;
+                let _e554 = phi_659_;
+                let _e556 = phi_660_;
+                let _e566 = lt_mask_Reprojection(vec2<u32>(_e556.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e573 = lt_mask_Reprojection(vec2<u32>(_e566.pixel.x, _e556.y), _e566.is_valid, _e566.has_moved);
+                let _e577 = lt_mask_Reprojection(_e573.pixel, _e554, _e573.has_moved);
+                let _e581 = lt_mask_Reprojection(_e577.pixel, _e577.is_valid, !(_e552));
+                if _e554 {
+                    let _e584 = p.member.previous.eye;
+                    let _e595 = p.member.previous.forward;
+                    let _e604 = (((((_e83.x - _e584.x) * _e595.x) + ((_e83.y - _e584.y) * _e595.y)) + ((_e83.z - _e584.z) * _e595.z)) > 0f);
+                    let _e608 = lt_mask_Reprojection(_e581.pixel, _e604, _e581.has_moved);
+                    if _e604 {
+                        phi_698_ = false;
                     } else {
-                        phi_771_ = true;
+                        phi_698_ = true;
                     }
-                    let _e683 = phi_771_;
-                    phi_773_ = _e681;
-                    phi_774_ = _e681;
-                    phi_775_ = lt_mask_Reprojection();
-                    phi_776_ = _e677;
-                    phi_777_ = _e683;
+                    let _e610 = phi_698_;
+                    phi_700_ = _e608;
+                    phi_701_ = _e608;
+                    phi_702_ = lt_mask_Reprojection();
+                    phi_703_ = _e604;
+                    phi_704_ = _e610;
                 } else {
-                    phi_773_ = lt_mask_Reprojection();
-                    phi_774_ = lt_mask_Reprojection();
-                    phi_775_ = lt_mask_Reprojection(_e654.pixel, false, _e654.has_moved);
-                    phi_776_ = false;
-                    phi_777_ = false;
+                    phi_700_ = lt_mask_Reprojection();
+                    phi_701_ = lt_mask_Reprojection();
+                    phi_702_ = lt_mask_Reprojection(_e581.pixel, false, _e581.has_moved);
+                    phi_703_ = false;
+                    phi_704_ = false;
                 }
-                let _e689 = phi_773_;
-                let _e691 = phi_774_;
-                let _e693 = phi_775_;
-                let _e695 = phi_776_;
-                let _e697 = phi_777_;
-                phi_778_ = _e689;
-                phi_779_ = _e691;
-                phi_780_ = _e693;
-                phi_781_ = _e695;
-                phi_782_ = _e697;
+                let _e616 = phi_700_;
+                let _e618 = phi_701_;
+                let _e620 = phi_702_;
+                let _e622 = phi_703_;
+                let _e624 = phi_704_;
+                phi_705_ = _e616;
+                phi_706_ = _e618;
+                phi_707_ = _e620;
+                phi_708_ = _e622;
+                phi_709_ = _e624;
             }
-            let _e699 = phi_778_;
-            let _e701 = phi_779_;
-            let _e703 = phi_780_;
-            let _e705 = phi_781_;
-            let _e707 = phi_782_;
-            if _e705 {
-                let _e710 = p.member.previous.eye;
-                let _e721 = p.member.previous.forward;
-                let _e729 = ((((_e84.x - _e710.x) * _e721.x) + ((_e84.y - _e710.y) * _e721.y)) + ((_e84.z - _e710.z) * _e721.z));
-                let _e735 = ((_e699.pixel.y * _e81) + _e699.pixel.x);
-                if (_e735 < arrayLength((&last_depths.member))) {
+            let _e626 = phi_705_;
+            let _e628 = phi_706_;
+            let _e630 = phi_707_;
+            let _e632 = phi_708_;
+            let _e634 = phi_709_;
+            if _e632 {
+                let _e637 = p.member.previous.eye;
+                let _e648 = p.member.previous.forward;
+                let _e656 = ((((_e83.x - _e637.x) * _e648.x) + ((_e83.y - _e637.y) * _e648.y)) + ((_e83.z - _e637.z) * _e648.z));
+                let _e662 = ((_e626.pixel.y * _e80) + _e626.pixel.x);
+                if (_e662 < arrayLength((&last_depths.member))) {
                 } else {
                     return;
                 }
-                let _e739 = last_depths.member[(0u + _e735)];
-                let _e741 = p.member.depth_tolerance;
-                let _e744 = abs(_e729);
-                let _e745 = abs(_e739);
-                if ((bitcast<u32>(_e745) & 2147483647u) > 2139095040u) {
-                    phi_837_ = true;
+                let _e666 = last_depths.member[(0u + _e662)];
+                let _e668 = p.member.depth_tolerance;
+                let _e671 = abs(_e656);
+                let _e672 = abs(_e666);
+                if ((bitcast<u32>(_e672) & 2147483647u) > 2139095040u) {
+                    phi_764_ = true;
                 } else {
-                    let _e749 = (_e745 > _e744);
-                    if _e749 {
+                    let _e676 = (_e672 > _e671);
+                    if _e676 {
                     }
-                    phi_837_ = _e749;
+                    phi_764_ = _e676;
                 }
-                let _e751 = phi_837_;
-                if _e751 {
-                    phi_841_ = _e745;
+                let _e678 = phi_764_;
+                if _e678 {
+                    phi_768_ = _e672;
                 } else {
-                    phi_841_ = _e744;
+                    phi_768_ = _e671;
                 }
-                let _e753 = phi_841_;
-                phi_845_ = lt_mask_Reprojection(_e699.pixel, (abs((_e729 - _e739)) <= (_e741 * _e753)), _e699.has_moved);
-                phi_846_ = true;
+                let _e680 = phi_768_;
+                phi_772_ = lt_mask_Reprojection(_e626.pixel, (abs((_e656 - _e666)) <= (_e668 * _e680)), _e626.has_moved);
+                phi_773_ = true;
             } else {
-                phi_845_ = _e701;
-                phi_846_ = _e707;
+                phi_772_ = _e628;
+                phi_773_ = _e634;
             }
-            let _e761 = phi_845_;
-            let _e763 = phi_846_;
-            if _e763 {
-                if _e761.is_valid {
-                    let _e766 = p.member.flags;
-                    phi_858_ = ((_e766 & 1u) != 0u);
-                    phi_859_ = false;
+            let _e688 = phi_772_;
+            let _e690 = phi_773_;
+            if _e690 {
+                if _e688.is_valid {
+                    let _e693 = p.member.flags;
+                    phi_785_ = ((_e693 & 1u) != 0u);
+                    phi_786_ = false;
                 } else {
-                    phi_858_ = bool();
-                    phi_859_ = true;
+                    phi_785_ = bool();
+                    phi_786_ = true;
                 }
-                let _e770 = phi_858_;
-                let _e772 = phi_859_;
-                phi_860_ = _e770;
-                phi_861_ = _e761;
-                phi_862_ = _e772;
+                let _e697 = phi_785_;
+                let _e699 = phi_786_;
+                phi_787_ = _e697;
+                phi_788_ = _e688;
+                phi_789_ = _e699;
             } else {
-                phi_860_ = bool();
-                phi_861_ = _e703;
-                phi_862_ = true;
+                phi_787_ = bool();
+                phi_788_ = _e630;
+                phi_789_ = true;
             }
-            let _e774 = phi_860_;
-            let _e776 = phi_861_;
-            let _e778 = phi_862_;
-            if _e778 {
-                phi_866_ = false;
-                phi_867_ = _e776;
+            let _e701 = phi_787_;
+            let _e703 = phi_788_;
+            let _e705 = phi_789_;
+            if _e705 {
+                phi_793_ = false;
+                phi_794_ = _e703;
             } else {
-                phi_866_ = _e774;
-                phi_867_ = _e761;
+                phi_793_ = _e701;
+                phi_794_ = _e688;
             }
-            let _e780 = phi_866_;
-            let _e782 = phi_867_;
-            let _e786 = lt_mask_Reprojection(_e782.pixel, _e780, _e782.has_moved);
-            let _e788 = p.member.flags;
-            let _e790 = ((_e788 & 2u) != 0u);
-            let _e792 = p.member.flags;
-            if ((_e792 & 4u) == 0u) {
-                phi_966_ = u32();
-                phi_967_ = true;
-                phi_968_ = false;
+            let _e707 = phi_793_;
+            let _e709 = phi_794_;
+            let _e713 = lt_mask_Reprojection(_e709.pixel, _e707, _e709.has_moved);
+            let _e715 = p.member.flags;
+            let _e717 = ((_e715 & 2u) != 0u);
+            let _e719 = p.member.flags;
+            if ((_e719 & 4u) == 0u) {
+                phi_893_ = u32();
+                phi_894_ = true;
+                phi_895_ = false;
             } else {
-                if _e780 {
-                    if !(_e786.has_moved) {
+                if _e707 {
+                    if !(_e713.has_moved) {
                         if (32u == 0u) {
                             return;
                         }
-                        let _e798 = (_e81 / 32u);
+                        let _e725 = (_e80 / 32u);
                         if (32u == 0u) {
                             return;
                         }
-                        if ((_e81 % 32u) > 0u) {
-                            phi_905_ = (_e798 + 1u);
+                        if ((_e80 % 32u) > 0u) {
+                            phi_832_ = (_e725 + 1u);
                         } else {
-                            phi_905_ = _e798;
+                            phi_832_ = _e725;
                         }
-                        let _e804 = phi_905_;
-                        let _e809 = ((((_e53.y * _e804) + (_e53.x / 32u)) * 6u) + 4u);
-                        if (_e809 < _e59) {
+                        let _e731 = phi_832_;
+                        let _e736 = ((((_e52.y * _e731) + (_e52.x / 32u)) * 6u) + 4u);
+                        if (_e736 < _e58) {
                         } else {
                             return;
                         }
-                        let _e813 = heard.member[(0u + _e809)];
-                        if (((_e813 >> bitcast<u32>(((_e53.x % 32u) & 31u))) & 1u) != 0u) {
-                            let _e824 = ((((_e53.y * _e804) + (_e53.x / 32u)) * 6u) + 5u);
-                            if (_e824 < _e59) {
+                        let _e740 = heard.member[(0u + _e736)];
+                        if (((_e740 >> bitcast<u32>(((_e52.x % 32u) & 31u))) & 1u) != 0u) {
+                            let _e751 = ((((_e52.y * _e731) + (_e52.x / 32u)) * 6u) + 5u);
+                            if (_e751 < _e58) {
                             } else {
                                 return;
                             }
-                            let _e828 = heard.member[(0u + _e824)];
+                            let _e755 = heard.member[(0u + _e751)];
                             if false {
-                                phi_954_ = (2u | 1u);
+                                phi_881_ = (2u | 1u);
                             } else {
-                                phi_954_ = 2u;
+                                phi_881_ = 2u;
                             }
-                            let _e837 = phi_954_;
-                            if (((_e828 >> bitcast<u32>(((_e53.x % 32u) & 31u))) & 1u) != 0u) {
-                                phi_959_ = (_e837 | 4u);
+                            let _e764 = phi_881_;
+                            if (((_e755 >> bitcast<u32>(((_e52.x % 32u) & 31u))) & 1u) != 0u) {
+                                phi_886_ = (_e764 | 4u);
                             } else {
-                                phi_959_ = _e837;
+                                phi_886_ = _e764;
                             }
-                            let _e840 = phi_959_;
-                            phi_960_ = _e840;
+                            let _e767 = phi_886_;
+                            phi_887_ = _e767;
                         } else {
-                            phi_960_ = 0u;
+                            phi_887_ = 0u;
                         }
-                        let _e842 = phi_960_;
-                        phi_961_ = _e842;
-                        phi_962_ = false;
+                        let _e769 = phi_887_;
+                        phi_888_ = _e769;
+                        phi_889_ = false;
                     } else {
-                        phi_961_ = u32();
-                        phi_962_ = true;
+                        phi_888_ = u32();
+                        phi_889_ = true;
                     }
-                    let _e844 = phi_961_;
-                    let _e846 = phi_962_;
-                    phi_963_ = _e844;
-                    phi_964_ = false;
-                    phi_965_ = _e846;
+                    let _e771 = phi_888_;
+                    let _e773 = phi_889_;
+                    phi_890_ = _e771;
+                    phi_891_ = false;
+                    phi_892_ = _e773;
                 } else {
-                    phi_963_ = u32();
-                    phi_964_ = true;
-                    phi_965_ = false;
+                    phi_890_ = u32();
+                    phi_891_ = true;
+                    phi_892_ = false;
                 }
-                let _e848 = phi_963_;
-                let _e850 = phi_964_;
-                let _e852 = phi_965_;
-                phi_966_ = _e848;
-                phi_967_ = _e850;
-                phi_968_ = _e852;
+                let _e775 = phi_890_;
+                let _e777 = phi_891_;
+                let _e779 = phi_892_;
+                phi_893_ = _e775;
+                phi_894_ = _e777;
+                phi_895_ = _e779;
             }
-            let _e854 = phi_966_;
-            let _e856 = phi_967_;
-            let _e858 = phi_968_;
-            if _e856 {
-                phi_972_ = true;
+            let _e781 = phi_893_;
+            let _e783 = phi_894_;
+            let _e785 = phi_895_;
+            if _e783 {
+                phi_899_ = true;
             } else {
-                phi_972_ = _e858;
+                phi_899_ = _e785;
             }
-            let _e860 = phi_972_;
-            if _e860 {
-                phi_976_ = 0u;
+            let _e787 = phi_899_;
+            if _e787 {
+                phi_903_ = 0u;
             } else {
-                phi_976_ = _e854;
+                phi_903_ = _e781;
             }
-            let _e862 = phi_976_;
-            let _e863 = lt_mask_Neighbourhood(false, true);
-            if _e248 {
-                phi_981_ = _e790;
+            let _e789 = phi_903_;
+            let _e790 = lt_mask_Neighbourhood(false, true);
+            if _e247 {
+                phi_908_ = _e717;
             } else {
-                phi_981_ = true;
+                phi_908_ = true;
             }
-            let _e865 = phi_981_;
-            if _e865 {
-                if _e780 {
-                    if ((_e862 & 2u) != 0u) {
-                        phi_1042_ = _e863;
+            let _e792 = phi_908_;
+            if _e792 {
+                if _e707 {
+                    if ((_e789 & 2u) != 0u) {
+                        phi_969_ = _e790;
                     } else {
                         if (32u == 0u) {
                             return;
                         }
-                        let _e874 = (_e81 / 32u);
+                        let _e801 = (_e80 / 32u);
                         if (32u == 0u) {
                             return;
                         }
-                        if ((_e81 % 32u) > 0u) {
-                            phi_1013_ = (_e874 + 1u);
+                        if ((_e80 % 32u) > 0u) {
+                            phi_940_ = (_e801 + 1u);
                         } else {
-                            phi_1013_ = _e874;
+                            phi_940_ = _e801;
                         }
-                        let _e880 = phi_1013_;
-                        let _e890 = ((((_e786.pixel.y * _e880) + (_e786.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e244) | (select(0u, 1u, _e786.has_moved) << bitcast<u32>(1i))));
-                        if (_e890 < _e59) {
+                        let _e807 = phi_940_;
+                        let _e817 = ((((_e713.pixel.y * _e807) + (_e713.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e243) | (select(0u, 1u, _e713.has_moved) << bitcast<u32>(1i))));
+                        if (_e817 < _e58) {
                         } else {
                             return;
                         }
-                        let _e894 = heard.member[(0u + _e890)];
-                        let _e900 = (((_e894 >> bitcast<u32>(((_e786.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_1042_ = lt_mask_Neighbourhood(_e900, !(_e900));
+                        let _e821 = heard.member[(0u + _e817)];
+                        let _e827 = (((_e821 >> bitcast<u32>(((_e713.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_969_ = lt_mask_Neighbourhood(_e827, !(_e827));
                     }
-                    let _e904 = phi_1042_;
-                    phi_1043_ = _e904;
+                    let _e831 = phi_969_;
+                    phi_970_ = _e831;
                 } else {
-                    phi_1043_ = _e863;
+                    phi_970_ = _e790;
                 }
-                let _e906 = phi_1043_;
-                phi_1044_ = _e906;
+                let _e833 = phi_970_;
+                phi_971_ = _e833;
             } else {
-                phi_1044_ = _e863;
+                phi_971_ = _e790;
             }
-            let _e908 = phi_1044_;
-            let _e911 = p.member.frame;
-            let _e913 = p.member.refresh;
-            if (_e913 == 0u) {
-                phi_1077_ = false;
+            let _e835 = phi_971_;
+            let _e838 = p.member.frame;
+            let _e840 = p.member.refresh;
+            if (_e840 == 0u) {
+                phi_1004_ = false;
             } else {
-                if (_e913 == 0u) {
+                if (_e840 == 0u) {
                     return;
                 }
-                let _e922 = ((_e53.x + (_e53.y * (((_e913 * 5u) / 8u) | 1u))) + (_e911 % _e913));
-                if (_e913 == 0u) {
-                    phi_1076_ = (_e922 == 0u);
+                let _e849 = ((_e52.x + (_e52.y * (((_e840 * 5u) / 8u) | 1u))) + (_e838 % _e840));
+                if (_e840 == 0u) {
+                    phi_1003_ = (_e849 == 0u);
                 } else {
-                    if (_e913 == 0u) {
+                    if (_e840 == 0u) {
                         return;
                     }
-                    phi_1076_ = ((_e922 % _e913) == 0u);
+                    phi_1003_ = ((_e849 % _e840) == 0u);
                 }
-                let _e929 = phi_1076_;
-                phi_1077_ = _e929;
+                let _e856 = phi_1003_;
+                phi_1004_ = _e856;
             }
-            let _e931 = phi_1077_;
-            if _e780 {
-                if _e931 {
-                    phi_1099_ = bool();
+            let _e858 = phi_1004_;
+            if _e707 {
+                if _e858 {
+                    phi_1026_ = bool();
                 } else {
-                    phi_1099_ = ((_e862 & 2u) != 0u);
+                    phi_1026_ = ((_e789 & 2u) != 0u);
                 }
-                let _e937 = phi_1099_;
-                phi_1100_ = _e937;
-                phi_1101_ = _e931;
+                let _e864 = phi_1026_;
+                phi_1027_ = _e864;
+                phi_1028_ = _e858;
             } else {
-                phi_1100_ = bool();
-                phi_1101_ = true;
+                phi_1027_ = bool();
+                phi_1028_ = true;
             }
-            let _e939 = phi_1100_;
-            let _e941 = phi_1101_;
-            if _e941 {
-                phi_1105_ = false;
+            let _e866 = phi_1027_;
+            let _e868 = phi_1028_;
+            if _e868 {
+                phi_1032_ = false;
             } else {
-                phi_1105_ = _e939;
+                phi_1032_ = _e866;
             }
-            let _e943 = phi_1105_;
-            if _e943 {
-                phi_1156_ = 7u;
+            let _e870 = phi_1032_;
+            if _e870 {
+                phi_1083_ = 7u;
             } else {
-                if (_e86 != 0.5f) {
-                    if _e780 {
-                        if _e931 {
-                            phi_1153_ = 6u;
+                if (_e85 != 0.5f) {
+                    if _e707 {
+                        if _e858 {
+                            phi_1080_ = 6u;
                         } else {
-                            if _e248 {
-                                phi_1128_ = true;
+                            if _e247 {
+                                phi_1055_ = true;
                             } else {
-                                if _e908.any_expands {
-                                    phi_1127_ = false;
+                                if _e835.any_expands {
+                                    phi_1054_ = false;
                                 } else {
-                                    phi_1127_ = true;
+                                    phi_1054_ = true;
                                 }
-                                let _e945 = phi_1127_;
-                                phi_1128_ = _e945;
+                                let _e872 = phi_1054_;
+                                phi_1055_ = _e872;
                             }
-                            let _e947 = phi_1128_;
-                            if _e947 {
-                                if _e248 {
-                                    if _e790 {
-                                        if _e908.all_remove {
-                                            phi_1141_ = false;
+                            let _e874 = phi_1055_;
+                            if _e874 {
+                                if _e247 {
+                                    if _e717 {
+                                        if _e835.all_remove {
+                                            phi_1068_ = false;
                                         } else {
-                                            phi_1141_ = true;
+                                            phi_1068_ = true;
                                         }
-                                        let _e949 = phi_1141_;
-                                        phi_1142_ = _e949;
+                                        let _e876 = phi_1068_;
+                                        phi_1069_ = _e876;
                                     } else {
-                                        phi_1142_ = true;
+                                        phi_1069_ = true;
                                     }
-                                    let _e951 = phi_1142_;
-                                    phi_1143_ = _e951;
+                                    let _e878 = phi_1069_;
+                                    phi_1070_ = _e878;
                                 } else {
-                                    phi_1143_ = true;
+                                    phi_1070_ = true;
                                 }
-                                let _e953 = phi_1143_;
-                                if _e953 {
-                                    if _e248 {
-                                        phi_1150_ = 1u;
+                                let _e880 = phi_1070_;
+                                if _e880 {
+                                    if _e247 {
+                                        phi_1077_ = 1u;
                                     } else {
-                                        phi_1150_ = 0u;
+                                        phi_1077_ = 0u;
                                     }
-                                    let _e955 = phi_1150_;
-                                    phi_1151_ = _e955;
+                                    let _e882 = phi_1077_;
+                                    phi_1078_ = _e882;
                                 } else {
-                                    phi_1151_ = 5u;
+                                    phi_1078_ = 5u;
                                 }
-                                let _e957 = phi_1151_;
-                                phi_1152_ = _e957;
+                                let _e884 = phi_1078_;
+                                phi_1079_ = _e884;
                             } else {
-                                phi_1152_ = 4u;
+                                phi_1079_ = 4u;
                             }
-                            let _e959 = phi_1152_;
-                            phi_1153_ = _e959;
+                            let _e886 = phi_1079_;
+                            phi_1080_ = _e886;
                         }
-                        let _e961 = phi_1153_;
-                        phi_1154_ = _e961;
+                        let _e888 = phi_1080_;
+                        phi_1081_ = _e888;
                     } else {
-                        phi_1154_ = 3u;
+                        phi_1081_ = 3u;
                     }
-                    let _e963 = phi_1154_;
-                    phi_1155_ = _e963;
+                    let _e890 = phi_1081_;
+                    phi_1082_ = _e890;
                 } else {
-                    phi_1155_ = 2u;
+                    phi_1082_ = 2u;
                 }
-                let _e965 = phi_1155_;
-                phi_1156_ = _e965;
+                let _e892 = phi_1082_;
+                phi_1083_ = _e892;
             }
-            let _e967 = phi_1156_;
-            if !((_e967 == 0u)) {
-                if !((_e967 == 5u)) {
-                    phi_1168_ = !(_e943);
-                    phi_1169_ = false;
+            let _e894 = phi_1083_;
+            if !((_e894 == 0u)) {
+                if !((_e894 == 5u)) {
+                    phi_1095_ = !(_e870);
+                    phi_1096_ = false;
                 } else {
-                    phi_1168_ = bool();
-                    phi_1169_ = true;
+                    phi_1095_ = bool();
+                    phi_1096_ = true;
                 }
-                let _e974 = phi_1168_;
-                let _e976 = phi_1169_;
-                phi_1170_ = _e974;
-                phi_1171_ = _e976;
+                let _e901 = phi_1095_;
+                let _e903 = phi_1096_;
+                phi_1097_ = _e901;
+                phi_1098_ = _e903;
             } else {
-                phi_1170_ = bool();
-                phi_1171_ = true;
+                phi_1097_ = bool();
+                phi_1098_ = true;
             }
-            let _e978 = phi_1170_;
-            let _e980 = phi_1171_;
-            if _e980 {
-                phi_1175_ = false;
+            let _e905 = phi_1097_;
+            let _e907 = phi_1098_;
+            if _e907 {
+                phi_1102_ = false;
             } else {
-                phi_1175_ = _e978;
+                phi_1102_ = _e905;
             }
-            let _e982 = phi_1175_;
-            if _e943 {
-                phi_1181_ = ((_e862 & 4u) != 0u);
+            let _e909 = phi_1102_;
+            if _e870 {
+                phi_1108_ = ((_e789 & 4u) != 0u);
             } else {
-                phi_1181_ = _e244;
+                phi_1108_ = _e243;
             }
-            let _e986 = phi_1181_;
-            if _e982 {
-                if _e244 {
-                    phi_1189_ = (2u | 1u);
+            let _e913 = phi_1108_;
+            if _e909 {
+                if _e243 {
+                    phi_1116_ = (2u | 1u);
                 } else {
-                    phi_1189_ = 2u;
+                    phi_1116_ = 2u;
                 }
-                let _e989 = phi_1189_;
+                let _e916 = phi_1116_;
                 if false {
-                    phi_1194_ = (_e989 | 4u);
+                    phi_1121_ = (_e916 | 4u);
                 } else {
-                    phi_1194_ = _e989;
+                    phi_1121_ = _e916;
                 }
-                let _e992 = phi_1194_;
-                phi_1214_ = _e992;
+                let _e919 = phi_1121_;
+                phi_1141_ = _e919;
             } else {
-                if (_e967 == 7u) {
-                    if _e244 {
-                        phi_1203_ = (2u | 1u);
+                if (_e894 == 7u) {
+                    if _e243 {
+                        phi_1130_ = (2u | 1u);
                     } else {
-                        phi_1203_ = 2u;
+                        phi_1130_ = 2u;
                     }
-                    let _e996 = phi_1203_;
-                    if _e986 {
-                        phi_1208_ = (_e996 | 4u);
+                    let _e923 = phi_1130_;
+                    if _e913 {
+                        phi_1135_ = (_e923 | 4u);
                     } else {
-                        phi_1208_ = _e996;
+                        phi_1135_ = _e923;
                     }
-                    let _e999 = phi_1208_;
-                    phi_1213_ = _e999;
+                    let _e926 = phi_1135_;
+                    phi_1140_ = _e926;
                 } else {
-                    if _e244 {
-                        phi_1212_ = 1u;
+                    if _e243 {
+                        phi_1139_ = 1u;
                     } else {
-                        phi_1212_ = 0u;
+                        phi_1139_ = 0u;
                     }
-                    let _e1001 = phi_1212_;
-                    phi_1213_ = _e1001;
+                    let _e928 = phi_1139_;
+                    phi_1140_ = _e928;
                 }
-                let _e1003 = phi_1213_;
-                phi_1214_ = _e1003;
+                let _e930 = phi_1140_;
+                phi_1141_ = _e930;
             }
-            let _e1005 = phi_1214_;
-            if _e986 {
-                phi_1218_ = 0f;
+            let _e932 = phi_1141_;
+            if _e913 {
+                phi_1145_ = 0f;
             } else {
-                phi_1218_ = 1f;
+                phi_1145_ = 1f;
             }
-            let _e1007 = phi_1218_;
-            phi_1220_ = mask_Masked(_e1007, _e1005, _e982);
+            let _e934 = phi_1145_;
+            phi_1147_ = mask_Masked(_e934, _e932, _e909);
         }
-        let _e1010 = phi_1220_;
-        visibility.member[_e73.first_primitive] = _e1010.visibility;
-        let _e1015 = p.member.light.number;
-        let _e1016 = (_e1015 * 3u);
-        let _e1018 = (_e1016 % 32u);
-        let _e1020 = p.member.light.mask_words;
-        let _e1022 = ((_e73.first_primitive * _e1020) + (_e1016 / 32u));
-        let _e1024 = bits.member[_e1022];
-        bits.member[_e1022] = ((_e1024 & ~((7u << bitcast<u32>((_e1018 & 31u))))) | (_e1010.bits << bitcast<u32>((_e1018 & 31u))));
-        if (_e1018 > 29u) {
-            let _e1039 = bits.member[(_e1022 + 1u)];
-            let _e1041 = (32u - _e1018);
-            bits.member[(_e1022 + 1u)] = ((_e1039 & ~((7u >> bitcast<u32>((_e1041 & 31u))))) | (_e1010.bits >> bitcast<u32>((_e1041 & 31u))));
+        let _e937 = phi_1147_;
+        visibility.member[_e72.first_primitive] = _e937.visibility;
+        let _e942 = p.member.light.number;
+        let _e943 = (_e942 * 3u);
+        let _e945 = (_e943 % 32u);
+        let _e947 = p.member.light.mask_words;
+        let _e949 = ((_e72.first_primitive * _e947) + (_e943 / 32u));
+        let _e951 = bits.member[_e949];
+        bits.member[_e949] = ((_e951 & ~((7u << bitcast<u32>((_e945 & 31u))))) | (_e937.bits << bitcast<u32>((_e945 & 31u))));
+        if (_e945 > 29u) {
+            let _e966 = bits.member[(_e949 + 1u)];
+            let _e968 = (32u - _e945);
+            bits.member[(_e949 + 1u)] = ((_e966 & ~((7u >> bitcast<u32>((_e968 & 31u))))) | (_e937.bits >> bitcast<u32>((_e968 & 31u))));
         }
-        let _e1056 = samples.member[_e73.first_primitive].normal[0u];
-        let _e1058 = global[0u];
-        if (_e1056 == _e1058) {
-            let _e1061 = samples.member[_e73.first_primitive].normal[1u];
-            let _e1063 = global[1u];
-            if (_e1061 == _e1063) {
-                let _e1066 = samples.member[_e73.first_primitive].normal[2u];
-                let _e1068 = global[2u];
-                phi_1292_ = (_e1066 == _e1068);
-                phi_1293_ = false;
+        let _e983 = samples.member[_e72.first_primitive].normal[0u];
+        let _e985 = global[0u];
+        if (_e983 == _e985) {
+            let _e988 = samples.member[_e72.first_primitive].normal[1u];
+            let _e990 = global[1u];
+            if (_e988 == _e990) {
+                let _e993 = samples.member[_e72.first_primitive].normal[2u];
+                let _e995 = global[2u];
+                phi_1219_ = (_e993 == _e995);
+                phi_1220_ = false;
             } else {
-                phi_1292_ = bool();
-                phi_1293_ = true;
+                phi_1219_ = bool();
+                phi_1220_ = true;
             }
-            let _e1071 = phi_1292_;
-            let _e1073 = phi_1293_;
-            phi_1294_ = _e1071;
-            phi_1295_ = _e1073;
+            let _e998 = phi_1219_;
+            let _e1000 = phi_1220_;
+            phi_1221_ = _e998;
+            phi_1222_ = _e1000;
         } else {
-            phi_1294_ = bool();
-            phi_1295_ = true;
+            phi_1221_ = bool();
+            phi_1222_ = true;
         }
-        let _e1075 = phi_1294_;
-        let _e1077 = phi_1295_;
-        if _e1077 {
-            phi_1299_ = false;
+        let _e1002 = phi_1221_;
+        let _e1004 = phi_1222_;
+        if _e1004 {
+            phi_1226_ = false;
         } else {
-            phi_1299_ = _e1075;
+            phi_1226_ = _e1002;
         }
-        let _e1079 = phi_1299_;
-        if !(_e1079) {
-            let _e1082 = samples.member[_e73.first_primitive].position;
-            let _e1084 = p.member.current.eye;
-            let _e1095 = p.member.current.forward;
-            phi_1327_ = ((((_e1082.x - _e1084.x) * _e1095.x) + ((_e1082.y - _e1084.y) * _e1095.y)) + ((_e1082.z - _e1084.z) * _e1095.z));
+        let _e1006 = phi_1226_;
+        if !(_e1006) {
+            let _e1009 = samples.member[_e72.first_primitive].position;
+            let _e1011 = p.member.current.eye;
+            let _e1022 = p.member.current.forward;
+            phi_1254_ = ((((_e1009.x - _e1011.x) * _e1022.x) + ((_e1009.y - _e1011.y) * _e1022.y)) + ((_e1009.z - _e1011.z) * _e1022.z));
         } else {
-            phi_1327_ = 0f;
+            phi_1254_ = 0f;
         }
-        let _e1105 = phi_1327_;
-        depths.member[_e73.first_primitive] = _e1105;
-        phi_1330_ = _e1010.needs_ray;
-        phi_1331_ = _e73.first_primitive;
+        let _e1032 = phi_1254_;
+        depths.member[_e72.first_primitive] = _e1032;
+        phi_1257_ = _e937.needs_ray;
+        phi_1258_ = _e72.first_primitive;
     } else {
-        phi_1330_ = false;
-        phi_1331_ = 0u;
+        phi_1257_ = false;
+        phi_1258_ = 0u;
     }
-    let _e1109 = phi_1330_;
-    let _e1111 = phi_1331_;
-    if (_e54 == 0u) {
+    let _e1036 = phi_1257_;
+    let _e1038 = phi_1258_;
+    if (_e53 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1109 {
-        let _e1115 = atomicAdd((&shared_[0u]), 1u);
-        phi_1342_ = _e1115;
+    if _e1036 {
+        let _e1042 = atomicAdd((&shared_[0u]), 1u);
+        phi_1269_ = _e1042;
     } else {
-        phi_1342_ = 0u;
+        phi_1269_ = 0u;
     }
-    let _e1117 = phi_1342_;
+    let _e1044 = phi_1269_;
     workgroupBarrier();
-    if (_e54 == 0u) {
-        let _e1121 = atomicLoad((&shared_[0u]));
-        let _e1122 = atomicAdd((&list.member[3u]), _e1121);
-        atomicStore((&shared_[1u]), _e1122);
+    if (_e53 == 0u) {
+        let _e1048 = atomicLoad((&shared_[0u]));
+        let _e1049 = atomicAdd((&list.member[3u]), _e1048);
+        atomicStore((&shared_[1u]), _e1049);
     }
     workgroupBarrier();
-    if _e1109 {
-        let _e1125 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1125) + _e1117)]), _e1111);
+    if _e1036 {
+        let _e1052 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1052) + _e1044)]), _e1038);
     }
     return;
 }

@@ -120,971 +120,962 @@ var<storage> last_depths: type_27;
 var<storage, read_write> depths: type_27;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_165_: lt_bvh_traverse_Tree;
-    var phi_166_: bool;
-    var phi_167_: lt_bvh_traverse_Tree;
-    var phi_168_: bool;
-    var phi_173_: lt_bvh_traverse_Tree;
+    var phi_164_: lt_bvh_traverse_Tree;
+    var phi_165_: bool;
+    var phi_166_: lt_bvh_traverse_Tree;
+    var phi_167_: bool;
+    var phi_172_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_165_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_166_ = false;
+            phi_164_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_165_ = false;
         } else {
-            phi_165_ = lt_bvh_traverse_Tree();
-            phi_166_ = true;
+            phi_164_ = lt_bvh_traverse_Tree();
+            phi_165_ = true;
         }
-        let _e65 = phi_165_;
-        let _e67 = phi_166_;
-        phi_167_ = _e65;
-        phi_168_ = _e67;
+        let _e64 = phi_164_;
+        let _e66 = phi_165_;
+        phi_166_ = _e64;
+        phi_167_ = _e66;
     } else {
-        phi_167_ = lt_bvh_traverse_Tree();
-        phi_168_ = true;
+        phi_166_ = lt_bvh_traverse_Tree();
+        phi_167_ = true;
     }
-    let _e69 = phi_167_;
-    let _e71 = phi_168_;
-    if _e71 {
-        phi_173_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e68 = phi_166_;
+    let _e70 = phi_167_;
+    if _e70 {
+        phi_172_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_173_ = _e69;
+        phi_172_ = _e68;
     }
-    let _e76 = phi_173_;
-    return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
+    let _e75 = phi_172_;
+    return lt_bvh_traverse_Tree(_e75.root, _e75.first_primitive);
 }
 
 fn function_() {
+    var phi_240_: bool;
     var phi_241_: bool;
     var phi_242_: bool;
     var phi_243_: bool;
-    var phi_244_: bool;
-    var phi_248_: bool;
+    var phi_247_: bool;
+    var phi_317_: bool;
     var phi_318_: bool;
-    var phi_319_: bool;
-    var phi_330_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_331_: bool;
-    var phi_332_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_333_: bool;
-    var phi_340_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_344_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_357_: bool;
+    var phi_329_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_330_: bool;
+    var phi_331_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_332_: bool;
+    var phi_339_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_343_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_356_: bool;
+    var phi_387_: bool;
     var phi_388_: bool;
     var phi_389_: bool;
     var phi_390_: bool;
-    var phi_391_: bool;
+    var phi_394_: bool;
     var phi_395_: bool;
-    var phi_396_: bool;
-    var phi_607_: f32;
-    var phi_612_: f32;
-    var phi_613_: bool;
-    var phi_614_: f32;
-    var phi_615_: bool;
-    var phi_619_: f32;
-    var phi_640_: f32;
-    var phi_645_: f32;
-    var phi_646_: bool;
-    var phi_647_: f32;
-    var phi_648_: bool;
-    var phi_652_: f32;
-    var phi_673_: bool;
-    var phi_692_: vec2<u32>;
-    var phi_693_: bool;
-    var phi_694_: bool;
-    var phi_695_: bool;
-    var phi_696_: vec2<u32>;
+    var phi_534_: f32;
+    var phi_539_: f32;
+    var phi_540_: bool;
+    var phi_541_: f32;
+    var phi_542_: bool;
+    var phi_546_: f32;
+    var phi_567_: f32;
+    var phi_572_: f32;
+    var phi_573_: bool;
+    var phi_574_: f32;
+    var phi_575_: bool;
+    var phi_579_: f32;
+    var phi_600_: bool;
+    var phi_619_: vec2<u32>;
+    var phi_620_: bool;
+    var phi_621_: bool;
+    var phi_622_: bool;
+    var phi_623_: vec2<u32>;
+    var phi_624_: bool;
+    var phi_625_: bool;
+    var phi_626_: bool;
+    var phi_627_: bool;
+    var phi_628_: bool;
+    var phi_629_: bool;
+    var phi_630_: vec2<u32>;
+    var phi_631_: bool;
+    var phi_632_: bool;
+    var phi_633_: bool;
+    var phi_634_: bool;
+    var phi_635_: bool;
+    var phi_636_: bool;
+    var phi_637_: vec2<u32>;
+    var phi_638_: bool;
+    var phi_639_: bool;
+    var phi_640_: bool;
+    var phi_641_: bool;
+    var phi_650_: bool;
+    var phi_651_: bool;
+    var phi_652_: bool;
+    var phi_653_: bool;
+    var phi_657_: bool;
+    var phi_658_: bool;
+    var phi_659_: vec2<u32>;
     var phi_697_: bool;
-    var phi_698_: bool;
-    var phi_699_: bool;
-    var phi_700_: bool;
-    var phi_701_: bool;
+    var phi_699_: lt_mask_Reprojection;
+    var phi_700_: lt_mask_Reprojection;
+    var phi_701_: lt_mask_Reprojection;
     var phi_702_: bool;
-    var phi_703_: vec2<u32>;
-    var phi_704_: bool;
-    var phi_705_: bool;
-    var phi_706_: bool;
+    var phi_703_: bool;
+    var phi_704_: lt_mask_Reprojection;
+    var phi_705_: lt_mask_Reprojection;
+    var phi_706_: lt_mask_Reprojection;
     var phi_707_: bool;
     var phi_708_: bool;
-    var phi_709_: bool;
-    var phi_710_: vec2<u32>;
-    var phi_711_: bool;
-    var phi_712_: bool;
-    var phi_713_: bool;
-    var phi_714_: bool;
-    var phi_723_: bool;
-    var phi_724_: bool;
-    var phi_725_: bool;
-    var phi_726_: bool;
-    var phi_730_: bool;
-    var phi_731_: bool;
-    var phi_732_: vec2<u32>;
-    var phi_770_: bool;
-    var phi_772_: lt_mask_Reprojection;
-    var phi_773_: lt_mask_Reprojection;
-    var phi_774_: lt_mask_Reprojection;
-    var phi_775_: bool;
-    var phi_776_: bool;
-    var phi_777_: lt_mask_Reprojection;
-    var phi_778_: lt_mask_Reprojection;
-    var phi_779_: lt_mask_Reprojection;
-    var phi_780_: bool;
-    var phi_781_: bool;
-    var phi_836_: bool;
-    var phi_840_: f32;
-    var phi_844_: lt_mask_Reprojection;
-    var phi_845_: bool;
-    var phi_857_: bool;
-    var phi_858_: bool;
-    var phi_859_: bool;
-    var phi_860_: lt_mask_Reprojection;
-    var phi_861_: bool;
-    var phi_865_: bool;
-    var phi_866_: lt_mask_Reprojection;
-    var phi_872_: bool;
-    var phi_904_: u32;
-    var phi_933_: lt_mask_Neighbourhood;
-    var phi_934_: lt_mask_Neighbourhood;
-    var phi_935_: lt_mask_Neighbourhood;
-    var phi_967_: bool;
-    var phi_968_: bool;
-    var phi_990_: bool;
-    var phi_991_: bool;
-    var phi_992_: bool;
-    var phi_996_: bool;
-    var phi_1018_: bool;
-    var phi_1019_: bool;
-    var phi_1032_: bool;
-    var phi_1033_: bool;
-    var phi_1034_: bool;
-    var phi_1041_: u32;
-    var phi_1042_: u32;
-    var phi_1043_: u32;
-    var phi_1044_: u32;
-    var phi_1045_: u32;
-    var phi_1046_: u32;
-    var phi_1047_: u32;
-    var phi_1059_: bool;
-    var phi_1060_: bool;
-    var phi_1061_: bool;
-    var phi_1062_: bool;
-    var phi_1066_: bool;
-    var phi_1072_: bool;
-    var phi_1080_: u32;
-    var phi_1085_: u32;
-    var phi_1094_: u32;
-    var phi_1099_: u32;
-    var phi_1103_: u32;
-    var phi_1104_: u32;
-    var phi_1105_: u32;
-    var phi_1109_: f32;
-    var phi_1111_: mask_Masked;
-    var phi_1183_: bool;
-    var phi_1184_: bool;
-    var phi_1185_: bool;
-    var phi_1186_: bool;
-    var phi_1190_: bool;
-    var phi_1218_: f32;
-    var phi_1221_: bool;
-    var phi_1222_: u32;
-    var phi_1233_: u32;
+    var phi_763_: bool;
+    var phi_767_: f32;
+    var phi_771_: lt_mask_Reprojection;
+    var phi_772_: bool;
+    var phi_784_: bool;
+    var phi_785_: bool;
+    var phi_786_: bool;
+    var phi_787_: lt_mask_Reprojection;
+    var phi_788_: bool;
+    var phi_792_: bool;
+    var phi_793_: lt_mask_Reprojection;
+    var phi_799_: bool;
+    var phi_831_: u32;
+    var phi_860_: lt_mask_Neighbourhood;
+    var phi_861_: lt_mask_Neighbourhood;
+    var phi_862_: lt_mask_Neighbourhood;
+    var phi_894_: bool;
+    var phi_895_: bool;
+    var phi_917_: bool;
+    var phi_918_: bool;
+    var phi_919_: bool;
+    var phi_923_: bool;
+    var phi_945_: bool;
+    var phi_946_: bool;
+    var phi_959_: bool;
+    var phi_960_: bool;
+    var phi_961_: bool;
+    var phi_968_: u32;
+    var phi_969_: u32;
+    var phi_970_: u32;
+    var phi_971_: u32;
+    var phi_972_: u32;
+    var phi_973_: u32;
+    var phi_974_: u32;
+    var phi_986_: bool;
+    var phi_987_: bool;
+    var phi_988_: bool;
+    var phi_989_: bool;
+    var phi_993_: bool;
+    var phi_999_: bool;
+    var phi_1007_: u32;
+    var phi_1012_: u32;
+    var phi_1021_: u32;
+    var phi_1026_: u32;
+    var phi_1030_: u32;
+    var phi_1031_: u32;
+    var phi_1032_: u32;
+    var phi_1036_: f32;
+    var phi_1038_: mask_Masked;
+    var phi_1110_: bool;
+    var phi_1111_: bool;
+    var phi_1112_: bool;
+    var phi_1113_: bool;
+    var phi_1117_: bool;
+    var phi_1145_: f32;
+    var phi_1148_: bool;
+    var phi_1149_: u32;
+    var phi_1160_: u32;
 
-    let _e52 = id_1;
-    let _e53 = local_1;
-    let _e69 = p.member.current.size[0u];
-    let _e71 = p.member.current.size[1u];
-    let _e72 = lt_shaders_entry_pixel_index(_e52, _e69, _e71);
-    if (bitcast<i32>(_e72.root) != 0i) {
-        let _e80 = p.member.current.size[0u];
-        let _e83 = samples.member[_e72.first_primitive].position;
-        let _e85 = visibility.member[_e72.first_primitive];
-        let _e91 = samples.member[_e72.first_primitive].normal[0u];
-        let _e93 = global[0u];
-        if (_e91 == _e93) {
-            let _e96 = samples.member[_e72.first_primitive].normal[1u];
-            let _e98 = global[1u];
-            if (_e96 == _e98) {
-                let _e101 = samples.member[_e72.first_primitive].normal[2u];
-                let _e103 = global[2u];
-                phi_241_ = (_e101 == _e103);
-                phi_242_ = false;
+    let _e51 = id_1;
+    let _e52 = local_1;
+    let _e68 = p.member.current.size[0u];
+    let _e70 = p.member.current.size[1u];
+    let _e71 = lt_shaders_entry_pixel_index(_e51, _e68, _e70);
+    if (bitcast<i32>(_e71.root) != 0i) {
+        let _e79 = p.member.current.size[0u];
+        let _e82 = samples.member[_e71.first_primitive].position;
+        let _e84 = visibility.member[_e71.first_primitive];
+        let _e90 = samples.member[_e71.first_primitive].normal[0u];
+        let _e92 = global[0u];
+        if (_e90 == _e92) {
+            let _e95 = samples.member[_e71.first_primitive].normal[1u];
+            let _e97 = global[1u];
+            if (_e95 == _e97) {
+                let _e100 = samples.member[_e71.first_primitive].normal[2u];
+                let _e102 = global[2u];
+                phi_240_ = (_e100 == _e102);
+                phi_241_ = false;
             } else {
-                phi_241_ = bool();
-                phi_242_ = true;
+                phi_240_ = bool();
+                phi_241_ = true;
             }
-            let _e106 = phi_241_;
-            let _e108 = phi_242_;
-            phi_243_ = _e106;
-            phi_244_ = _e108;
+            let _e105 = phi_240_;
+            let _e107 = phi_241_;
+            phi_242_ = _e105;
+            phi_243_ = _e107;
         } else {
-            phi_243_ = bool();
-            phi_244_ = true;
+            phi_242_ = bool();
+            phi_243_ = true;
         }
-        let _e110 = phi_243_;
-        let _e112 = phi_244_;
-        if _e112 {
-            phi_248_ = false;
+        let _e109 = phi_242_;
+        let _e111 = phi_243_;
+        if _e111 {
+            phi_247_ = false;
         } else {
-            phi_248_ = _e110;
+            phi_247_ = _e109;
         }
-        let _e114 = phi_248_;
-        if !(_e114) {
-            let _e117 = samples.member[_e72.first_primitive].position;
-            let _e119 = p.member.light.place;
-            let _e125 = p.member.light.place[3u];
-            let _e132 = (_e119.x - (_e117.x * _e125));
-            let _e133 = (_e119.y - (_e117.y * _e125));
-            let _e134 = (_e119.z - (_e117.z * _e125));
-            let _e136 = samples.member[_e72.first_primitive].normal;
-            if ((((_e136.x * _e132) + (_e136.y * _e133)) + (_e136.z * _e134)) > 0f) {
-                let _e150 = (((_e132 * _e132) + (_e133 * _e133)) + (_e134 * _e134));
-                let _e152 = p.member.light.axis;
-                let _e164 = p.member.light.place[3u];
-                if (_e164 == 0f) {
-                    phi_319_ = true;
+        let _e113 = phi_247_;
+        if !(_e113) {
+            let _e116 = samples.member[_e71.first_primitive].position;
+            let _e118 = p.member.light.place;
+            let _e124 = p.member.light.place[3u];
+            let _e131 = (_e118.x - (_e116.x * _e124));
+            let _e132 = (_e118.y - (_e116.y * _e124));
+            let _e133 = (_e118.z - (_e116.z * _e124));
+            let _e135 = samples.member[_e71.first_primitive].normal;
+            if ((((_e135.x * _e131) + (_e135.y * _e132)) + (_e135.z * _e133)) > 0f) {
+                let _e149 = (((_e131 * _e131) + (_e132 * _e132)) + (_e133 * _e133));
+                let _e151 = p.member.light.axis;
+                let _e163 = p.member.light.place[3u];
+                if (_e163 == 0f) {
+                    phi_318_ = true;
                 } else {
-                    let _e167 = p.member.light.range_squared;
-                    if (_e150 <= _e167) {
-                        let _e170 = p.member.light.cos_outer;
-                        phi_318_ = (-((((_e132 * _e152.x) + (_e133 * _e152.y)) + (_e134 * _e152.z))) >= (_e170 * sqrt(_e150)));
+                    let _e166 = p.member.light.range_squared;
+                    if (_e149 <= _e166) {
+                        let _e169 = p.member.light.cos_outer;
+                        phi_317_ = (-((((_e131 * _e151.x) + (_e132 * _e151.y)) + (_e133 * _e151.z))) >= (_e169 * sqrt(_e149)));
                     } else {
-                        phi_318_ = false;
+                        phi_317_ = false;
                     }
-                    let _e175 = phi_318_;
-                    phi_319_ = _e175;
+                    let _e174 = phi_317_;
+                    phi_318_ = _e174;
                 }
-                let _e177 = phi_319_;
-                if _e177 {
-                    let _e179 = samples.member[_e72.first_primitive].flags;
-                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e187.unnamed.visibility, false), _e187.unnamed_1);
-                    phi_330_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e193.unnamed, ((_e179 & 1u) == 0u));
-                    phi_331_ = false;
+                let _e176 = phi_318_;
+                if _e176 {
+                    let _e178 = samples.member[_e71.first_primitive].flags;
+                    let _e186 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e186.unnamed.visibility, false), _e186.unnamed_1);
+                    phi_329_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e192.unnamed, ((_e178 & 1u) == 0u));
+                    phi_330_ = false;
                 } else {
-                    phi_330_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_331_ = true;
+                    phi_329_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_330_ = true;
                 }
-                let _e198 = phi_330_;
-                let _e200 = phi_331_;
-                phi_332_ = _e198;
-                phi_333_ = _e200;
+                let _e197 = phi_329_;
+                let _e199 = phi_330_;
+                phi_331_ = _e197;
+                phi_332_ = _e199;
             } else {
-                phi_332_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_333_ = true;
+                phi_331_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_332_ = true;
             }
-            let _e202 = phi_332_;
-            let _e204 = phi_333_;
-            if _e204 {
-                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e210.unnamed.visibility, false), _e210.unnamed_1);
-                phi_340_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e216.unnamed, true);
+            let _e201 = phi_331_;
+            let _e203 = phi_332_;
+            if _e203 {
+                let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e209.unnamed.visibility, false), _e209.unnamed_1);
+                phi_339_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e215.unnamed, true);
             } else {
-                phi_340_ = _e202;
+                phi_339_ = _e201;
             }
-            let _e221 = phi_340_;
-            phi_344_ = _e221;
+            let _e220 = phi_339_;
+            phi_343_ = _e220;
         } else {
-            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e233 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e227.unnamed.visibility, false), _e227.unnamed_1);
-            phi_344_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e233.unnamed, true);
+            let _e226 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e232 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e226.unnamed.visibility, false), _e226.unnamed_1);
+            phi_343_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e232.unnamed, true);
         }
-        let _e238 = phi_344_;
-        if _e238.unnamed_1 {
-            phi_1111_ = mask_Masked(_e238.unnamed.visibility, 0u, false);
+        let _e237 = phi_343_;
+        if _e237.unnamed_1 {
+            phi_1038_ = mask_Masked(_e237.unnamed.visibility, 0u, false);
         } else {
-            let _e243 = (_e85 < 0.5f);
-            if (_e85 > 0f) {
-                phi_357_ = (_e85 < 1f);
+            let _e242 = (_e84 < 0.5f);
+            if (_e84 > 0f) {
+                phi_356_ = (_e84 < 1f);
             } else {
-                phi_357_ = false;
+                phi_356_ = false;
             }
-            let _e247 = phi_357_;
-            let _e254 = lt_mask_Reprojection(vec2<u32>(_e52.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e261 = lt_mask_Reprojection(vec2<u32>(_e254.pixel.x, _e52.y), _e254.is_valid, _e254.has_moved);
-            let _e265 = lt_mask_Reprojection(_e261.pixel, true, _e261.has_moved);
-            let _e271 = p.member.flags;
-            if ((_e271 & 16u) == 0u) {
-                phi_396_ = false;
+            let _e246 = phi_356_;
+            let _e253 = lt_mask_Reprojection(vec2<u32>(_e51.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e260 = lt_mask_Reprojection(vec2<u32>(_e253.pixel.x, _e51.y), _e253.is_valid, _e253.has_moved);
+            let _e264 = lt_mask_Reprojection(_e260.pixel, true, _e260.has_moved);
+            let _e270 = p.member.flags;
+            if ((_e270 & 16u) == 0u) {
+                phi_395_ = false;
             } else {
-                let _e277 = samples.member[_e72.first_primitive].position[0u];
-                if (_e83.x == _e277) {
-                    let _e281 = samples.member[_e72.first_primitive].position[1u];
-                    if (_e83.y == _e281) {
-                        let _e285 = samples.member[_e72.first_primitive].position[2u];
-                        phi_388_ = (_e83.z == _e285);
-                        phi_389_ = false;
+                let _e276 = samples.member[_e71.first_primitive].position[0u];
+                if (_e82.x == _e276) {
+                    let _e280 = samples.member[_e71.first_primitive].position[1u];
+                    if (_e82.y == _e280) {
+                        let _e284 = samples.member[_e71.first_primitive].position[2u];
+                        phi_387_ = (_e82.z == _e284);
+                        phi_388_ = false;
                     } else {
-                        phi_388_ = bool();
-                        phi_389_ = true;
+                        phi_387_ = bool();
+                        phi_388_ = true;
                     }
-                    let _e288 = phi_388_;
-                    let _e290 = phi_389_;
-                    phi_390_ = _e288;
-                    phi_391_ = _e290;
+                    let _e287 = phi_387_;
+                    let _e289 = phi_388_;
+                    phi_389_ = _e287;
+                    phi_390_ = _e289;
                 } else {
-                    phi_390_ = bool();
-                    phi_391_ = true;
+                    phi_389_ = bool();
+                    phi_390_ = true;
                 }
-                let _e292 = phi_390_;
-                let _e294 = phi_391_;
-                if _e294 {
-                    phi_395_ = false;
+                let _e291 = phi_389_;
+                let _e293 = phi_390_;
+                if _e293 {
+                    phi_394_ = false;
                 } else {
-                    phi_395_ = _e292;
+                    phi_394_ = _e291;
                 }
-                let _e296 = phi_395_;
-                phi_396_ = _e296;
+                let _e295 = phi_394_;
+                phi_395_ = _e295;
             }
-            let _e298 = phi_396_;
-            if _e298 {
-                phi_777_ = lt_mask_Reprojection(_e265.pixel, _e265.is_valid, false);
-                phi_778_ = lt_mask_Reprojection();
-                phi_779_ = lt_mask_Reprojection();
-                phi_780_ = true;
-                phi_781_ = false;
+            let _e297 = phi_395_;
+            if _e297 {
+                phi_704_ = lt_mask_Reprojection(_e264.pixel, _e264.is_valid, false);
+                phi_705_ = lt_mask_Reprojection();
+                phi_706_ = lt_mask_Reprojection();
+                phi_707_ = true;
+                phi_708_ = false;
             } else {
-                let _e300 = samples.member[_e72.first_primitive].position;
-                let _e304 = p.member.previous.eye;
-                let _e307 = (_e83.x - _e304.x);
-                let _e310 = (_e83.y - _e304.y);
-                let _e313 = (_e83.z - _e304.z);
-                let _e315 = p.member.previous.forward;
-                let _e323 = (((_e307 * _e315.x) + (_e310 * _e315.y)) + (_e313 * _e315.z));
-                let _e325 = p.member.previous.right;
-                let _e335 = p.member.previous.right;
-                let _e350 = p.member.previous.up;
-                let _e360 = p.member.previous.up;
-                let _e375 = p.member.current.eye;
-                let _e378 = (_e300.x - _e375.x);
-                let _e381 = (_e300.y - _e375.y);
-                let _e384 = (_e300.z - _e375.z);
-                let _e386 = p.member.current.forward;
-                let _e394 = (((_e378 * _e386.x) + (_e381 * _e386.y)) + (_e384 * _e386.z));
-                let _e396 = p.member.current.right;
-                let _e406 = p.member.current.right;
-                let _e421 = p.member.current.up;
-                let _e431 = p.member.current.up;
-                let _e450 = p.member.current.size[0u];
-                let _e452 = (((((((_e307 * _e325.x) + (_e310 * _e325.y)) + (_e313 * _e325.z)) / ((((_e335.x * _e335.x) + (_e335.y * _e335.y)) + (_e335.z * _e335.z)) * _e323)) - ((((_e378 * _e396.x) + (_e381 * _e396.y)) + (_e384 * _e396.z)) / ((((_e406.x * _e406.x) + (_e406.y * _e406.y)) + (_e406.z * _e406.z)) * _e394))) * 0.5f) * f32(_e450));
-                let _e456 = p.member.current.size[1u];
-                let _e458 = (((((((_e307 * _e350.x) + (_e310 * _e350.y)) + (_e313 * _e350.z)) / ((((_e360.x * _e360.x) + (_e360.y * _e360.y)) + (_e360.z * _e360.z)) * _e323)) - ((((_e378 * _e421.x) + (_e381 * _e421.y)) + (_e384 * _e421.z)) / ((((_e431.x * _e431.x) + (_e431.y * _e431.y)) + (_e431.z * _e431.z)) * _e394))) * -0.5f) * f32(_e456));
-                let _e462 = p.member.current.grid[0u];
-                let _e464 = p.member.current.grid[1u];
-                let _e484 = p.member.current.size[0u];
-                let _e486 = p.member.current.size[1u];
-                let _e488 = ((f32(_e52.x) + ((f32((_e52.y & (_e464 - 1u))) + 0.5f) / f32(_e464))) + _e452);
-                if (_e488 > -8388608f) {
-                    let _e500 = f32(select(0i, select(select(i32(_e488), i32(-2147483648), (_e488 < bitcast<f32>(3472883712u))), 2147483647i, (_e488 > bitcast<f32>(1325400063u))), (_e488 == _e488)));
-                    if (_e500 > _e488) {
-                        phi_607_ = 1f;
+                let _e301 = p.member.current.grid[0u];
+                let _e303 = p.member.current.grid[1u];
+                let _e317 = (f32(_e51.x) + ((f32((_e51.y & (_e303 - 1u))) + 0.5f) / f32(_e303)));
+                let _e319 = (f32(_e51.y) + ((f32((_e51.x & (_e301 - 1u))) + 0.5f) / f32(_e301)));
+                let _e322 = p.member.previous.eye;
+                let _e325 = (_e82.x - _e322.x);
+                let _e328 = (_e82.y - _e322.y);
+                let _e331 = (_e82.z - _e322.z);
+                let _e333 = p.member.previous.forward;
+                let _e341 = (((_e325 * _e333.x) + (_e328 * _e333.y)) + (_e331 * _e333.z));
+                let _e343 = p.member.previous.right;
+                let _e353 = p.member.previous.right;
+                let _e368 = p.member.previous.up;
+                let _e378 = p.member.previous.up;
+                let _e395 = p.member.previous.size[0u];
+                let _e402 = p.member.previous.size[1u];
+                let _e406 = (((((((_e325 * _e343.x) + (_e328 * _e343.y)) + (_e331 * _e343.z)) / ((((_e353.x * _e353.x) + (_e353.y * _e353.y)) + (_e353.z * _e353.z)) * _e341)) + 1f) * (0.5f * f32(_e395))) - _e317);
+                let _e407 = (((1f - ((((_e325 * _e368.x) + (_e328 * _e368.y)) + (_e331 * _e368.z)) / ((((_e378.x * _e378.x) + (_e378.y * _e378.y)) + (_e378.z * _e378.z)) * _e341))) * (0.5f * f32(_e402))) - _e319);
+                let _e411 = p.member.current.size[0u];
+                let _e413 = p.member.current.size[1u];
+                let _e415 = (_e317 + _e406);
+                if (_e415 > -8388608f) {
+                    let _e427 = f32(select(0i, select(select(i32(_e415), i32(-2147483648), (_e415 < bitcast<f32>(3472883712u))), 2147483647i, (_e415 > bitcast<f32>(1325400063u))), (_e415 == _e415)));
+                    if (_e427 > _e415) {
+                        phi_534_ = 1f;
                     } else {
-                        phi_607_ = 0f;
+                        phi_534_ = 0f;
                     }
-                    let _e503 = phi_607_;
-                    if (_e488 < 8388608f) {
-                        phi_612_ = (_e500 - _e503);
-                        phi_613_ = false;
+                    let _e430 = phi_534_;
+                    if (_e415 < 8388608f) {
+                        phi_539_ = (_e427 - _e430);
+                        phi_540_ = false;
                     } else {
-                        phi_612_ = f32();
-                        phi_613_ = true;
+                        phi_539_ = f32();
+                        phi_540_ = true;
                     }
-                    let _e506 = phi_612_;
-                    let _e508 = phi_613_;
-                    phi_614_ = _e506;
-                    phi_615_ = _e508;
+                    let _e433 = phi_539_;
+                    let _e435 = phi_540_;
+                    phi_541_ = _e433;
+                    phi_542_ = _e435;
                 } else {
-                    phi_614_ = f32();
-                    phi_615_ = true;
+                    phi_541_ = f32();
+                    phi_542_ = true;
                 }
-                let _e510 = phi_614_;
-                let _e512 = phi_615_;
-                if _e512 {
-                    phi_619_ = _e488;
+                let _e437 = phi_541_;
+                let _e439 = phi_542_;
+                if _e439 {
+                    phi_546_ = _e415;
                 } else {
-                    phi_619_ = _e510;
+                    phi_546_ = _e437;
                 }
-                let _e514 = phi_619_;
-                let _e515 = ((f32(_e52.y) + ((f32((_e52.x & (_e462 - 1u))) + 0.5f) / f32(_e462))) + _e458);
-                if (_e515 > -8388608f) {
-                    let _e527 = f32(select(0i, select(select(i32(_e515), i32(-2147483648), (_e515 < bitcast<f32>(3472883712u))), 2147483647i, (_e515 > bitcast<f32>(1325400063u))), (_e515 == _e515)));
-                    if (_e527 > _e515) {
-                        phi_640_ = 1f;
+                let _e441 = phi_546_;
+                let _e442 = (_e319 + _e407);
+                if (_e442 > -8388608f) {
+                    let _e454 = f32(select(0i, select(select(i32(_e442), i32(-2147483648), (_e442 < bitcast<f32>(3472883712u))), 2147483647i, (_e442 > bitcast<f32>(1325400063u))), (_e442 == _e442)));
+                    if (_e454 > _e442) {
+                        phi_567_ = 1f;
                     } else {
-                        phi_640_ = 0f;
+                        phi_567_ = 0f;
                     }
-                    let _e530 = phi_640_;
-                    if (_e515 < 8388608f) {
-                        phi_645_ = (_e527 - _e530);
-                        phi_646_ = false;
+                    let _e457 = phi_567_;
+                    if (_e442 < 8388608f) {
+                        phi_572_ = (_e454 - _e457);
+                        phi_573_ = false;
                     } else {
-                        phi_645_ = f32();
-                        phi_646_ = true;
+                        phi_572_ = f32();
+                        phi_573_ = true;
                     }
-                    let _e533 = phi_645_;
-                    let _e535 = phi_646_;
-                    phi_647_ = _e533;
-                    phi_648_ = _e535;
+                    let _e460 = phi_572_;
+                    let _e462 = phi_573_;
+                    phi_574_ = _e460;
+                    phi_575_ = _e462;
                 } else {
-                    phi_647_ = f32();
-                    phi_648_ = true;
+                    phi_574_ = f32();
+                    phi_575_ = true;
                 }
-                let _e537 = phi_647_;
-                let _e539 = phi_648_;
-                if _e539 {
-                    phi_652_ = _e515;
+                let _e464 = phi_574_;
+                let _e466 = phi_575_;
+                if _e466 {
+                    phi_579_ = _e442;
                 } else {
-                    phi_652_ = _e537;
+                    phi_579_ = _e464;
                 }
-                let _e541 = phi_652_;
-                if (_e514 >= 0f) {
-                    if (_e541 >= 0f) {
-                        if (_e514 < f32(_e484)) {
-                            let _e547 = (_e541 < f32(_e486));
-                            if (_e452 == 0f) {
-                                phi_673_ = (_e458 == 0f);
+                let _e468 = phi_579_;
+                if (_e441 >= 0f) {
+                    if (_e468 >= 0f) {
+                        if (_e441 < f32(_e411)) {
+                            let _e474 = (_e468 < f32(_e413));
+                            if (_e406 == 0f) {
+                                phi_600_ = (_e407 == 0f);
                             } else {
-                                phi_673_ = false;
+                                phi_600_ = false;
                             }
-                            let _e551 = phi_673_;
-                            if _e547 {
-                                phi_692_ = vec2<u32>(select(select(u32(_e514), 0u, (_e514 < bitcast<f32>(0u))), 4294967295u, (_e514 > bitcast<f32>(1333788671u))), select(select(u32(_e541), 0u, (_e541 < bitcast<f32>(0u))), 4294967295u, (_e541 > bitcast<f32>(1333788671u))));
-                                phi_693_ = false;
+                            let _e478 = phi_600_;
+                            if _e474 {
+                                phi_619_ = vec2<u32>(select(select(u32(_e441), 0u, (_e441 < bitcast<f32>(0u))), 4294967295u, (_e441 > bitcast<f32>(1333788671u))), select(select(u32(_e468), 0u, (_e468 < bitcast<f32>(0u))), 4294967295u, (_e468 > bitcast<f32>(1333788671u))));
+                                phi_620_ = false;
                             } else {
-                                phi_692_ = vec2<u32>();
-                                phi_693_ = true;
+                                phi_619_ = vec2<u32>();
+                                phi_620_ = true;
                             }
-                            let _e568 = phi_692_;
-                            let _e570 = phi_693_;
-                            phi_694_ = _e551;
-                            phi_695_ = _e547;
-                            phi_696_ = _e568;
-                            phi_697_ = _e551;
-                            phi_698_ = _e547;
-                            phi_699_ = false;
-                            phi_700_ = _e570;
+                            let _e495 = phi_619_;
+                            let _e497 = phi_620_;
+                            phi_621_ = _e478;
+                            phi_622_ = _e474;
+                            phi_623_ = _e495;
+                            phi_624_ = _e478;
+                            phi_625_ = _e474;
+                            phi_626_ = false;
+                            phi_627_ = _e497;
                         } else {
-                            phi_694_ = bool();
-                            phi_695_ = bool();
-                            phi_696_ = vec2<u32>();
-                            phi_697_ = bool();
-                            phi_698_ = bool();
-                            phi_699_ = true;
-                            phi_700_ = false;
+                            phi_621_ = bool();
+                            phi_622_ = bool();
+                            phi_623_ = vec2<u32>();
+                            phi_624_ = bool();
+                            phi_625_ = bool();
+                            phi_626_ = true;
+                            phi_627_ = false;
                         }
-                        let _e572 = phi_694_;
-                        let _e574 = phi_695_;
-                        let _e576 = phi_696_;
-                        let _e578 = phi_697_;
-                        let _e580 = phi_698_;
-                        let _e582 = phi_699_;
-                        let _e584 = phi_700_;
-                        phi_701_ = _e572;
-                        phi_702_ = _e574;
-                        phi_703_ = _e576;
-                        phi_704_ = _e578;
-                        phi_705_ = _e580;
-                        phi_706_ = _e582;
-                        phi_707_ = _e584;
+                        let _e499 = phi_621_;
+                        let _e501 = phi_622_;
+                        let _e503 = phi_623_;
+                        let _e505 = phi_624_;
+                        let _e507 = phi_625_;
+                        let _e509 = phi_626_;
+                        let _e511 = phi_627_;
+                        phi_628_ = _e499;
+                        phi_629_ = _e501;
+                        phi_630_ = _e503;
+                        phi_631_ = _e505;
+                        phi_632_ = _e507;
+                        phi_633_ = _e509;
+                        phi_634_ = _e511;
                     } else {
-                        phi_701_ = bool();
-                        phi_702_ = bool();
-                        phi_703_ = vec2<u32>();
-                        phi_704_ = bool();
-                        phi_705_ = bool();
-                        phi_706_ = true;
-                        phi_707_ = false;
+                        phi_628_ = bool();
+                        phi_629_ = bool();
+                        phi_630_ = vec2<u32>();
+                        phi_631_ = bool();
+                        phi_632_ = bool();
+                        phi_633_ = true;
+                        phi_634_ = false;
                     }
-                    let _e586 = phi_701_;
-                    let _e588 = phi_702_;
-                    let _e590 = phi_703_;
-                    let _e592 = phi_704_;
-                    let _e594 = phi_705_;
-                    let _e596 = phi_706_;
-                    let _e598 = phi_707_;
-                    phi_708_ = _e586;
-                    phi_709_ = _e588;
-                    phi_710_ = _e590;
-                    phi_711_ = _e592;
-                    phi_712_ = _e594;
-                    phi_713_ = _e596;
-                    phi_714_ = _e598;
+                    let _e513 = phi_628_;
+                    let _e515 = phi_629_;
+                    let _e517 = phi_630_;
+                    let _e519 = phi_631_;
+                    let _e521 = phi_632_;
+                    let _e523 = phi_633_;
+                    let _e525 = phi_634_;
+                    phi_635_ = _e513;
+                    phi_636_ = _e515;
+                    phi_637_ = _e517;
+                    phi_638_ = _e519;
+                    phi_639_ = _e521;
+                    phi_640_ = _e523;
+                    phi_641_ = _e525;
                 } else {
-                    phi_708_ = bool();
-                    phi_709_ = bool();
-                    phi_710_ = vec2<u32>();
-                    phi_711_ = bool();
-                    phi_712_ = bool();
-                    phi_713_ = true;
-                    phi_714_ = false;
+                    phi_635_ = bool();
+                    phi_636_ = bool();
+                    phi_637_ = vec2<u32>();
+                    phi_638_ = bool();
+                    phi_639_ = bool();
+                    phi_640_ = true;
+                    phi_641_ = false;
                 }
-                let _e600 = phi_708_;
-                let _e602 = phi_709_;
-                let _e604 = phi_710_;
-                let _e606 = phi_711_;
-                let _e608 = phi_712_;
-                let _e610 = phi_713_;
-                let _e612 = phi_714_;
-                if _e610 {
-                    if (_e452 == 0f) {
-                        phi_723_ = (_e458 == 0f);
+                let _e527 = phi_635_;
+                let _e529 = phi_636_;
+                let _e531 = phi_637_;
+                let _e533 = phi_638_;
+                let _e535 = phi_639_;
+                let _e537 = phi_640_;
+                let _e539 = phi_641_;
+                if _e537 {
+                    if (_e406 == 0f) {
+                        phi_650_ = (_e407 == 0f);
                     } else {
-                        phi_723_ = false;
+                        phi_650_ = false;
                     }
-                    let _e616 = phi_723_;
-                    phi_724_ = _e616;
-                    phi_725_ = false;
-                    phi_726_ = true;
+                    let _e543 = phi_650_;
+                    phi_651_ = _e543;
+                    phi_652_ = false;
+                    phi_653_ = true;
                 } else {
-                    phi_724_ = _e606;
-                    phi_725_ = _e608;
-                    phi_726_ = _e612;
+                    phi_651_ = _e533;
+                    phi_652_ = _e535;
+                    phi_653_ = _e539;
                 }
-                let _e618 = phi_724_;
-                let _e620 = phi_725_;
-                let _e622 = phi_726_;
-                if _e622 {
-                    phi_730_ = _e618;
-                    phi_731_ = _e620;
-                    phi_732_ = vec2<u32>(_e52.x, _e52.y);
+                let _e545 = phi_651_;
+                let _e547 = phi_652_;
+                let _e549 = phi_653_;
+                if _e549 {
+                    phi_657_ = _e545;
+                    phi_658_ = _e547;
+                    phi_659_ = vec2<u32>(_e51.x, _e51.y);
                 } else {
-                    phi_730_ = _e600;
-                    phi_731_ = _e602;
-                    phi_732_ = _e604;
+                    phi_657_ = _e527;
+                    phi_658_ = _e529;
+                    phi_659_ = _e531;
                 }
-                let _e624 = phi_730_;
-                let _e626 = phi_731_;
-                let _e628 = phi_732_;
-                let _e638 = lt_mask_Reprojection(vec2<u32>(_e628.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e645 = lt_mask_Reprojection(vec2<u32>(_e638.pixel.x, _e628.y), _e638.is_valid, _e638.has_moved);
-                let _e649 = lt_mask_Reprojection(_e645.pixel, _e626, _e645.has_moved);
-                let _e653 = lt_mask_Reprojection(_e649.pixel, _e649.is_valid, !(_e624));
-                if _e626 {
-                    let _e656 = p.member.previous.eye;
-                    let _e667 = p.member.previous.forward;
-                    let _e676 = (((((_e83.x - _e656.x) * _e667.x) + ((_e83.y - _e656.y) * _e667.y)) + ((_e83.z - _e656.z) * _e667.z)) > 0f);
-                    let _e680 = lt_mask_Reprojection(_e653.pixel, _e676, _e653.has_moved);
-                    if _e676 {
-                        phi_770_ = false;
+                let _e551 = phi_657_;
+                let _e553 = phi_658_;
+                let _e555 = phi_659_;
+                let _e565 = lt_mask_Reprojection(vec2<u32>(_e555.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e572 = lt_mask_Reprojection(vec2<u32>(_e565.pixel.x, _e555.y), _e565.is_valid, _e565.has_moved);
+                let _e576 = lt_mask_Reprojection(_e572.pixel, _e553, _e572.has_moved);
+                let _e580 = lt_mask_Reprojection(_e576.pixel, _e576.is_valid, !(_e551));
+                if _e553 {
+                    let _e583 = p.member.previous.eye;
+                    let _e594 = p.member.previous.forward;
+                    let _e603 = (((((_e82.x - _e583.x) * _e594.x) + ((_e82.y - _e583.y) * _e594.y)) + ((_e82.z - _e583.z) * _e594.z)) > 0f);
+                    let _e607 = lt_mask_Reprojection(_e580.pixel, _e603, _e580.has_moved);
+                    if _e603 {
+                        phi_697_ = false;
                     } else {
-                        phi_770_ = true;
+                        phi_697_ = true;
                     }
-                    let _e682 = phi_770_;
-                    phi_772_ = _e680;
-                    phi_773_ = _e680;
-                    phi_774_ = lt_mask_Reprojection();
-                    phi_775_ = _e676;
-                    phi_776_ = _e682;
+                    let _e609 = phi_697_;
+                    phi_699_ = _e607;
+                    phi_700_ = _e607;
+                    phi_701_ = lt_mask_Reprojection();
+                    phi_702_ = _e603;
+                    phi_703_ = _e609;
                 } else {
-                    phi_772_ = lt_mask_Reprojection();
-                    phi_773_ = lt_mask_Reprojection();
-                    phi_774_ = lt_mask_Reprojection(_e653.pixel, false, _e653.has_moved);
-                    phi_775_ = false;
-                    phi_776_ = false;
+                    phi_699_ = lt_mask_Reprojection();
+                    phi_700_ = lt_mask_Reprojection();
+                    phi_701_ = lt_mask_Reprojection(_e580.pixel, false, _e580.has_moved);
+                    phi_702_ = false;
+                    phi_703_ = false;
                 }
-                let _e688 = phi_772_;
-                let _e690 = phi_773_;
-                let _e692 = phi_774_;
-                let _e694 = phi_775_;
-                let _e696 = phi_776_;
-                phi_777_ = _e688;
-                phi_778_ = _e690;
-                phi_779_ = _e692;
-                phi_780_ = _e694;
-                phi_781_ = _e696;
+                let _e615 = phi_699_;
+                let _e617 = phi_700_;
+                let _e619 = phi_701_;
+                let _e621 = phi_702_;
+                let _e623 = phi_703_;
+                phi_704_ = _e615;
+                phi_705_ = _e617;
+                phi_706_ = _e619;
+                phi_707_ = _e621;
+                phi_708_ = _e623;
             }
-            let _e698 = phi_777_;
-            let _e700 = phi_778_;
-            let _e702 = phi_779_;
-            let _e704 = phi_780_;
-            let _e706 = phi_781_;
+            let _e625 = phi_704_;
+            let _e627 = phi_705_;
+            let _e629 = phi_706_;
+            let _e631 = phi_707_;
+            let _e633 = phi_708_;
+            if _e631 {
+                let _e636 = p.member.previous.eye;
+                let _e647 = p.member.previous.forward;
+                let _e655 = ((((_e82.x - _e636.x) * _e647.x) + ((_e82.y - _e636.y) * _e647.y)) + ((_e82.z - _e636.z) * _e647.z));
+                let _e661 = ((_e625.pixel.y * _e79) + _e625.pixel.x);
+                if (_e661 < arrayLength((&last_depths.member))) {
+                } else {
+                    return;
+                }
+                let _e665 = last_depths.member[(0u + _e661)];
+                let _e667 = p.member.depth_tolerance;
+                let _e670 = abs(_e655);
+                let _e671 = abs(_e665);
+                if ((bitcast<u32>(_e671) & 2147483647u) > 2139095040u) {
+                    phi_763_ = true;
+                } else {
+                    let _e675 = (_e671 > _e670);
+                    if _e675 {
+                    }
+                    phi_763_ = _e675;
+                }
+                let _e677 = phi_763_;
+                if _e677 {
+                    phi_767_ = _e671;
+                } else {
+                    phi_767_ = _e670;
+                }
+                let _e679 = phi_767_;
+                phi_771_ = lt_mask_Reprojection(_e625.pixel, (abs((_e655 - _e665)) <= (_e667 * _e679)), _e625.has_moved);
+                phi_772_ = true;
+            } else {
+                phi_771_ = _e627;
+                phi_772_ = _e633;
+            }
+            let _e687 = phi_771_;
+            let _e689 = phi_772_;
+            if _e689 {
+                if _e687.is_valid {
+                    let _e692 = p.member.flags;
+                    phi_784_ = ((_e692 & 1u) != 0u);
+                    phi_785_ = false;
+                } else {
+                    phi_784_ = bool();
+                    phi_785_ = true;
+                }
+                let _e696 = phi_784_;
+                let _e698 = phi_785_;
+                phi_786_ = _e696;
+                phi_787_ = _e687;
+                phi_788_ = _e698;
+            } else {
+                phi_786_ = bool();
+                phi_787_ = _e629;
+                phi_788_ = true;
+            }
+            let _e700 = phi_786_;
+            let _e702 = phi_787_;
+            let _e704 = phi_788_;
             if _e704 {
-                let _e709 = p.member.previous.eye;
-                let _e720 = p.member.previous.forward;
-                let _e728 = ((((_e83.x - _e709.x) * _e720.x) + ((_e83.y - _e709.y) * _e720.y)) + ((_e83.z - _e709.z) * _e720.z));
-                let _e734 = ((_e698.pixel.y * _e80) + _e698.pixel.x);
-                if (_e734 < arrayLength((&last_depths.member))) {
-                } else {
-                    return;
-                }
-                let _e738 = last_depths.member[(0u + _e734)];
-                let _e740 = p.member.depth_tolerance;
-                let _e743 = abs(_e728);
-                let _e744 = abs(_e738);
-                if ((bitcast<u32>(_e744) & 2147483647u) > 2139095040u) {
-                    phi_836_ = true;
-                } else {
-                    let _e748 = (_e744 > _e743);
-                    if _e748 {
-                    }
-                    phi_836_ = _e748;
-                }
-                let _e750 = phi_836_;
-                if _e750 {
-                    phi_840_ = _e744;
-                } else {
-                    phi_840_ = _e743;
-                }
-                let _e752 = phi_840_;
-                phi_844_ = lt_mask_Reprojection(_e698.pixel, (abs((_e728 - _e738)) <= (_e740 * _e752)), _e698.has_moved);
-                phi_845_ = true;
+                phi_792_ = false;
+                phi_793_ = _e702;
             } else {
-                phi_844_ = _e700;
-                phi_845_ = _e706;
+                phi_792_ = _e700;
+                phi_793_ = _e687;
             }
-            let _e760 = phi_844_;
-            let _e762 = phi_845_;
-            if _e762 {
-                if _e760.is_valid {
-                    let _e765 = p.member.flags;
-                    phi_857_ = ((_e765 & 1u) != 0u);
-                    phi_858_ = false;
-                } else {
-                    phi_857_ = bool();
-                    phi_858_ = true;
-                }
-                let _e769 = phi_857_;
-                let _e771 = phi_858_;
-                phi_859_ = _e769;
-                phi_860_ = _e760;
-                phi_861_ = _e771;
+            let _e706 = phi_792_;
+            let _e708 = phi_793_;
+            let _e712 = lt_mask_Reprojection(_e708.pixel, _e706, _e708.has_moved);
+            let _e713 = lt_mask_Neighbourhood(false, true);
+            if _e246 {
+                phi_799_ = false;
             } else {
-                phi_859_ = bool();
-                phi_860_ = _e702;
-                phi_861_ = true;
+                phi_799_ = true;
             }
-            let _e773 = phi_859_;
-            let _e775 = phi_860_;
-            let _e777 = phi_861_;
-            if _e777 {
-                phi_865_ = false;
-                phi_866_ = _e775;
-            } else {
-                phi_865_ = _e773;
-                phi_866_ = _e760;
-            }
-            let _e779 = phi_865_;
-            let _e781 = phi_866_;
-            let _e785 = lt_mask_Reprojection(_e781.pixel, _e779, _e781.has_moved);
-            let _e786 = lt_mask_Neighbourhood(false, true);
-            if _e247 {
-                phi_872_ = false;
-            } else {
-                phi_872_ = true;
-            }
-            let _e788 = phi_872_;
-            if _e788 {
-                if _e779 {
+            let _e715 = phi_799_;
+            if _e715 {
+                if _e706 {
                     if ((0u & 2u) != 0u) {
-                        phi_933_ = _e786;
+                        phi_860_ = _e713;
                     } else {
                         if (32u == 0u) {
                             return;
                         }
-                        let _e797 = (_e80 / 32u);
+                        let _e724 = (_e79 / 32u);
                         if (32u == 0u) {
                             return;
                         }
-                        if ((_e80 % 32u) > 0u) {
-                            phi_904_ = (_e797 + 1u);
+                        if ((_e79 % 32u) > 0u) {
+                            phi_831_ = (_e724 + 1u);
                         } else {
-                            phi_904_ = _e797;
+                            phi_831_ = _e724;
                         }
-                        let _e803 = phi_904_;
-                        let _e813 = ((((_e785.pixel.y * _e803) + (_e785.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e243) | (select(0u, 1u, _e785.has_moved) << bitcast<u32>(1i))));
-                        if (_e813 < arrayLength((&heard.member))) {
+                        let _e730 = phi_831_;
+                        let _e740 = ((((_e712.pixel.y * _e730) + (_e712.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e242) | (select(0u, 1u, _e712.has_moved) << bitcast<u32>(1i))));
+                        if (_e740 < arrayLength((&heard.member))) {
                         } else {
                             return;
                         }
-                        let _e817 = heard.member[(0u + _e813)];
-                        let _e823 = (((_e817 >> bitcast<u32>(((_e785.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_933_ = lt_mask_Neighbourhood(_e823, !(_e823));
+                        let _e744 = heard.member[(0u + _e740)];
+                        let _e750 = (((_e744 >> bitcast<u32>(((_e712.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_860_ = lt_mask_Neighbourhood(_e750, !(_e750));
                     }
-                    let _e827 = phi_933_;
-                    phi_934_ = _e827;
+                    let _e754 = phi_860_;
+                    phi_861_ = _e754;
                 } else {
-                    phi_934_ = _e786;
+                    phi_861_ = _e713;
                 }
-                let _e829 = phi_934_;
-                phi_935_ = _e829;
+                let _e756 = phi_861_;
+                phi_862_ = _e756;
             } else {
-                phi_935_ = _e786;
+                phi_862_ = _e713;
             }
-            let _e831 = phi_935_;
-            let _e834 = p.member.frame;
-            let _e836 = p.member.refresh;
-            if (_e836 == 0u) {
-                phi_968_ = false;
+            let _e758 = phi_862_;
+            let _e761 = p.member.frame;
+            let _e763 = p.member.refresh;
+            if (_e763 == 0u) {
+                phi_895_ = false;
             } else {
-                if (_e836 == 0u) {
+                if (_e763 == 0u) {
                     return;
                 }
-                let _e845 = ((_e52.x + (_e52.y * (((_e836 * 5u) / 8u) | 1u))) + (_e834 % _e836));
-                if (_e836 == 0u) {
-                    phi_967_ = (_e845 == 0u);
+                let _e772 = ((_e51.x + (_e51.y * (((_e763 * 5u) / 8u) | 1u))) + (_e761 % _e763));
+                if (_e763 == 0u) {
+                    phi_894_ = (_e772 == 0u);
                 } else {
-                    if (_e836 == 0u) {
+                    if (_e763 == 0u) {
                         return;
                     }
-                    phi_967_ = ((_e845 % _e836) == 0u);
+                    phi_894_ = ((_e772 % _e763) == 0u);
                 }
-                let _e852 = phi_967_;
-                phi_968_ = _e852;
+                let _e779 = phi_894_;
+                phi_895_ = _e779;
             }
-            let _e854 = phi_968_;
-            if _e779 {
-                if _e854 {
-                    phi_990_ = bool();
+            let _e781 = phi_895_;
+            if _e706 {
+                if _e781 {
+                    phi_917_ = bool();
                 } else {
-                    phi_990_ = ((0u & 2u) != 0u);
+                    phi_917_ = ((0u & 2u) != 0u);
                 }
-                let _e860 = phi_990_;
-                phi_991_ = _e860;
-                phi_992_ = _e854;
+                let _e787 = phi_917_;
+                phi_918_ = _e787;
+                phi_919_ = _e781;
             } else {
-                phi_991_ = bool();
-                phi_992_ = true;
+                phi_918_ = bool();
+                phi_919_ = true;
             }
-            let _e862 = phi_991_;
-            let _e864 = phi_992_;
-            if _e864 {
-                phi_996_ = false;
+            let _e789 = phi_918_;
+            let _e791 = phi_919_;
+            if _e791 {
+                phi_923_ = false;
             } else {
-                phi_996_ = _e862;
+                phi_923_ = _e789;
             }
-            let _e866 = phi_996_;
-            if _e866 {
-                phi_1047_ = 7u;
+            let _e793 = phi_923_;
+            if _e793 {
+                phi_974_ = 7u;
             } else {
-                if (_e85 != 0.5f) {
-                    if _e779 {
-                        if _e854 {
-                            phi_1044_ = 6u;
+                if (_e84 != 0.5f) {
+                    if _e706 {
+                        if _e781 {
+                            phi_971_ = 6u;
                         } else {
-                            if _e247 {
-                                phi_1019_ = true;
+                            if _e246 {
+                                phi_946_ = true;
                             } else {
-                                if _e831.any_expands {
-                                    phi_1018_ = false;
+                                if _e758.any_expands {
+                                    phi_945_ = false;
                                 } else {
-                                    phi_1018_ = true;
+                                    phi_945_ = true;
                                 }
-                                let _e868 = phi_1018_;
-                                phi_1019_ = _e868;
+                                let _e795 = phi_945_;
+                                phi_946_ = _e795;
                             }
-                            let _e870 = phi_1019_;
-                            if _e870 {
-                                if _e247 {
+                            let _e797 = phi_946_;
+                            if _e797 {
+                                if _e246 {
                                     if false {
-                                        if _e831.all_remove {
-                                            phi_1032_ = false;
+                                        if _e758.all_remove {
+                                            phi_959_ = false;
                                         } else {
-                                            phi_1032_ = true;
+                                            phi_959_ = true;
                                         }
-                                        let _e872 = phi_1032_;
-                                        phi_1033_ = _e872;
+                                        let _e799 = phi_959_;
+                                        phi_960_ = _e799;
                                     } else {
-                                        phi_1033_ = true;
+                                        phi_960_ = true;
                                     }
-                                    let _e874 = phi_1033_;
-                                    phi_1034_ = _e874;
+                                    let _e801 = phi_960_;
+                                    phi_961_ = _e801;
                                 } else {
-                                    phi_1034_ = true;
+                                    phi_961_ = true;
                                 }
-                                let _e876 = phi_1034_;
-                                if _e876 {
-                                    if _e247 {
-                                        phi_1041_ = 1u;
+                                let _e803 = phi_961_;
+                                if _e803 {
+                                    if _e246 {
+                                        phi_968_ = 1u;
                                     } else {
-                                        phi_1041_ = 0u;
+                                        phi_968_ = 0u;
                                     }
-                                    let _e878 = phi_1041_;
-                                    phi_1042_ = _e878;
+                                    let _e805 = phi_968_;
+                                    phi_969_ = _e805;
                                 } else {
-                                    phi_1042_ = 5u;
+                                    phi_969_ = 5u;
                                 }
-                                let _e880 = phi_1042_;
-                                phi_1043_ = _e880;
+                                let _e807 = phi_969_;
+                                phi_970_ = _e807;
                             } else {
-                                phi_1043_ = 4u;
+                                phi_970_ = 4u;
                             }
-                            let _e882 = phi_1043_;
-                            phi_1044_ = _e882;
+                            let _e809 = phi_970_;
+                            phi_971_ = _e809;
                         }
-                        let _e884 = phi_1044_;
-                        phi_1045_ = _e884;
+                        let _e811 = phi_971_;
+                        phi_972_ = _e811;
                     } else {
-                        phi_1045_ = 3u;
+                        phi_972_ = 3u;
                     }
-                    let _e886 = phi_1045_;
-                    phi_1046_ = _e886;
+                    let _e813 = phi_972_;
+                    phi_973_ = _e813;
                 } else {
-                    phi_1046_ = 2u;
+                    phi_973_ = 2u;
                 }
-                let _e888 = phi_1046_;
-                phi_1047_ = _e888;
+                let _e815 = phi_973_;
+                phi_974_ = _e815;
             }
-            let _e890 = phi_1047_;
-            if !((_e890 == 0u)) {
-                if !((_e890 == 5u)) {
-                    phi_1059_ = !(_e866);
-                    phi_1060_ = false;
+            let _e817 = phi_974_;
+            if !((_e817 == 0u)) {
+                if !((_e817 == 5u)) {
+                    phi_986_ = !(_e793);
+                    phi_987_ = false;
                 } else {
-                    phi_1059_ = bool();
-                    phi_1060_ = true;
+                    phi_986_ = bool();
+                    phi_987_ = true;
                 }
-                let _e897 = phi_1059_;
-                let _e899 = phi_1060_;
-                phi_1061_ = _e897;
-                phi_1062_ = _e899;
+                let _e824 = phi_986_;
+                let _e826 = phi_987_;
+                phi_988_ = _e824;
+                phi_989_ = _e826;
             } else {
-                phi_1061_ = bool();
-                phi_1062_ = true;
+                phi_988_ = bool();
+                phi_989_ = true;
             }
-            let _e901 = phi_1061_;
-            let _e903 = phi_1062_;
-            if _e903 {
-                phi_1066_ = false;
+            let _e828 = phi_988_;
+            let _e830 = phi_989_;
+            if _e830 {
+                phi_993_ = false;
             } else {
-                phi_1066_ = _e901;
+                phi_993_ = _e828;
             }
-            let _e905 = phi_1066_;
-            if _e866 {
-                phi_1072_ = ((0u & 4u) != 0u);
+            let _e832 = phi_993_;
+            if _e793 {
+                phi_999_ = ((0u & 4u) != 0u);
             } else {
-                phi_1072_ = _e243;
+                phi_999_ = _e242;
             }
-            let _e909 = phi_1072_;
-            if _e905 {
-                if _e243 {
-                    phi_1080_ = (2u | 1u);
+            let _e836 = phi_999_;
+            if _e832 {
+                if _e242 {
+                    phi_1007_ = (2u | 1u);
                 } else {
-                    phi_1080_ = 2u;
+                    phi_1007_ = 2u;
                 }
-                let _e912 = phi_1080_;
+                let _e839 = phi_1007_;
                 if false {
-                    phi_1085_ = (_e912 | 4u);
+                    phi_1012_ = (_e839 | 4u);
                 } else {
-                    phi_1085_ = _e912;
+                    phi_1012_ = _e839;
                 }
-                let _e915 = phi_1085_;
-                phi_1105_ = _e915;
+                let _e842 = phi_1012_;
+                phi_1032_ = _e842;
             } else {
-                if (_e890 == 7u) {
-                    if _e243 {
-                        phi_1094_ = (2u | 1u);
+                if (_e817 == 7u) {
+                    if _e242 {
+                        phi_1021_ = (2u | 1u);
                     } else {
-                        phi_1094_ = 2u;
+                        phi_1021_ = 2u;
                     }
-                    let _e919 = phi_1094_;
-                    if _e909 {
-                        phi_1099_ = (_e919 | 4u);
+                    let _e846 = phi_1021_;
+                    if _e836 {
+                        phi_1026_ = (_e846 | 4u);
                     } else {
-                        phi_1099_ = _e919;
+                        phi_1026_ = _e846;
                     }
-                    let _e922 = phi_1099_;
-                    phi_1104_ = _e922;
+                    let _e849 = phi_1026_;
+                    phi_1031_ = _e849;
                 } else {
-                    if _e243 {
-                        phi_1103_ = 1u;
+                    if _e242 {
+                        phi_1030_ = 1u;
                     } else {
-                        phi_1103_ = 0u;
+                        phi_1030_ = 0u;
                     }
-                    let _e924 = phi_1103_;
-                    phi_1104_ = _e924;
+                    let _e851 = phi_1030_;
+                    phi_1031_ = _e851;
                 }
-                let _e926 = phi_1104_;
-                phi_1105_ = _e926;
+                let _e853 = phi_1031_;
+                phi_1032_ = _e853;
             }
-            let _e928 = phi_1105_;
-            if _e909 {
-                phi_1109_ = 0f;
+            let _e855 = phi_1032_;
+            if _e836 {
+                phi_1036_ = 0f;
             } else {
-                phi_1109_ = 1f;
+                phi_1036_ = 1f;
             }
-            let _e930 = phi_1109_;
-            phi_1111_ = mask_Masked(_e930, _e928, _e905);
+            let _e857 = phi_1036_;
+            phi_1038_ = mask_Masked(_e857, _e855, _e832);
         }
-        let _e933 = phi_1111_;
-        visibility.member[_e72.first_primitive] = _e933.visibility;
-        let _e938 = p.member.light.number;
-        let _e939 = (_e938 * 3u);
-        let _e941 = (_e939 % 32u);
-        let _e943 = p.member.light.mask_words;
-        let _e945 = ((_e72.first_primitive * _e943) + (_e939 / 32u));
-        let _e947 = bits.member[_e945];
-        bits.member[_e945] = ((_e947 & ~((7u << bitcast<u32>((_e941 & 31u))))) | (_e933.bits << bitcast<u32>((_e941 & 31u))));
-        if (_e941 > 29u) {
-            let _e962 = bits.member[(_e945 + 1u)];
-            let _e964 = (32u - _e941);
-            bits.member[(_e945 + 1u)] = ((_e962 & ~((7u >> bitcast<u32>((_e964 & 31u))))) | (_e933.bits >> bitcast<u32>((_e964 & 31u))));
+        let _e860 = phi_1038_;
+        visibility.member[_e71.first_primitive] = _e860.visibility;
+        let _e865 = p.member.light.number;
+        let _e866 = (_e865 * 3u);
+        let _e868 = (_e866 % 32u);
+        let _e870 = p.member.light.mask_words;
+        let _e872 = ((_e71.first_primitive * _e870) + (_e866 / 32u));
+        let _e874 = bits.member[_e872];
+        bits.member[_e872] = ((_e874 & ~((7u << bitcast<u32>((_e868 & 31u))))) | (_e860.bits << bitcast<u32>((_e868 & 31u))));
+        if (_e868 > 29u) {
+            let _e889 = bits.member[(_e872 + 1u)];
+            let _e891 = (32u - _e868);
+            bits.member[(_e872 + 1u)] = ((_e889 & ~((7u >> bitcast<u32>((_e891 & 31u))))) | (_e860.bits >> bitcast<u32>((_e891 & 31u))));
         }
-        let _e979 = samples.member[_e72.first_primitive].normal[0u];
-        let _e981 = global[0u];
-        if (_e979 == _e981) {
-            let _e984 = samples.member[_e72.first_primitive].normal[1u];
-            let _e986 = global[1u];
-            if (_e984 == _e986) {
-                let _e989 = samples.member[_e72.first_primitive].normal[2u];
-                let _e991 = global[2u];
-                phi_1183_ = (_e989 == _e991);
-                phi_1184_ = false;
+        let _e906 = samples.member[_e71.first_primitive].normal[0u];
+        let _e908 = global[0u];
+        if (_e906 == _e908) {
+            let _e911 = samples.member[_e71.first_primitive].normal[1u];
+            let _e913 = global[1u];
+            if (_e911 == _e913) {
+                let _e916 = samples.member[_e71.first_primitive].normal[2u];
+                let _e918 = global[2u];
+                phi_1110_ = (_e916 == _e918);
+                phi_1111_ = false;
             } else {
-                phi_1183_ = bool();
-                phi_1184_ = true;
+                phi_1110_ = bool();
+                phi_1111_ = true;
             }
-            let _e994 = phi_1183_;
-            let _e996 = phi_1184_;
-            phi_1185_ = _e994;
-            phi_1186_ = _e996;
+            let _e921 = phi_1110_;
+            let _e923 = phi_1111_;
+            phi_1112_ = _e921;
+            phi_1113_ = _e923;
         } else {
-            phi_1185_ = bool();
-            phi_1186_ = true;
+            phi_1112_ = bool();
+            phi_1113_ = true;
         }
-        let _e998 = phi_1185_;
-        let _e1000 = phi_1186_;
-        if _e1000 {
-            phi_1190_ = false;
+        let _e925 = phi_1112_;
+        let _e927 = phi_1113_;
+        if _e927 {
+            phi_1117_ = false;
         } else {
-            phi_1190_ = _e998;
+            phi_1117_ = _e925;
         }
-        let _e1002 = phi_1190_;
-        if !(_e1002) {
-            let _e1005 = samples.member[_e72.first_primitive].position;
-            let _e1007 = p.member.current.eye;
-            let _e1018 = p.member.current.forward;
-            phi_1218_ = ((((_e1005.x - _e1007.x) * _e1018.x) + ((_e1005.y - _e1007.y) * _e1018.y)) + ((_e1005.z - _e1007.z) * _e1018.z));
+        let _e929 = phi_1117_;
+        if !(_e929) {
+            let _e932 = samples.member[_e71.first_primitive].position;
+            let _e934 = p.member.current.eye;
+            let _e945 = p.member.current.forward;
+            phi_1145_ = ((((_e932.x - _e934.x) * _e945.x) + ((_e932.y - _e934.y) * _e945.y)) + ((_e932.z - _e934.z) * _e945.z));
         } else {
-            phi_1218_ = 0f;
+            phi_1145_ = 0f;
         }
-        let _e1028 = phi_1218_;
-        depths.member[_e72.first_primitive] = _e1028;
-        phi_1221_ = _e933.needs_ray;
-        phi_1222_ = _e72.first_primitive;
+        let _e955 = phi_1145_;
+        depths.member[_e71.first_primitive] = _e955;
+        phi_1148_ = _e860.needs_ray;
+        phi_1149_ = _e71.first_primitive;
     } else {
-        phi_1221_ = false;
-        phi_1222_ = 0u;
+        phi_1148_ = false;
+        phi_1149_ = 0u;
     }
-    let _e1032 = phi_1221_;
-    let _e1034 = phi_1222_;
-    if (_e53 == 0u) {
+    let _e959 = phi_1148_;
+    let _e961 = phi_1149_;
+    if (_e52 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1032 {
-        let _e1038 = atomicAdd((&shared_[0u]), 1u);
-        phi_1233_ = _e1038;
+    if _e959 {
+        let _e965 = atomicAdd((&shared_[0u]), 1u);
+        phi_1160_ = _e965;
     } else {
-        phi_1233_ = 0u;
+        phi_1160_ = 0u;
     }
-    let _e1040 = phi_1233_;
+    let _e967 = phi_1160_;
     workgroupBarrier();
-    if (_e53 == 0u) {
-        let _e1044 = atomicLoad((&shared_[0u]));
-        let _e1045 = atomicAdd((&list.member[3u]), _e1044);
-        atomicStore((&shared_[1u]), _e1045);
+    if (_e52 == 0u) {
+        let _e971 = atomicLoad((&shared_[0u]));
+        let _e972 = atomicAdd((&list.member[3u]), _e971);
+        atomicStore((&shared_[1u]), _e972);
     }
     workgroupBarrier();
-    if _e1032 {
-        let _e1048 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1048) + _e1040)]), _e1034);
+    if _e959 {
+        let _e975 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e975) + _e967)]), _e961);
     }
     return;
 }

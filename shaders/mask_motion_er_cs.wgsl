@@ -116,850 +116,841 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_157_: lt_bvh_traverse_Tree;
-    var phi_158_: bool;
-    var phi_159_: lt_bvh_traverse_Tree;
-    var phi_160_: bool;
-    var phi_165_: lt_bvh_traverse_Tree;
+    var phi_156_: lt_bvh_traverse_Tree;
+    var phi_157_: bool;
+    var phi_158_: lt_bvh_traverse_Tree;
+    var phi_159_: bool;
+    var phi_164_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_157_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_158_ = false;
+            phi_156_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_157_ = false;
         } else {
-            phi_157_ = lt_bvh_traverse_Tree();
-            phi_158_ = true;
+            phi_156_ = lt_bvh_traverse_Tree();
+            phi_157_ = true;
         }
-        let _e61 = phi_157_;
-        let _e63 = phi_158_;
-        phi_159_ = _e61;
-        phi_160_ = _e63;
+        let _e60 = phi_156_;
+        let _e62 = phi_157_;
+        phi_158_ = _e60;
+        phi_159_ = _e62;
     } else {
-        phi_159_ = lt_bvh_traverse_Tree();
-        phi_160_ = true;
+        phi_158_ = lt_bvh_traverse_Tree();
+        phi_159_ = true;
     }
-    let _e65 = phi_159_;
-    let _e67 = phi_160_;
-    if _e67 {
-        phi_165_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e64 = phi_158_;
+    let _e66 = phi_159_;
+    if _e66 {
+        phi_164_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_165_ = _e65;
+        phi_164_ = _e64;
     }
-    let _e72 = phi_165_;
-    return lt_bvh_traverse_Tree(_e72.root, _e72.first_primitive);
+    let _e71 = phi_164_;
+    return lt_bvh_traverse_Tree(_e71.root, _e71.first_primitive);
 }
 
 fn function_() {
-    var phi_210_: u32;
+    var phi_209_: u32;
+    var phi_243_: bool;
     var phi_244_: bool;
     var phi_245_: bool;
     var phi_246_: bool;
-    var phi_247_: bool;
-    var phi_251_: bool;
+    var phi_250_: bool;
+    var phi_320_: bool;
     var phi_321_: bool;
-    var phi_322_: bool;
-    var phi_333_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_334_: bool;
-    var phi_335_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_336_: bool;
-    var phi_343_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_347_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_360_: bool;
+    var phi_332_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_333_: bool;
+    var phi_334_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_335_: bool;
+    var phi_342_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_346_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_359_: bool;
+    var phi_390_: bool;
     var phi_391_: bool;
     var phi_392_: bool;
     var phi_393_: bool;
-    var phi_394_: bool;
+    var phi_397_: bool;
     var phi_398_: bool;
-    var phi_399_: bool;
-    var phi_610_: f32;
-    var phi_615_: f32;
-    var phi_616_: bool;
-    var phi_617_: f32;
-    var phi_618_: bool;
-    var phi_622_: f32;
-    var phi_643_: f32;
-    var phi_648_: f32;
-    var phi_649_: bool;
-    var phi_650_: f32;
-    var phi_651_: bool;
-    var phi_655_: f32;
-    var phi_676_: bool;
-    var phi_695_: vec2<u32>;
-    var phi_696_: bool;
-    var phi_697_: bool;
-    var phi_698_: bool;
-    var phi_699_: vec2<u32>;
+    var phi_537_: f32;
+    var phi_542_: f32;
+    var phi_543_: bool;
+    var phi_544_: f32;
+    var phi_545_: bool;
+    var phi_549_: f32;
+    var phi_570_: f32;
+    var phi_575_: f32;
+    var phi_576_: bool;
+    var phi_577_: f32;
+    var phi_578_: bool;
+    var phi_582_: f32;
+    var phi_603_: bool;
+    var phi_622_: vec2<u32>;
+    var phi_623_: bool;
+    var phi_624_: bool;
+    var phi_625_: bool;
+    var phi_626_: vec2<u32>;
+    var phi_627_: bool;
+    var phi_628_: bool;
+    var phi_629_: bool;
+    var phi_630_: bool;
+    var phi_631_: bool;
+    var phi_632_: bool;
+    var phi_633_: vec2<u32>;
+    var phi_634_: bool;
+    var phi_635_: bool;
+    var phi_636_: bool;
+    var phi_637_: bool;
+    var phi_638_: bool;
+    var phi_639_: bool;
+    var phi_640_: vec2<u32>;
+    var phi_641_: bool;
+    var phi_642_: bool;
+    var phi_643_: bool;
+    var phi_644_: bool;
+    var phi_653_: bool;
+    var phi_654_: bool;
+    var phi_655_: bool;
+    var phi_656_: bool;
+    var phi_660_: bool;
+    var phi_661_: bool;
+    var phi_662_: vec2<u32>;
     var phi_700_: bool;
-    var phi_701_: bool;
-    var phi_702_: bool;
-    var phi_703_: bool;
+    var phi_702_: lt_mask_Reprojection;
+    var phi_703_: lt_mask_Reprojection;
     var phi_704_: bool;
-    var phi_705_: bool;
-    var phi_706_: vec2<u32>;
-    var phi_707_: bool;
     var phi_708_: bool;
-    var phi_709_: bool;
-    var phi_710_: bool;
+    var phi_709_: lt_mask_Reprojection;
+    var phi_710_: lt_mask_Reprojection;
     var phi_711_: bool;
-    var phi_712_: bool;
-    var phi_713_: vec2<u32>;
-    var phi_714_: bool;
-    var phi_715_: bool;
-    var phi_716_: bool;
-    var phi_717_: bool;
+    var phi_719_: bool;
+    var phi_720_: lt_mask_Reprojection;
     var phi_726_: bool;
-    var phi_727_: bool;
-    var phi_728_: bool;
-    var phi_729_: bool;
-    var phi_733_: bool;
-    var phi_734_: bool;
-    var phi_735_: vec2<u32>;
-    var phi_773_: bool;
-    var phi_775_: lt_mask_Reprojection;
-    var phi_776_: lt_mask_Reprojection;
-    var phi_777_: bool;
-    var phi_781_: bool;
-    var phi_782_: lt_mask_Reprojection;
-    var phi_783_: lt_mask_Reprojection;
-    var phi_784_: bool;
-    var phi_792_: bool;
-    var phi_793_: lt_mask_Reprojection;
-    var phi_799_: bool;
-    var phi_839_: lt_mask_Neighbourhood;
-    var phi_840_: lt_mask_Neighbourhood;
-    var phi_841_: lt_mask_Neighbourhood;
-    var phi_873_: bool;
-    var phi_874_: bool;
-    var phi_896_: bool;
-    var phi_897_: bool;
-    var phi_898_: bool;
-    var phi_902_: bool;
-    var phi_924_: bool;
-    var phi_925_: bool;
-    var phi_938_: bool;
-    var phi_939_: bool;
-    var phi_940_: bool;
-    var phi_947_: u32;
-    var phi_948_: u32;
-    var phi_949_: u32;
-    var phi_950_: u32;
-    var phi_951_: u32;
-    var phi_952_: u32;
-    var phi_953_: u32;
-    var phi_965_: bool;
-    var phi_966_: bool;
-    var phi_967_: bool;
-    var phi_968_: bool;
-    var phi_972_: bool;
-    var phi_978_: bool;
-    var phi_986_: u32;
-    var phi_991_: u32;
-    var phi_1000_: u32;
-    var phi_1005_: u32;
-    var phi_1009_: u32;
-    var phi_1010_: u32;
-    var phi_1011_: u32;
-    var phi_1015_: f32;
-    var phi_1017_: mask_Masked;
-    var phi_1067_: bool;
-    var phi_1068_: u32;
-    var phi_1079_: u32;
+    var phi_766_: lt_mask_Neighbourhood;
+    var phi_767_: lt_mask_Neighbourhood;
+    var phi_768_: lt_mask_Neighbourhood;
+    var phi_800_: bool;
+    var phi_801_: bool;
+    var phi_823_: bool;
+    var phi_824_: bool;
+    var phi_825_: bool;
+    var phi_829_: bool;
+    var phi_851_: bool;
+    var phi_852_: bool;
+    var phi_865_: bool;
+    var phi_866_: bool;
+    var phi_867_: bool;
+    var phi_874_: u32;
+    var phi_875_: u32;
+    var phi_876_: u32;
+    var phi_877_: u32;
+    var phi_878_: u32;
+    var phi_879_: u32;
+    var phi_880_: u32;
+    var phi_892_: bool;
+    var phi_893_: bool;
+    var phi_894_: bool;
+    var phi_895_: bool;
+    var phi_899_: bool;
+    var phi_905_: bool;
+    var phi_913_: u32;
+    var phi_918_: u32;
+    var phi_927_: u32;
+    var phi_932_: u32;
+    var phi_936_: u32;
+    var phi_937_: u32;
+    var phi_938_: u32;
+    var phi_942_: f32;
+    var phi_944_: mask_Masked;
+    var phi_994_: bool;
+    var phi_995_: u32;
+    var phi_1006_: u32;
 
-    let _e48 = id_1;
-    let _e49 = local_1;
-    let _e61 = p.member.current.size[0u];
-    let _e63 = p.member.current.size[1u];
-    let _e64 = lt_shaders_entry_pixel_index(_e48, _e61, _e63);
-    if (bitcast<i32>(_e64.root) != 0i) {
-        let _e72 = p.member.current.size[0u];
+    let _e47 = id_1;
+    let _e48 = local_1;
+    let _e60 = p.member.current.size[0u];
+    let _e62 = p.member.current.size[1u];
+    let _e63 = lt_shaders_entry_pixel_index(_e47, _e60, _e62);
+    if (bitcast<i32>(_e63.root) != 0i) {
+        let _e71 = p.member.current.size[0u];
         if (32u == 0u) {
             return;
         }
-        let _e74 = (_e72 / 32u);
+        let _e73 = (_e71 / 32u);
         if (32u == 0u) {
             return;
         }
-        if ((_e72 % 32u) > 0u) {
-            phi_210_ = (_e74 + 1u);
+        if ((_e71 % 32u) > 0u) {
+            phi_209_ = (_e73 + 1u);
         } else {
-            phi_210_ = _e74;
+            phi_209_ = _e73;
         }
-        let _e80 = phi_210_;
-        let _e83 = samples.member[_e64.first_primitive].position;
-        let _e85 = visibility.member[_e64.first_primitive];
-        let _e91 = samples.member[_e64.first_primitive].normal[0u];
-        let _e93 = global[0u];
-        if (_e91 == _e93) {
-            let _e96 = samples.member[_e64.first_primitive].normal[1u];
-            let _e98 = global[1u];
-            if (_e96 == _e98) {
-                let _e101 = samples.member[_e64.first_primitive].normal[2u];
-                let _e103 = global[2u];
-                phi_244_ = (_e101 == _e103);
-                phi_245_ = false;
+        let _e79 = phi_209_;
+        let _e82 = samples.member[_e63.first_primitive].position;
+        let _e84 = visibility.member[_e63.first_primitive];
+        let _e90 = samples.member[_e63.first_primitive].normal[0u];
+        let _e92 = global[0u];
+        if (_e90 == _e92) {
+            let _e95 = samples.member[_e63.first_primitive].normal[1u];
+            let _e97 = global[1u];
+            if (_e95 == _e97) {
+                let _e100 = samples.member[_e63.first_primitive].normal[2u];
+                let _e102 = global[2u];
+                phi_243_ = (_e100 == _e102);
+                phi_244_ = false;
             } else {
-                phi_244_ = bool();
-                phi_245_ = true;
+                phi_243_ = bool();
+                phi_244_ = true;
             }
-            let _e106 = phi_244_;
-            let _e108 = phi_245_;
-            phi_246_ = _e106;
-            phi_247_ = _e108;
+            let _e105 = phi_243_;
+            let _e107 = phi_244_;
+            phi_245_ = _e105;
+            phi_246_ = _e107;
         } else {
-            phi_246_ = bool();
-            phi_247_ = true;
+            phi_245_ = bool();
+            phi_246_ = true;
         }
-        let _e110 = phi_246_;
-        let _e112 = phi_247_;
-        if _e112 {
-            phi_251_ = false;
+        let _e109 = phi_245_;
+        let _e111 = phi_246_;
+        if _e111 {
+            phi_250_ = false;
         } else {
-            phi_251_ = _e110;
+            phi_250_ = _e109;
         }
-        let _e114 = phi_251_;
-        if !(_e114) {
-            let _e117 = samples.member[_e64.first_primitive].position;
-            let _e119 = p.member.light.place;
-            let _e125 = p.member.light.place[3u];
-            let _e132 = (_e119.x - (_e117.x * _e125));
-            let _e133 = (_e119.y - (_e117.y * _e125));
-            let _e134 = (_e119.z - (_e117.z * _e125));
-            let _e136 = samples.member[_e64.first_primitive].normal;
-            if ((((_e136.x * _e132) + (_e136.y * _e133)) + (_e136.z * _e134)) > 0f) {
-                let _e150 = (((_e132 * _e132) + (_e133 * _e133)) + (_e134 * _e134));
-                let _e152 = p.member.light.axis;
-                let _e164 = p.member.light.place[3u];
-                if (_e164 == 0f) {
-                    phi_322_ = true;
+        let _e113 = phi_250_;
+        if !(_e113) {
+            let _e116 = samples.member[_e63.first_primitive].position;
+            let _e118 = p.member.light.place;
+            let _e124 = p.member.light.place[3u];
+            let _e131 = (_e118.x - (_e116.x * _e124));
+            let _e132 = (_e118.y - (_e116.y * _e124));
+            let _e133 = (_e118.z - (_e116.z * _e124));
+            let _e135 = samples.member[_e63.first_primitive].normal;
+            if ((((_e135.x * _e131) + (_e135.y * _e132)) + (_e135.z * _e133)) > 0f) {
+                let _e149 = (((_e131 * _e131) + (_e132 * _e132)) + (_e133 * _e133));
+                let _e151 = p.member.light.axis;
+                let _e163 = p.member.light.place[3u];
+                if (_e163 == 0f) {
+                    phi_321_ = true;
                 } else {
-                    let _e167 = p.member.light.range_squared;
-                    if (_e150 <= _e167) {
-                        let _e170 = p.member.light.cos_outer;
-                        phi_321_ = (-((((_e132 * _e152.x) + (_e133 * _e152.y)) + (_e134 * _e152.z))) >= (_e170 * sqrt(_e150)));
+                    let _e166 = p.member.light.range_squared;
+                    if (_e149 <= _e166) {
+                        let _e169 = p.member.light.cos_outer;
+                        phi_320_ = (-((((_e131 * _e151.x) + (_e132 * _e151.y)) + (_e133 * _e151.z))) >= (_e169 * sqrt(_e149)));
                     } else {
-                        phi_321_ = false;
+                        phi_320_ = false;
                     }
-                    let _e175 = phi_321_;
-                    phi_322_ = _e175;
+                    let _e174 = phi_320_;
+                    phi_321_ = _e174;
                 }
-                let _e177 = phi_322_;
-                if _e177 {
-                    let _e179 = samples.member[_e64.first_primitive].flags;
-                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e187.unnamed.visibility, false), _e187.unnamed_1);
-                    phi_333_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e193.unnamed, ((_e179 & 1u) == 0u));
-                    phi_334_ = false;
+                let _e176 = phi_321_;
+                if _e176 {
+                    let _e178 = samples.member[_e63.first_primitive].flags;
+                    let _e186 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e186.unnamed.visibility, false), _e186.unnamed_1);
+                    phi_332_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e192.unnamed, ((_e178 & 1u) == 0u));
+                    phi_333_ = false;
                 } else {
-                    phi_333_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_334_ = true;
+                    phi_332_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_333_ = true;
                 }
-                let _e198 = phi_333_;
-                let _e200 = phi_334_;
-                phi_335_ = _e198;
-                phi_336_ = _e200;
+                let _e197 = phi_332_;
+                let _e199 = phi_333_;
+                phi_334_ = _e197;
+                phi_335_ = _e199;
             } else {
-                phi_335_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_336_ = true;
+                phi_334_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_335_ = true;
             }
-            let _e202 = phi_335_;
-            let _e204 = phi_336_;
-            if _e204 {
-                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e210.unnamed.visibility, false), _e210.unnamed_1);
-                phi_343_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e216.unnamed, true);
+            let _e201 = phi_334_;
+            let _e203 = phi_335_;
+            if _e203 {
+                let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e209.unnamed.visibility, false), _e209.unnamed_1);
+                phi_342_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e215.unnamed, true);
             } else {
-                phi_343_ = _e202;
+                phi_342_ = _e201;
             }
-            let _e221 = phi_343_;
-            phi_347_ = _e221;
+            let _e220 = phi_342_;
+            phi_346_ = _e220;
         } else {
-            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e233 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e227.unnamed.visibility, false), _e227.unnamed_1);
-            phi_347_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e233.unnamed, true);
+            let _e226 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e232 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e226.unnamed.visibility, false), _e226.unnamed_1);
+            phi_346_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e232.unnamed, true);
         }
-        let _e238 = phi_347_;
-        if _e238.unnamed_1 {
-            phi_1017_ = mask_Masked(_e238.unnamed.visibility, 0u, false);
+        let _e237 = phi_346_;
+        if _e237.unnamed_1 {
+            phi_944_ = mask_Masked(_e237.unnamed.visibility, 0u, false);
         } else {
-            let _e243 = (_e85 < 0.5f);
-            if (_e85 > 0f) {
-                phi_360_ = (_e85 < 1f);
+            let _e242 = (_e84 < 0.5f);
+            if (_e84 > 0f) {
+                phi_359_ = (_e84 < 1f);
             } else {
-                phi_360_ = false;
+                phi_359_ = false;
             }
-            let _e247 = phi_360_;
-            let _e254 = lt_mask_Reprojection(vec2<u32>(_e48.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e261 = lt_mask_Reprojection(vec2<u32>(_e254.pixel.x, _e48.y), _e254.is_valid, _e254.has_moved);
-            let _e265 = lt_mask_Reprojection(_e261.pixel, true, _e261.has_moved);
-            let _e271 = p.member.flags;
-            if ((_e271 & 16u) == 0u) {
-                phi_399_ = false;
+            let _e246 = phi_359_;
+            let _e253 = lt_mask_Reprojection(vec2<u32>(_e47.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e260 = lt_mask_Reprojection(vec2<u32>(_e253.pixel.x, _e47.y), _e253.is_valid, _e253.has_moved);
+            let _e264 = lt_mask_Reprojection(_e260.pixel, true, _e260.has_moved);
+            let _e270 = p.member.flags;
+            if ((_e270 & 16u) == 0u) {
+                phi_398_ = false;
             } else {
-                let _e277 = samples.member[_e64.first_primitive].position[0u];
-                if (_e83.x == _e277) {
-                    let _e281 = samples.member[_e64.first_primitive].position[1u];
-                    if (_e83.y == _e281) {
-                        let _e285 = samples.member[_e64.first_primitive].position[2u];
-                        phi_391_ = (_e83.z == _e285);
-                        phi_392_ = false;
+                let _e276 = samples.member[_e63.first_primitive].position[0u];
+                if (_e82.x == _e276) {
+                    let _e280 = samples.member[_e63.first_primitive].position[1u];
+                    if (_e82.y == _e280) {
+                        let _e284 = samples.member[_e63.first_primitive].position[2u];
+                        phi_390_ = (_e82.z == _e284);
+                        phi_391_ = false;
                     } else {
-                        phi_391_ = bool();
-                        phi_392_ = true;
+                        phi_390_ = bool();
+                        phi_391_ = true;
                     }
-                    let _e288 = phi_391_;
-                    let _e290 = phi_392_;
-                    phi_393_ = _e288;
-                    phi_394_ = _e290;
+                    let _e287 = phi_390_;
+                    let _e289 = phi_391_;
+                    phi_392_ = _e287;
+                    phi_393_ = _e289;
                 } else {
-                    phi_393_ = bool();
-                    phi_394_ = true;
+                    phi_392_ = bool();
+                    phi_393_ = true;
                 }
-                let _e292 = phi_393_;
-                let _e294 = phi_394_;
-                if _e294 {
-                    phi_398_ = false;
+                let _e291 = phi_392_;
+                let _e293 = phi_393_;
+                if _e293 {
+                    phi_397_ = false;
                 } else {
-                    phi_398_ = _e292;
+                    phi_397_ = _e291;
                 }
-                let _e296 = phi_398_;
-                phi_399_ = _e296;
+                let _e295 = phi_397_;
+                phi_398_ = _e295;
             }
-            let _e298 = phi_399_;
-            if _e298 {
-                phi_782_ = lt_mask_Reprojection(_e265.pixel, _e265.is_valid, false);
-                phi_783_ = lt_mask_Reprojection();
-                phi_784_ = true;
+            let _e297 = phi_398_;
+            if _e297 {
+                phi_709_ = lt_mask_Reprojection(_e264.pixel, _e264.is_valid, false);
+                phi_710_ = lt_mask_Reprojection();
+                phi_711_ = true;
             } else {
-                let _e300 = samples.member[_e64.first_primitive].position;
-                let _e304 = p.member.previous.eye;
-                let _e307 = (_e83.x - _e304.x);
-                let _e310 = (_e83.y - _e304.y);
-                let _e313 = (_e83.z - _e304.z);
-                let _e315 = p.member.previous.forward;
-                let _e323 = (((_e307 * _e315.x) + (_e310 * _e315.y)) + (_e313 * _e315.z));
-                let _e325 = p.member.previous.right;
-                let _e335 = p.member.previous.right;
-                let _e350 = p.member.previous.up;
-                let _e360 = p.member.previous.up;
-                let _e375 = p.member.current.eye;
-                let _e378 = (_e300.x - _e375.x);
-                let _e381 = (_e300.y - _e375.y);
-                let _e384 = (_e300.z - _e375.z);
-                let _e386 = p.member.current.forward;
-                let _e394 = (((_e378 * _e386.x) + (_e381 * _e386.y)) + (_e384 * _e386.z));
-                let _e396 = p.member.current.right;
-                let _e406 = p.member.current.right;
-                let _e421 = p.member.current.up;
-                let _e431 = p.member.current.up;
-                let _e450 = p.member.current.size[0u];
-                let _e452 = (((((((_e307 * _e325.x) + (_e310 * _e325.y)) + (_e313 * _e325.z)) / ((((_e335.x * _e335.x) + (_e335.y * _e335.y)) + (_e335.z * _e335.z)) * _e323)) - ((((_e378 * _e396.x) + (_e381 * _e396.y)) + (_e384 * _e396.z)) / ((((_e406.x * _e406.x) + (_e406.y * _e406.y)) + (_e406.z * _e406.z)) * _e394))) * 0.5f) * f32(_e450));
-                let _e456 = p.member.current.size[1u];
-                let _e458 = (((((((_e307 * _e350.x) + (_e310 * _e350.y)) + (_e313 * _e350.z)) / ((((_e360.x * _e360.x) + (_e360.y * _e360.y)) + (_e360.z * _e360.z)) * _e323)) - ((((_e378 * _e421.x) + (_e381 * _e421.y)) + (_e384 * _e421.z)) / ((((_e431.x * _e431.x) + (_e431.y * _e431.y)) + (_e431.z * _e431.z)) * _e394))) * -0.5f) * f32(_e456));
-                let _e462 = p.member.current.grid[0u];
-                let _e464 = p.member.current.grid[1u];
-                let _e484 = p.member.current.size[0u];
-                let _e486 = p.member.current.size[1u];
-                let _e488 = ((f32(_e48.x) + ((f32((_e48.y & (_e464 - 1u))) + 0.5f) / f32(_e464))) + _e452);
-                if (_e488 > -8388608f) {
-                    let _e500 = f32(select(0i, select(select(i32(_e488), i32(-2147483648), (_e488 < bitcast<f32>(3472883712u))), 2147483647i, (_e488 > bitcast<f32>(1325400063u))), (_e488 == _e488)));
-                    if (_e500 > _e488) {
-                        phi_610_ = 1f;
+                let _e301 = p.member.current.grid[0u];
+                let _e303 = p.member.current.grid[1u];
+                let _e317 = (f32(_e47.x) + ((f32((_e47.y & (_e303 - 1u))) + 0.5f) / f32(_e303)));
+                let _e319 = (f32(_e47.y) + ((f32((_e47.x & (_e301 - 1u))) + 0.5f) / f32(_e301)));
+                let _e322 = p.member.previous.eye;
+                let _e325 = (_e82.x - _e322.x);
+                let _e328 = (_e82.y - _e322.y);
+                let _e331 = (_e82.z - _e322.z);
+                let _e333 = p.member.previous.forward;
+                let _e341 = (((_e325 * _e333.x) + (_e328 * _e333.y)) + (_e331 * _e333.z));
+                let _e343 = p.member.previous.right;
+                let _e353 = p.member.previous.right;
+                let _e368 = p.member.previous.up;
+                let _e378 = p.member.previous.up;
+                let _e395 = p.member.previous.size[0u];
+                let _e402 = p.member.previous.size[1u];
+                let _e406 = (((((((_e325 * _e343.x) + (_e328 * _e343.y)) + (_e331 * _e343.z)) / ((((_e353.x * _e353.x) + (_e353.y * _e353.y)) + (_e353.z * _e353.z)) * _e341)) + 1f) * (0.5f * f32(_e395))) - _e317);
+                let _e407 = (((1f - ((((_e325 * _e368.x) + (_e328 * _e368.y)) + (_e331 * _e368.z)) / ((((_e378.x * _e378.x) + (_e378.y * _e378.y)) + (_e378.z * _e378.z)) * _e341))) * (0.5f * f32(_e402))) - _e319);
+                let _e411 = p.member.current.size[0u];
+                let _e413 = p.member.current.size[1u];
+                let _e415 = (_e317 + _e406);
+                if (_e415 > -8388608f) {
+                    let _e427 = f32(select(0i, select(select(i32(_e415), i32(-2147483648), (_e415 < bitcast<f32>(3472883712u))), 2147483647i, (_e415 > bitcast<f32>(1325400063u))), (_e415 == _e415)));
+                    if (_e427 > _e415) {
+                        phi_537_ = 1f;
                     } else {
-                        phi_610_ = 0f;
+                        phi_537_ = 0f;
                     }
-                    let _e503 = phi_610_;
-                    if (_e488 < 8388608f) {
-                        phi_615_ = (_e500 - _e503);
-                        phi_616_ = false;
+                    let _e430 = phi_537_;
+                    if (_e415 < 8388608f) {
+                        phi_542_ = (_e427 - _e430);
+                        phi_543_ = false;
                     } else {
-                        phi_615_ = f32();
-                        phi_616_ = true;
+                        phi_542_ = f32();
+                        phi_543_ = true;
                     }
-                    let _e506 = phi_615_;
-                    let _e508 = phi_616_;
-                    phi_617_ = _e506;
-                    phi_618_ = _e508;
+                    let _e433 = phi_542_;
+                    let _e435 = phi_543_;
+                    phi_544_ = _e433;
+                    phi_545_ = _e435;
                 } else {
-                    phi_617_ = f32();
-                    phi_618_ = true;
+                    phi_544_ = f32();
+                    phi_545_ = true;
                 }
-                let _e510 = phi_617_;
-                let _e512 = phi_618_;
-                if _e512 {
-                    phi_622_ = _e488;
+                let _e437 = phi_544_;
+                let _e439 = phi_545_;
+                if _e439 {
+                    phi_549_ = _e415;
                 } else {
-                    phi_622_ = _e510;
+                    phi_549_ = _e437;
                 }
-                let _e514 = phi_622_;
-                let _e515 = ((f32(_e48.y) + ((f32((_e48.x & (_e462 - 1u))) + 0.5f) / f32(_e462))) + _e458);
-                if (_e515 > -8388608f) {
-                    let _e527 = f32(select(0i, select(select(i32(_e515), i32(-2147483648), (_e515 < bitcast<f32>(3472883712u))), 2147483647i, (_e515 > bitcast<f32>(1325400063u))), (_e515 == _e515)));
-                    if (_e527 > _e515) {
-                        phi_643_ = 1f;
+                let _e441 = phi_549_;
+                let _e442 = (_e319 + _e407);
+                if (_e442 > -8388608f) {
+                    let _e454 = f32(select(0i, select(select(i32(_e442), i32(-2147483648), (_e442 < bitcast<f32>(3472883712u))), 2147483647i, (_e442 > bitcast<f32>(1325400063u))), (_e442 == _e442)));
+                    if (_e454 > _e442) {
+                        phi_570_ = 1f;
                     } else {
-                        phi_643_ = 0f;
+                        phi_570_ = 0f;
                     }
-                    let _e530 = phi_643_;
-                    if (_e515 < 8388608f) {
-                        phi_648_ = (_e527 - _e530);
-                        phi_649_ = false;
+                    let _e457 = phi_570_;
+                    if (_e442 < 8388608f) {
+                        phi_575_ = (_e454 - _e457);
+                        phi_576_ = false;
                     } else {
-                        phi_648_ = f32();
-                        phi_649_ = true;
+                        phi_575_ = f32();
+                        phi_576_ = true;
                     }
-                    let _e533 = phi_648_;
-                    let _e535 = phi_649_;
-                    phi_650_ = _e533;
-                    phi_651_ = _e535;
+                    let _e460 = phi_575_;
+                    let _e462 = phi_576_;
+                    phi_577_ = _e460;
+                    phi_578_ = _e462;
                 } else {
-                    phi_650_ = f32();
-                    phi_651_ = true;
+                    phi_577_ = f32();
+                    phi_578_ = true;
                 }
-                let _e537 = phi_650_;
-                let _e539 = phi_651_;
-                if _e539 {
-                    phi_655_ = _e515;
+                let _e464 = phi_577_;
+                let _e466 = phi_578_;
+                if _e466 {
+                    phi_582_ = _e442;
                 } else {
-                    phi_655_ = _e537;
+                    phi_582_ = _e464;
                 }
-                let _e541 = phi_655_;
-                if (_e514 >= 0f) {
-                    if (_e541 >= 0f) {
-                        if (_e514 < f32(_e484)) {
-                            let _e547 = (_e541 < f32(_e486));
-                            if (_e452 == 0f) {
-                                phi_676_ = (_e458 == 0f);
+                let _e468 = phi_582_;
+                if (_e441 >= 0f) {
+                    if (_e468 >= 0f) {
+                        if (_e441 < f32(_e411)) {
+                            let _e474 = (_e468 < f32(_e413));
+                            if (_e406 == 0f) {
+                                phi_603_ = (_e407 == 0f);
                             } else {
-                                phi_676_ = false;
+                                phi_603_ = false;
                             }
-                            let _e551 = phi_676_;
-                            if _e547 {
-                                phi_695_ = vec2<u32>(select(select(u32(_e514), 0u, (_e514 < bitcast<f32>(0u))), 4294967295u, (_e514 > bitcast<f32>(1333788671u))), select(select(u32(_e541), 0u, (_e541 < bitcast<f32>(0u))), 4294967295u, (_e541 > bitcast<f32>(1333788671u))));
-                                phi_696_ = false;
+                            let _e478 = phi_603_;
+                            if _e474 {
+                                phi_622_ = vec2<u32>(select(select(u32(_e441), 0u, (_e441 < bitcast<f32>(0u))), 4294967295u, (_e441 > bitcast<f32>(1333788671u))), select(select(u32(_e468), 0u, (_e468 < bitcast<f32>(0u))), 4294967295u, (_e468 > bitcast<f32>(1333788671u))));
+                                phi_623_ = false;
                             } else {
-                                phi_695_ = vec2<u32>();
-                                phi_696_ = true;
+                                phi_622_ = vec2<u32>();
+                                phi_623_ = true;
                             }
-                            let _e568 = phi_695_;
-                            let _e570 = phi_696_;
-                            phi_697_ = _e551;
-                            phi_698_ = _e547;
-                            phi_699_ = _e568;
-                            phi_700_ = _e551;
-                            phi_701_ = _e547;
-                            phi_702_ = false;
-                            phi_703_ = _e570;
+                            let _e495 = phi_622_;
+                            let _e497 = phi_623_;
+                            phi_624_ = _e478;
+                            phi_625_ = _e474;
+                            phi_626_ = _e495;
+                            phi_627_ = _e478;
+                            phi_628_ = _e474;
+                            phi_629_ = false;
+                            phi_630_ = _e497;
                         } else {
-                            phi_697_ = bool();
-                            phi_698_ = bool();
-                            phi_699_ = vec2<u32>();
-                            phi_700_ = bool();
-                            phi_701_ = bool();
-                            phi_702_ = true;
-                            phi_703_ = false;
+                            phi_624_ = bool();
+                            phi_625_ = bool();
+                            phi_626_ = vec2<u32>();
+                            phi_627_ = bool();
+                            phi_628_ = bool();
+                            phi_629_ = true;
+                            phi_630_ = false;
                         }
-                        let _e572 = phi_697_;
-                        let _e574 = phi_698_;
-                        let _e576 = phi_699_;
-                        let _e578 = phi_700_;
-                        let _e580 = phi_701_;
-                        let _e582 = phi_702_;
-                        let _e584 = phi_703_;
-                        phi_704_ = _e572;
-                        phi_705_ = _e574;
-                        phi_706_ = _e576;
-                        phi_707_ = _e578;
-                        phi_708_ = _e580;
-                        phi_709_ = _e582;
-                        phi_710_ = _e584;
+                        let _e499 = phi_624_;
+                        let _e501 = phi_625_;
+                        let _e503 = phi_626_;
+                        let _e505 = phi_627_;
+                        let _e507 = phi_628_;
+                        let _e509 = phi_629_;
+                        let _e511 = phi_630_;
+                        phi_631_ = _e499;
+                        phi_632_ = _e501;
+                        phi_633_ = _e503;
+                        phi_634_ = _e505;
+                        phi_635_ = _e507;
+                        phi_636_ = _e509;
+                        phi_637_ = _e511;
                     } else {
-                        phi_704_ = bool();
-                        phi_705_ = bool();
-                        phi_706_ = vec2<u32>();
-                        phi_707_ = bool();
-                        phi_708_ = bool();
-                        phi_709_ = true;
-                        phi_710_ = false;
+                        phi_631_ = bool();
+                        phi_632_ = bool();
+                        phi_633_ = vec2<u32>();
+                        phi_634_ = bool();
+                        phi_635_ = bool();
+                        phi_636_ = true;
+                        phi_637_ = false;
                     }
-                    let _e586 = phi_704_;
-                    let _e588 = phi_705_;
-                    let _e590 = phi_706_;
-                    let _e592 = phi_707_;
-                    let _e594 = phi_708_;
-                    let _e596 = phi_709_;
-                    let _e598 = phi_710_;
-                    phi_711_ = _e586;
-                    phi_712_ = _e588;
-                    phi_713_ = _e590;
-                    phi_714_ = _e592;
-                    phi_715_ = _e594;
-                    phi_716_ = _e596;
-                    phi_717_ = _e598;
+                    let _e513 = phi_631_;
+                    let _e515 = phi_632_;
+                    let _e517 = phi_633_;
+                    let _e519 = phi_634_;
+                    let _e521 = phi_635_;
+                    let _e523 = phi_636_;
+                    let _e525 = phi_637_;
+                    phi_638_ = _e513;
+                    phi_639_ = _e515;
+                    phi_640_ = _e517;
+                    phi_641_ = _e519;
+                    phi_642_ = _e521;
+                    phi_643_ = _e523;
+                    phi_644_ = _e525;
                 } else {
-                    phi_711_ = bool();
-                    phi_712_ = bool();
-                    phi_713_ = vec2<u32>();
-                    phi_714_ = bool();
-                    phi_715_ = bool();
-                    phi_716_ = true;
-                    phi_717_ = false;
+                    phi_638_ = bool();
+                    phi_639_ = bool();
+                    phi_640_ = vec2<u32>();
+                    phi_641_ = bool();
+                    phi_642_ = bool();
+                    phi_643_ = true;
+                    phi_644_ = false;
                 }
-                let _e600 = phi_711_;
-                let _e602 = phi_712_;
-                let _e604 = phi_713_;
-                let _e606 = phi_714_;
-                let _e608 = phi_715_;
-                let _e610 = phi_716_;
-                let _e612 = phi_717_;
-                if _e610 {
-                    if (_e452 == 0f) {
-                        phi_726_ = (_e458 == 0f);
+                let _e527 = phi_638_;
+                let _e529 = phi_639_;
+                let _e531 = phi_640_;
+                let _e533 = phi_641_;
+                let _e535 = phi_642_;
+                let _e537 = phi_643_;
+                let _e539 = phi_644_;
+                if _e537 {
+                    if (_e406 == 0f) {
+                        phi_653_ = (_e407 == 0f);
                     } else {
-                        phi_726_ = false;
+                        phi_653_ = false;
                     }
-                    let _e616 = phi_726_;
-                    phi_727_ = _e616;
-                    phi_728_ = false;
-                    phi_729_ = true;
+                    let _e543 = phi_653_;
+                    phi_654_ = _e543;
+                    phi_655_ = false;
+                    phi_656_ = true;
                 } else {
-                    phi_727_ = _e606;
-                    phi_728_ = _e608;
-                    phi_729_ = _e612;
+                    phi_654_ = _e533;
+                    phi_655_ = _e535;
+                    phi_656_ = _e539;
                 }
-                let _e618 = phi_727_;
-                let _e620 = phi_728_;
-                let _e622 = phi_729_;
-                if _e622 {
-                    phi_733_ = _e618;
-                    phi_734_ = _e620;
-                    phi_735_ = vec2<u32>(_e48.x, _e48.y);
+                let _e545 = phi_654_;
+                let _e547 = phi_655_;
+                let _e549 = phi_656_;
+                if _e549 {
+                    phi_660_ = _e545;
+                    phi_661_ = _e547;
+                    phi_662_ = vec2<u32>(_e47.x, _e47.y);
                 } else {
-                    phi_733_ = _e600;
-                    phi_734_ = _e602;
-                    phi_735_ = _e604;
+                    phi_660_ = _e527;
+                    phi_661_ = _e529;
+                    phi_662_ = _e531;
                 }
-                let _e624 = phi_733_;
-                let _e626 = phi_734_;
-                let _e628 = phi_735_;
-                let _e638 = lt_mask_Reprojection(vec2<u32>(_e628.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e645 = lt_mask_Reprojection(vec2<u32>(_e638.pixel.x, _e628.y), _e638.is_valid, _e638.has_moved);
-                let _e649 = lt_mask_Reprojection(_e645.pixel, _e626, _e645.has_moved);
-                let _e653 = lt_mask_Reprojection(_e649.pixel, _e649.is_valid, !(_e624));
-                if _e626 {
-                    let _e656 = p.member.previous.eye;
-                    let _e667 = p.member.previous.forward;
-                    let _e676 = (((((_e83.x - _e656.x) * _e667.x) + ((_e83.y - _e656.y) * _e667.y)) + ((_e83.z - _e656.z) * _e667.z)) > 0f);
-                    let _e680 = lt_mask_Reprojection(_e653.pixel, _e676, _e653.has_moved);
-                    if _e676 {
-                        phi_773_ = false;
+                let _e551 = phi_660_;
+                let _e553 = phi_661_;
+                let _e555 = phi_662_;
+                let _e565 = lt_mask_Reprojection(vec2<u32>(_e555.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e572 = lt_mask_Reprojection(vec2<u32>(_e565.pixel.x, _e555.y), _e565.is_valid, _e565.has_moved);
+                let _e576 = lt_mask_Reprojection(_e572.pixel, _e553, _e572.has_moved);
+                let _e580 = lt_mask_Reprojection(_e576.pixel, _e576.is_valid, !(_e551));
+                if _e553 {
+                    let _e583 = p.member.previous.eye;
+                    let _e594 = p.member.previous.forward;
+                    let _e603 = (((((_e82.x - _e583.x) * _e594.x) + ((_e82.y - _e583.y) * _e594.y)) + ((_e82.z - _e583.z) * _e594.z)) > 0f);
+                    let _e607 = lt_mask_Reprojection(_e580.pixel, _e603, _e580.has_moved);
+                    if _e603 {
+                        phi_700_ = false;
                     } else {
-                        phi_773_ = true;
+                        phi_700_ = true;
                     }
-                    let _e682 = phi_773_;
-                    phi_775_ = _e680;
-                    phi_776_ = _e680;
-                    phi_777_ = _e682;
+                    let _e609 = phi_700_;
+                    phi_702_ = _e607;
+                    phi_703_ = _e607;
+                    phi_704_ = _e609;
                 } else {
-                    phi_775_ = lt_mask_Reprojection();
-                    phi_776_ = lt_mask_Reprojection(_e653.pixel, false, _e653.has_moved);
-                    phi_777_ = true;
+                    phi_702_ = lt_mask_Reprojection();
+                    phi_703_ = lt_mask_Reprojection(_e580.pixel, false, _e580.has_moved);
+                    phi_704_ = true;
                 }
-                let _e688 = phi_775_;
-                let _e690 = phi_776_;
-                let _e692 = phi_777_;
-                if _e692 {
-                    phi_781_ = false;
+                let _e615 = phi_702_;
+                let _e617 = phi_703_;
+                let _e619 = phi_704_;
+                if _e619 {
+                    phi_708_ = false;
                 } else {
-                    phi_781_ = true;
+                    phi_708_ = true;
                 }
-                let _e694 = phi_781_;
-                phi_782_ = _e688;
-                phi_783_ = _e690;
-                phi_784_ = _e694;
+                let _e621 = phi_708_;
+                phi_709_ = _e615;
+                phi_710_ = _e617;
+                phi_711_ = _e621;
             }
-            let _e696 = phi_782_;
-            let _e698 = phi_783_;
-            let _e700 = phi_784_;
-            if _e700 {
-                let _e702 = p.member.flags;
-                phi_792_ = ((_e702 & 1u) != 0u);
-                phi_793_ = _e696;
+            let _e623 = phi_709_;
+            let _e625 = phi_710_;
+            let _e627 = phi_711_;
+            if _e627 {
+                let _e629 = p.member.flags;
+                phi_719_ = ((_e629 & 1u) != 0u);
+                phi_720_ = _e623;
             } else {
-                phi_792_ = false;
-                phi_793_ = _e698;
+                phi_719_ = false;
+                phi_720_ = _e625;
             }
-            let _e706 = phi_792_;
-            let _e708 = phi_793_;
-            let _e712 = lt_mask_Reprojection(_e708.pixel, _e706, _e708.has_moved);
-            let _e713 = lt_mask_Neighbourhood(false, true);
-            if _e247 {
-                phi_799_ = false;
+            let _e633 = phi_719_;
+            let _e635 = phi_720_;
+            let _e639 = lt_mask_Reprojection(_e635.pixel, _e633, _e635.has_moved);
+            let _e640 = lt_mask_Neighbourhood(false, true);
+            if _e246 {
+                phi_726_ = false;
             } else {
-                phi_799_ = true;
+                phi_726_ = true;
             }
-            let _e715 = phi_799_;
-            if _e715 {
-                if _e706 {
+            let _e642 = phi_726_;
+            if _e642 {
+                if _e633 {
                     if ((0u & 2u) != 0u) {
-                        phi_839_ = _e713;
+                        phi_766_ = _e640;
                     } else {
-                        let _e732 = ((((_e712.pixel.y * _e80) + (_e712.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e243) | (select(0u, 1u, _e712.has_moved) << bitcast<u32>(1i))));
-                        if (_e732 < arrayLength((&heard.member))) {
+                        let _e659 = ((((_e639.pixel.y * _e79) + (_e639.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e242) | (select(0u, 1u, _e639.has_moved) << bitcast<u32>(1i))));
+                        if (_e659 < arrayLength((&heard.member))) {
                         } else {
                             return;
                         }
-                        let _e736 = heard.member[(0u + _e732)];
-                        let _e742 = (((_e736 >> bitcast<u32>(((_e712.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_839_ = lt_mask_Neighbourhood(_e742, !(_e742));
+                        let _e663 = heard.member[(0u + _e659)];
+                        let _e669 = (((_e663 >> bitcast<u32>(((_e639.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_766_ = lt_mask_Neighbourhood(_e669, !(_e669));
                     }
-                    let _e746 = phi_839_;
-                    phi_840_ = _e746;
+                    let _e673 = phi_766_;
+                    phi_767_ = _e673;
                 } else {
-                    phi_840_ = _e713;
+                    phi_767_ = _e640;
                 }
-                let _e748 = phi_840_;
-                phi_841_ = _e748;
+                let _e675 = phi_767_;
+                phi_768_ = _e675;
             } else {
-                phi_841_ = _e713;
+                phi_768_ = _e640;
             }
-            let _e750 = phi_841_;
-            let _e753 = p.member.frame;
-            let _e755 = p.member.refresh;
-            if (_e755 == 0u) {
-                phi_874_ = false;
+            let _e677 = phi_768_;
+            let _e680 = p.member.frame;
+            let _e682 = p.member.refresh;
+            if (_e682 == 0u) {
+                phi_801_ = false;
             } else {
-                if (_e755 == 0u) {
+                if (_e682 == 0u) {
                     return;
                 }
-                let _e764 = ((_e48.x + (_e48.y * (((_e755 * 5u) / 8u) | 1u))) + (_e753 % _e755));
-                if (_e755 == 0u) {
-                    phi_873_ = (_e764 == 0u);
+                let _e691 = ((_e47.x + (_e47.y * (((_e682 * 5u) / 8u) | 1u))) + (_e680 % _e682));
+                if (_e682 == 0u) {
+                    phi_800_ = (_e691 == 0u);
                 } else {
-                    if (_e755 == 0u) {
+                    if (_e682 == 0u) {
                         return;
                     }
-                    phi_873_ = ((_e764 % _e755) == 0u);
+                    phi_800_ = ((_e691 % _e682) == 0u);
                 }
-                let _e771 = phi_873_;
-                phi_874_ = _e771;
+                let _e698 = phi_800_;
+                phi_801_ = _e698;
             }
-            let _e773 = phi_874_;
-            if _e706 {
-                if _e773 {
-                    phi_896_ = bool();
+            let _e700 = phi_801_;
+            if _e633 {
+                if _e700 {
+                    phi_823_ = bool();
                 } else {
-                    phi_896_ = ((0u & 2u) != 0u);
+                    phi_823_ = ((0u & 2u) != 0u);
                 }
-                let _e779 = phi_896_;
-                phi_897_ = _e779;
-                phi_898_ = _e773;
+                let _e706 = phi_823_;
+                phi_824_ = _e706;
+                phi_825_ = _e700;
             } else {
-                phi_897_ = bool();
-                phi_898_ = true;
+                phi_824_ = bool();
+                phi_825_ = true;
             }
-            let _e781 = phi_897_;
-            let _e783 = phi_898_;
-            if _e783 {
-                phi_902_ = false;
+            let _e708 = phi_824_;
+            let _e710 = phi_825_;
+            if _e710 {
+                phi_829_ = false;
             } else {
-                phi_902_ = _e781;
+                phi_829_ = _e708;
             }
-            let _e785 = phi_902_;
-            if _e785 {
-                phi_953_ = 7u;
+            let _e712 = phi_829_;
+            if _e712 {
+                phi_880_ = 7u;
             } else {
-                if (_e85 != 0.5f) {
-                    if _e706 {
-                        if _e773 {
-                            phi_950_ = 6u;
+                if (_e84 != 0.5f) {
+                    if _e633 {
+                        if _e700 {
+                            phi_877_ = 6u;
                         } else {
-                            if _e247 {
-                                phi_925_ = true;
+                            if _e246 {
+                                phi_852_ = true;
                             } else {
-                                if _e750.any_expands {
-                                    phi_924_ = false;
+                                if _e677.any_expands {
+                                    phi_851_ = false;
                                 } else {
-                                    phi_924_ = true;
+                                    phi_851_ = true;
                                 }
-                                let _e787 = phi_924_;
-                                phi_925_ = _e787;
+                                let _e714 = phi_851_;
+                                phi_852_ = _e714;
                             }
-                            let _e789 = phi_925_;
-                            if _e789 {
-                                if _e247 {
+                            let _e716 = phi_852_;
+                            if _e716 {
+                                if _e246 {
                                     if false {
-                                        if _e750.all_remove {
-                                            phi_938_ = false;
+                                        if _e677.all_remove {
+                                            phi_865_ = false;
                                         } else {
-                                            phi_938_ = true;
+                                            phi_865_ = true;
                                         }
-                                        let _e791 = phi_938_;
-                                        phi_939_ = _e791;
+                                        let _e718 = phi_865_;
+                                        phi_866_ = _e718;
                                     } else {
-                                        phi_939_ = true;
+                                        phi_866_ = true;
                                     }
-                                    let _e793 = phi_939_;
-                                    phi_940_ = _e793;
+                                    let _e720 = phi_866_;
+                                    phi_867_ = _e720;
                                 } else {
-                                    phi_940_ = true;
+                                    phi_867_ = true;
                                 }
-                                let _e795 = phi_940_;
-                                if _e795 {
-                                    if _e247 {
-                                        phi_947_ = 1u;
+                                let _e722 = phi_867_;
+                                if _e722 {
+                                    if _e246 {
+                                        phi_874_ = 1u;
                                     } else {
-                                        phi_947_ = 0u;
+                                        phi_874_ = 0u;
                                     }
-                                    let _e797 = phi_947_;
-                                    phi_948_ = _e797;
+                                    let _e724 = phi_874_;
+                                    phi_875_ = _e724;
                                 } else {
-                                    phi_948_ = 5u;
+                                    phi_875_ = 5u;
                                 }
-                                let _e799 = phi_948_;
-                                phi_949_ = _e799;
+                                let _e726 = phi_875_;
+                                phi_876_ = _e726;
                             } else {
-                                phi_949_ = 4u;
+                                phi_876_ = 4u;
                             }
-                            let _e801 = phi_949_;
-                            phi_950_ = _e801;
+                            let _e728 = phi_876_;
+                            phi_877_ = _e728;
                         }
-                        let _e803 = phi_950_;
-                        phi_951_ = _e803;
+                        let _e730 = phi_877_;
+                        phi_878_ = _e730;
                     } else {
-                        phi_951_ = 3u;
+                        phi_878_ = 3u;
                     }
-                    let _e805 = phi_951_;
-                    phi_952_ = _e805;
+                    let _e732 = phi_878_;
+                    phi_879_ = _e732;
                 } else {
-                    phi_952_ = 2u;
+                    phi_879_ = 2u;
                 }
-                let _e807 = phi_952_;
-                phi_953_ = _e807;
+                let _e734 = phi_879_;
+                phi_880_ = _e734;
             }
-            let _e809 = phi_953_;
-            if !((_e809 == 0u)) {
-                if !((_e809 == 5u)) {
-                    phi_965_ = !(_e785);
-                    phi_966_ = false;
+            let _e736 = phi_880_;
+            if !((_e736 == 0u)) {
+                if !((_e736 == 5u)) {
+                    phi_892_ = !(_e712);
+                    phi_893_ = false;
                 } else {
-                    phi_965_ = bool();
-                    phi_966_ = true;
+                    phi_892_ = bool();
+                    phi_893_ = true;
                 }
-                let _e816 = phi_965_;
-                let _e818 = phi_966_;
-                phi_967_ = _e816;
-                phi_968_ = _e818;
+                let _e743 = phi_892_;
+                let _e745 = phi_893_;
+                phi_894_ = _e743;
+                phi_895_ = _e745;
             } else {
-                phi_967_ = bool();
-                phi_968_ = true;
+                phi_894_ = bool();
+                phi_895_ = true;
             }
-            let _e820 = phi_967_;
-            let _e822 = phi_968_;
-            if _e822 {
-                phi_972_ = false;
+            let _e747 = phi_894_;
+            let _e749 = phi_895_;
+            if _e749 {
+                phi_899_ = false;
             } else {
-                phi_972_ = _e820;
+                phi_899_ = _e747;
             }
-            let _e824 = phi_972_;
-            if _e785 {
-                phi_978_ = ((0u & 4u) != 0u);
+            let _e751 = phi_899_;
+            if _e712 {
+                phi_905_ = ((0u & 4u) != 0u);
             } else {
-                phi_978_ = _e243;
+                phi_905_ = _e242;
             }
-            let _e828 = phi_978_;
-            if _e824 {
-                if _e243 {
-                    phi_986_ = (2u | 1u);
+            let _e755 = phi_905_;
+            if _e751 {
+                if _e242 {
+                    phi_913_ = (2u | 1u);
                 } else {
-                    phi_986_ = 2u;
+                    phi_913_ = 2u;
                 }
-                let _e831 = phi_986_;
+                let _e758 = phi_913_;
                 if false {
-                    phi_991_ = (_e831 | 4u);
+                    phi_918_ = (_e758 | 4u);
                 } else {
-                    phi_991_ = _e831;
+                    phi_918_ = _e758;
                 }
-                let _e834 = phi_991_;
-                phi_1011_ = _e834;
+                let _e761 = phi_918_;
+                phi_938_ = _e761;
             } else {
-                if (_e809 == 7u) {
-                    if _e243 {
-                        phi_1000_ = (2u | 1u);
+                if (_e736 == 7u) {
+                    if _e242 {
+                        phi_927_ = (2u | 1u);
                     } else {
-                        phi_1000_ = 2u;
+                        phi_927_ = 2u;
                     }
-                    let _e838 = phi_1000_;
-                    if _e828 {
-                        phi_1005_ = (_e838 | 4u);
+                    let _e765 = phi_927_;
+                    if _e755 {
+                        phi_932_ = (_e765 | 4u);
                     } else {
-                        phi_1005_ = _e838;
+                        phi_932_ = _e765;
                     }
-                    let _e841 = phi_1005_;
-                    phi_1010_ = _e841;
+                    let _e768 = phi_932_;
+                    phi_937_ = _e768;
                 } else {
-                    if _e243 {
-                        phi_1009_ = 1u;
+                    if _e242 {
+                        phi_936_ = 1u;
                     } else {
-                        phi_1009_ = 0u;
+                        phi_936_ = 0u;
                     }
-                    let _e843 = phi_1009_;
-                    phi_1010_ = _e843;
+                    let _e770 = phi_936_;
+                    phi_937_ = _e770;
                 }
-                let _e845 = phi_1010_;
-                phi_1011_ = _e845;
+                let _e772 = phi_937_;
+                phi_938_ = _e772;
             }
-            let _e847 = phi_1011_;
-            if _e828 {
-                phi_1015_ = 0f;
+            let _e774 = phi_938_;
+            if _e755 {
+                phi_942_ = 0f;
             } else {
-                phi_1015_ = 1f;
+                phi_942_ = 1f;
             }
-            let _e849 = phi_1015_;
-            phi_1017_ = mask_Masked(_e849, _e847, _e824);
+            let _e776 = phi_942_;
+            phi_944_ = mask_Masked(_e776, _e774, _e751);
         }
-        let _e852 = phi_1017_;
-        visibility.member[_e64.first_primitive] = _e852.visibility;
-        let _e857 = p.member.light.number;
-        let _e858 = (_e857 * 3u);
-        let _e860 = (_e858 % 32u);
-        let _e862 = p.member.light.mask_words;
-        let _e864 = ((_e64.first_primitive * _e862) + (_e858 / 32u));
-        let _e866 = bits.member[_e864];
-        bits.member[_e864] = ((_e866 & ~((7u << bitcast<u32>((_e860 & 31u))))) | (_e852.bits << bitcast<u32>((_e860 & 31u))));
-        if (_e860 > 29u) {
-            let _e881 = bits.member[(_e864 + 1u)];
-            let _e883 = (32u - _e860);
-            bits.member[(_e864 + 1u)] = ((_e881 & ~((7u >> bitcast<u32>((_e883 & 31u))))) | (_e852.bits >> bitcast<u32>((_e883 & 31u))));
+        let _e779 = phi_944_;
+        visibility.member[_e63.first_primitive] = _e779.visibility;
+        let _e784 = p.member.light.number;
+        let _e785 = (_e784 * 3u);
+        let _e787 = (_e785 % 32u);
+        let _e789 = p.member.light.mask_words;
+        let _e791 = ((_e63.first_primitive * _e789) + (_e785 / 32u));
+        let _e793 = bits.member[_e791];
+        bits.member[_e791] = ((_e793 & ~((7u << bitcast<u32>((_e787 & 31u))))) | (_e779.bits << bitcast<u32>((_e787 & 31u))));
+        if (_e787 > 29u) {
+            let _e808 = bits.member[(_e791 + 1u)];
+            let _e810 = (32u - _e787);
+            bits.member[(_e791 + 1u)] = ((_e808 & ~((7u >> bitcast<u32>((_e810 & 31u))))) | (_e779.bits >> bitcast<u32>((_e810 & 31u))));
         }
-        phi_1067_ = _e852.needs_ray;
-        phi_1068_ = _e64.first_primitive;
+        phi_994_ = _e779.needs_ray;
+        phi_995_ = _e63.first_primitive;
     } else {
-        phi_1067_ = false;
-        phi_1068_ = 0u;
+        phi_994_ = false;
+        phi_995_ = 0u;
     }
-    let _e897 = phi_1067_;
-    let _e899 = phi_1068_;
-    if (_e49 == 0u) {
+    let _e824 = phi_994_;
+    let _e826 = phi_995_;
+    if (_e48 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e897 {
-        let _e903 = atomicAdd((&shared_[0u]), 1u);
-        phi_1079_ = _e903;
+    if _e824 {
+        let _e830 = atomicAdd((&shared_[0u]), 1u);
+        phi_1006_ = _e830;
     } else {
-        phi_1079_ = 0u;
+        phi_1006_ = 0u;
     }
-    let _e905 = phi_1079_;
+    let _e832 = phi_1006_;
     workgroupBarrier();
-    if (_e49 == 0u) {
-        let _e909 = atomicLoad((&shared_[0u]));
-        let _e910 = atomicAdd((&list.member[3u]), _e909);
-        atomicStore((&shared_[1u]), _e910);
+    if (_e48 == 0u) {
+        let _e836 = atomicLoad((&shared_[0u]));
+        let _e837 = atomicAdd((&list.member[3u]), _e836);
+        atomicStore((&shared_[1u]), _e837);
     }
     workgroupBarrier();
-    if _e897 {
-        let _e913 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e913) + _e905)]), _e899);
+    if _e824 {
+        let _e840 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e840) + _e832)]), _e826);
     }
     return;
 }

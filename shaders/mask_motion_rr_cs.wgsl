@@ -116,942 +116,933 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_158_: lt_bvh_traverse_Tree;
-    var phi_159_: bool;
-    var phi_160_: lt_bvh_traverse_Tree;
-    var phi_161_: bool;
-    var phi_166_: lt_bvh_traverse_Tree;
+    var phi_157_: lt_bvh_traverse_Tree;
+    var phi_158_: bool;
+    var phi_159_: lt_bvh_traverse_Tree;
+    var phi_160_: bool;
+    var phi_165_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_158_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_159_ = false;
+            phi_157_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_158_ = false;
         } else {
-            phi_158_ = lt_bvh_traverse_Tree();
-            phi_159_ = true;
+            phi_157_ = lt_bvh_traverse_Tree();
+            phi_158_ = true;
         }
-        let _e62 = phi_158_;
-        let _e64 = phi_159_;
-        phi_160_ = _e62;
-        phi_161_ = _e64;
+        let _e61 = phi_157_;
+        let _e63 = phi_158_;
+        phi_159_ = _e61;
+        phi_160_ = _e63;
     } else {
-        phi_160_ = lt_bvh_traverse_Tree();
-        phi_161_ = true;
+        phi_159_ = lt_bvh_traverse_Tree();
+        phi_160_ = true;
     }
-    let _e66 = phi_160_;
-    let _e68 = phi_161_;
-    if _e68 {
-        phi_166_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e65 = phi_159_;
+    let _e67 = phi_160_;
+    if _e67 {
+        phi_165_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_166_ = _e66;
+        phi_165_ = _e65;
     }
-    let _e73 = phi_166_;
-    return lt_bvh_traverse_Tree(_e73.root, _e73.first_primitive);
+    let _e72 = phi_165_;
+    return lt_bvh_traverse_Tree(_e72.root, _e72.first_primitive);
 }
 
 fn function_() {
-    var phi_211_: u32;
+    var phi_210_: u32;
+    var phi_244_: bool;
     var phi_245_: bool;
     var phi_246_: bool;
     var phi_247_: bool;
-    var phi_248_: bool;
-    var phi_252_: bool;
+    var phi_251_: bool;
+    var phi_321_: bool;
     var phi_322_: bool;
-    var phi_323_: bool;
-    var phi_334_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_335_: bool;
-    var phi_336_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_337_: bool;
-    var phi_344_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_348_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_361_: bool;
+    var phi_333_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_334_: bool;
+    var phi_335_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_336_: bool;
+    var phi_343_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_347_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_360_: bool;
+    var phi_391_: bool;
     var phi_392_: bool;
     var phi_393_: bool;
     var phi_394_: bool;
-    var phi_395_: bool;
+    var phi_398_: bool;
     var phi_399_: bool;
-    var phi_400_: bool;
-    var phi_611_: f32;
-    var phi_616_: f32;
-    var phi_617_: bool;
-    var phi_618_: f32;
-    var phi_619_: bool;
-    var phi_623_: f32;
-    var phi_644_: f32;
-    var phi_649_: f32;
-    var phi_650_: bool;
-    var phi_651_: f32;
-    var phi_652_: bool;
-    var phi_656_: f32;
-    var phi_677_: bool;
-    var phi_696_: vec2<u32>;
-    var phi_697_: bool;
-    var phi_698_: bool;
-    var phi_699_: bool;
-    var phi_700_: vec2<u32>;
+    var phi_538_: f32;
+    var phi_543_: f32;
+    var phi_544_: bool;
+    var phi_545_: f32;
+    var phi_546_: bool;
+    var phi_550_: f32;
+    var phi_571_: f32;
+    var phi_576_: f32;
+    var phi_577_: bool;
+    var phi_578_: f32;
+    var phi_579_: bool;
+    var phi_583_: f32;
+    var phi_604_: bool;
+    var phi_623_: vec2<u32>;
+    var phi_624_: bool;
+    var phi_625_: bool;
+    var phi_626_: bool;
+    var phi_627_: vec2<u32>;
+    var phi_628_: bool;
+    var phi_629_: bool;
+    var phi_630_: bool;
+    var phi_631_: bool;
+    var phi_632_: bool;
+    var phi_633_: bool;
+    var phi_634_: vec2<u32>;
+    var phi_635_: bool;
+    var phi_636_: bool;
+    var phi_637_: bool;
+    var phi_638_: bool;
+    var phi_639_: bool;
+    var phi_640_: bool;
+    var phi_641_: vec2<u32>;
+    var phi_642_: bool;
+    var phi_643_: bool;
+    var phi_644_: bool;
+    var phi_645_: bool;
+    var phi_654_: bool;
+    var phi_655_: bool;
+    var phi_656_: bool;
+    var phi_657_: bool;
+    var phi_661_: bool;
+    var phi_662_: bool;
+    var phi_663_: vec2<u32>;
     var phi_701_: bool;
-    var phi_702_: bool;
-    var phi_703_: bool;
-    var phi_704_: bool;
+    var phi_703_: lt_mask_Reprojection;
+    var phi_704_: lt_mask_Reprojection;
     var phi_705_: bool;
-    var phi_706_: bool;
-    var phi_707_: vec2<u32>;
-    var phi_708_: bool;
     var phi_709_: bool;
-    var phi_710_: bool;
-    var phi_711_: bool;
+    var phi_710_: lt_mask_Reprojection;
+    var phi_711_: lt_mask_Reprojection;
     var phi_712_: bool;
-    var phi_713_: bool;
-    var phi_714_: vec2<u32>;
-    var phi_715_: bool;
-    var phi_716_: bool;
-    var phi_717_: bool;
-    var phi_718_: bool;
-    var phi_727_: bool;
-    var phi_728_: bool;
-    var phi_729_: bool;
-    var phi_730_: bool;
-    var phi_734_: bool;
-    var phi_735_: bool;
-    var phi_736_: vec2<u32>;
-    var phi_774_: bool;
-    var phi_776_: lt_mask_Reprojection;
-    var phi_777_: lt_mask_Reprojection;
-    var phi_778_: bool;
-    var phi_782_: bool;
-    var phi_783_: lt_mask_Reprojection;
-    var phi_784_: lt_mask_Reprojection;
-    var phi_785_: bool;
-    var phi_793_: bool;
-    var phi_794_: lt_mask_Reprojection;
-    var phi_860_: u32;
-    var phi_865_: u32;
-    var phi_866_: u32;
-    var phi_867_: u32;
-    var phi_868_: bool;
-    var phi_869_: u32;
-    var phi_870_: bool;
-    var phi_871_: bool;
-    var phi_872_: u32;
-    var phi_873_: bool;
-    var phi_874_: bool;
-    var phi_878_: bool;
-    var phi_882_: u32;
-    var phi_887_: bool;
-    var phi_927_: lt_mask_Neighbourhood;
-    var phi_928_: lt_mask_Neighbourhood;
-    var phi_929_: lt_mask_Neighbourhood;
-    var phi_961_: bool;
-    var phi_962_: bool;
-    var phi_984_: bool;
-    var phi_985_: bool;
-    var phi_986_: bool;
-    var phi_990_: bool;
-    var phi_1012_: bool;
-    var phi_1013_: bool;
-    var phi_1026_: bool;
-    var phi_1027_: bool;
-    var phi_1028_: bool;
-    var phi_1035_: u32;
-    var phi_1036_: u32;
-    var phi_1037_: u32;
-    var phi_1038_: u32;
-    var phi_1039_: u32;
-    var phi_1040_: u32;
-    var phi_1041_: u32;
-    var phi_1053_: bool;
-    var phi_1054_: bool;
-    var phi_1055_: bool;
-    var phi_1056_: bool;
-    var phi_1060_: bool;
-    var phi_1066_: bool;
-    var phi_1074_: u32;
-    var phi_1079_: u32;
-    var phi_1088_: u32;
-    var phi_1093_: u32;
-    var phi_1097_: u32;
-    var phi_1098_: u32;
-    var phi_1099_: u32;
-    var phi_1103_: f32;
-    var phi_1105_: mask_Masked;
-    var phi_1155_: bool;
-    var phi_1156_: u32;
-    var phi_1167_: u32;
+    var phi_720_: bool;
+    var phi_721_: lt_mask_Reprojection;
+    var phi_787_: u32;
+    var phi_792_: u32;
+    var phi_793_: u32;
+    var phi_794_: u32;
+    var phi_795_: bool;
+    var phi_796_: u32;
+    var phi_797_: bool;
+    var phi_798_: bool;
+    var phi_799_: u32;
+    var phi_800_: bool;
+    var phi_801_: bool;
+    var phi_805_: bool;
+    var phi_809_: u32;
+    var phi_814_: bool;
+    var phi_854_: lt_mask_Neighbourhood;
+    var phi_855_: lt_mask_Neighbourhood;
+    var phi_856_: lt_mask_Neighbourhood;
+    var phi_888_: bool;
+    var phi_889_: bool;
+    var phi_911_: bool;
+    var phi_912_: bool;
+    var phi_913_: bool;
+    var phi_917_: bool;
+    var phi_939_: bool;
+    var phi_940_: bool;
+    var phi_953_: bool;
+    var phi_954_: bool;
+    var phi_955_: bool;
+    var phi_962_: u32;
+    var phi_963_: u32;
+    var phi_964_: u32;
+    var phi_965_: u32;
+    var phi_966_: u32;
+    var phi_967_: u32;
+    var phi_968_: u32;
+    var phi_980_: bool;
+    var phi_981_: bool;
+    var phi_982_: bool;
+    var phi_983_: bool;
+    var phi_987_: bool;
+    var phi_993_: bool;
+    var phi_1001_: u32;
+    var phi_1006_: u32;
+    var phi_1015_: u32;
+    var phi_1020_: u32;
+    var phi_1024_: u32;
+    var phi_1025_: u32;
+    var phi_1026_: u32;
+    var phi_1030_: f32;
+    var phi_1032_: mask_Masked;
+    var phi_1082_: bool;
+    var phi_1083_: u32;
+    var phi_1094_: u32;
 
-    let _e49 = id_1;
-    let _e50 = local_1;
-    let _e55 = arrayLength((&heard.member));
-    let _e62 = p.member.current.size[0u];
-    let _e64 = p.member.current.size[1u];
-    let _e65 = lt_shaders_entry_pixel_index(_e49, _e62, _e64);
-    if (bitcast<i32>(_e65.root) != 0i) {
-        let _e73 = p.member.current.size[0u];
+    let _e48 = id_1;
+    let _e49 = local_1;
+    let _e54 = arrayLength((&heard.member));
+    let _e61 = p.member.current.size[0u];
+    let _e63 = p.member.current.size[1u];
+    let _e64 = lt_shaders_entry_pixel_index(_e48, _e61, _e63);
+    if (bitcast<i32>(_e64.root) != 0i) {
+        let _e72 = p.member.current.size[0u];
         if (32u == 0u) {
             return;
         }
-        let _e75 = (_e73 / 32u);
+        let _e74 = (_e72 / 32u);
         if (32u == 0u) {
             return;
         }
-        if ((_e73 % 32u) > 0u) {
-            phi_211_ = (_e75 + 1u);
+        if ((_e72 % 32u) > 0u) {
+            phi_210_ = (_e74 + 1u);
         } else {
-            phi_211_ = _e75;
+            phi_210_ = _e74;
         }
-        let _e81 = phi_211_;
-        let _e84 = samples.member[_e65.first_primitive].position;
-        let _e86 = visibility.member[_e65.first_primitive];
-        let _e92 = samples.member[_e65.first_primitive].normal[0u];
-        let _e94 = global[0u];
-        if (_e92 == _e94) {
-            let _e97 = samples.member[_e65.first_primitive].normal[1u];
-            let _e99 = global[1u];
-            if (_e97 == _e99) {
-                let _e102 = samples.member[_e65.first_primitive].normal[2u];
-                let _e104 = global[2u];
-                phi_245_ = (_e102 == _e104);
-                phi_246_ = false;
+        let _e80 = phi_210_;
+        let _e83 = samples.member[_e64.first_primitive].position;
+        let _e85 = visibility.member[_e64.first_primitive];
+        let _e91 = samples.member[_e64.first_primitive].normal[0u];
+        let _e93 = global[0u];
+        if (_e91 == _e93) {
+            let _e96 = samples.member[_e64.first_primitive].normal[1u];
+            let _e98 = global[1u];
+            if (_e96 == _e98) {
+                let _e101 = samples.member[_e64.first_primitive].normal[2u];
+                let _e103 = global[2u];
+                phi_244_ = (_e101 == _e103);
+                phi_245_ = false;
             } else {
-                phi_245_ = bool();
-                phi_246_ = true;
+                phi_244_ = bool();
+                phi_245_ = true;
             }
-            let _e107 = phi_245_;
-            let _e109 = phi_246_;
-            phi_247_ = _e107;
-            phi_248_ = _e109;
+            let _e106 = phi_244_;
+            let _e108 = phi_245_;
+            phi_246_ = _e106;
+            phi_247_ = _e108;
         } else {
-            phi_247_ = bool();
-            phi_248_ = true;
+            phi_246_ = bool();
+            phi_247_ = true;
         }
-        let _e111 = phi_247_;
-        let _e113 = phi_248_;
-        if _e113 {
-            phi_252_ = false;
+        let _e110 = phi_246_;
+        let _e112 = phi_247_;
+        if _e112 {
+            phi_251_ = false;
         } else {
-            phi_252_ = _e111;
+            phi_251_ = _e110;
         }
-        let _e115 = phi_252_;
-        if !(_e115) {
-            let _e118 = samples.member[_e65.first_primitive].position;
-            let _e120 = p.member.light.place;
-            let _e126 = p.member.light.place[3u];
-            let _e133 = (_e120.x - (_e118.x * _e126));
-            let _e134 = (_e120.y - (_e118.y * _e126));
-            let _e135 = (_e120.z - (_e118.z * _e126));
-            let _e137 = samples.member[_e65.first_primitive].normal;
-            if ((((_e137.x * _e133) + (_e137.y * _e134)) + (_e137.z * _e135)) > 0f) {
-                let _e151 = (((_e133 * _e133) + (_e134 * _e134)) + (_e135 * _e135));
-                let _e153 = p.member.light.axis;
-                let _e165 = p.member.light.place[3u];
-                if (_e165 == 0f) {
-                    phi_323_ = true;
+        let _e114 = phi_251_;
+        if !(_e114) {
+            let _e117 = samples.member[_e64.first_primitive].position;
+            let _e119 = p.member.light.place;
+            let _e125 = p.member.light.place[3u];
+            let _e132 = (_e119.x - (_e117.x * _e125));
+            let _e133 = (_e119.y - (_e117.y * _e125));
+            let _e134 = (_e119.z - (_e117.z * _e125));
+            let _e136 = samples.member[_e64.first_primitive].normal;
+            if ((((_e136.x * _e132) + (_e136.y * _e133)) + (_e136.z * _e134)) > 0f) {
+                let _e150 = (((_e132 * _e132) + (_e133 * _e133)) + (_e134 * _e134));
+                let _e152 = p.member.light.axis;
+                let _e164 = p.member.light.place[3u];
+                if (_e164 == 0f) {
+                    phi_322_ = true;
                 } else {
-                    let _e168 = p.member.light.range_squared;
-                    if (_e151 <= _e168) {
-                        let _e171 = p.member.light.cos_outer;
-                        phi_322_ = (-((((_e133 * _e153.x) + (_e134 * _e153.y)) + (_e135 * _e153.z))) >= (_e171 * sqrt(_e151)));
+                    let _e167 = p.member.light.range_squared;
+                    if (_e150 <= _e167) {
+                        let _e170 = p.member.light.cos_outer;
+                        phi_321_ = (-((((_e132 * _e152.x) + (_e133 * _e152.y)) + (_e134 * _e152.z))) >= (_e170 * sqrt(_e150)));
                     } else {
-                        phi_322_ = false;
+                        phi_321_ = false;
                     }
-                    let _e176 = phi_322_;
-                    phi_323_ = _e176;
+                    let _e175 = phi_321_;
+                    phi_322_ = _e175;
                 }
-                let _e178 = phi_323_;
-                if _e178 {
-                    let _e180 = samples.member[_e65.first_primitive].flags;
-                    let _e188 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e188.unnamed.visibility, false), _e188.unnamed_1);
-                    phi_334_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e194.unnamed, ((_e180 & 1u) == 0u));
-                    phi_335_ = false;
+                let _e177 = phi_322_;
+                if _e177 {
+                    let _e179 = samples.member[_e64.first_primitive].flags;
+                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e187.unnamed.visibility, false), _e187.unnamed_1);
+                    phi_333_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e193.unnamed, ((_e179 & 1u) == 0u));
+                    phi_334_ = false;
                 } else {
-                    phi_334_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_335_ = true;
+                    phi_333_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_334_ = true;
                 }
-                let _e199 = phi_334_;
-                let _e201 = phi_335_;
-                phi_336_ = _e199;
-                phi_337_ = _e201;
+                let _e198 = phi_333_;
+                let _e200 = phi_334_;
+                phi_335_ = _e198;
+                phi_336_ = _e200;
             } else {
-                phi_336_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_337_ = true;
+                phi_335_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_336_ = true;
             }
-            let _e203 = phi_336_;
-            let _e205 = phi_337_;
-            if _e205 {
-                let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e211.unnamed.visibility, false), _e211.unnamed_1);
-                phi_344_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e217.unnamed, true);
+            let _e202 = phi_335_;
+            let _e204 = phi_336_;
+            if _e204 {
+                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e210.unnamed.visibility, false), _e210.unnamed_1);
+                phi_343_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e216.unnamed, true);
             } else {
-                phi_344_ = _e203;
+                phi_343_ = _e202;
             }
-            let _e222 = phi_344_;
-            phi_348_ = _e222;
+            let _e221 = phi_343_;
+            phi_347_ = _e221;
         } else {
-            let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e234 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e228.unnamed.visibility, false), _e228.unnamed_1);
-            phi_348_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e234.unnamed, true);
+            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e233 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e227.unnamed.visibility, false), _e227.unnamed_1);
+            phi_347_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e233.unnamed, true);
         }
-        let _e239 = phi_348_;
-        if _e239.unnamed_1 {
-            phi_1105_ = mask_Masked(_e239.unnamed.visibility, 0u, false);
+        let _e238 = phi_347_;
+        if _e238.unnamed_1 {
+            phi_1032_ = mask_Masked(_e238.unnamed.visibility, 0u, false);
         } else {
-            let _e244 = (_e86 < 0.5f);
-            if (_e86 > 0f) {
-                phi_361_ = (_e86 < 1f);
+            let _e243 = (_e85 < 0.5f);
+            if (_e85 > 0f) {
+                phi_360_ = (_e85 < 1f);
             } else {
-                phi_361_ = false;
+                phi_360_ = false;
             }
-            let _e248 = phi_361_;
-            let _e255 = lt_mask_Reprojection(vec2<u32>(_e49.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e262 = lt_mask_Reprojection(vec2<u32>(_e255.pixel.x, _e49.y), _e255.is_valid, _e255.has_moved);
-            let _e266 = lt_mask_Reprojection(_e262.pixel, true, _e262.has_moved);
-            let _e272 = p.member.flags;
-            if ((_e272 & 16u) == 0u) {
-                phi_400_ = false;
+            let _e247 = phi_360_;
+            let _e254 = lt_mask_Reprojection(vec2<u32>(_e48.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e261 = lt_mask_Reprojection(vec2<u32>(_e254.pixel.x, _e48.y), _e254.is_valid, _e254.has_moved);
+            let _e265 = lt_mask_Reprojection(_e261.pixel, true, _e261.has_moved);
+            let _e271 = p.member.flags;
+            if ((_e271 & 16u) == 0u) {
+                phi_399_ = false;
             } else {
-                let _e278 = samples.member[_e65.first_primitive].position[0u];
-                if (_e84.x == _e278) {
-                    let _e282 = samples.member[_e65.first_primitive].position[1u];
-                    if (_e84.y == _e282) {
-                        let _e286 = samples.member[_e65.first_primitive].position[2u];
-                        phi_392_ = (_e84.z == _e286);
-                        phi_393_ = false;
+                let _e277 = samples.member[_e64.first_primitive].position[0u];
+                if (_e83.x == _e277) {
+                    let _e281 = samples.member[_e64.first_primitive].position[1u];
+                    if (_e83.y == _e281) {
+                        let _e285 = samples.member[_e64.first_primitive].position[2u];
+                        phi_391_ = (_e83.z == _e285);
+                        phi_392_ = false;
                     } else {
-                        phi_392_ = bool();
-                        phi_393_ = true;
+                        phi_391_ = bool();
+                        phi_392_ = true;
                     }
-                    let _e289 = phi_392_;
-                    let _e291 = phi_393_;
-                    phi_394_ = _e289;
-                    phi_395_ = _e291;
+                    let _e288 = phi_391_;
+                    let _e290 = phi_392_;
+                    phi_393_ = _e288;
+                    phi_394_ = _e290;
                 } else {
-                    phi_394_ = bool();
-                    phi_395_ = true;
+                    phi_393_ = bool();
+                    phi_394_ = true;
                 }
-                let _e293 = phi_394_;
-                let _e295 = phi_395_;
-                if _e295 {
-                    phi_399_ = false;
+                let _e292 = phi_393_;
+                let _e294 = phi_394_;
+                if _e294 {
+                    phi_398_ = false;
                 } else {
-                    phi_399_ = _e293;
+                    phi_398_ = _e292;
                 }
-                let _e297 = phi_399_;
-                phi_400_ = _e297;
+                let _e296 = phi_398_;
+                phi_399_ = _e296;
             }
-            let _e299 = phi_400_;
-            if _e299 {
-                phi_783_ = lt_mask_Reprojection(_e266.pixel, _e266.is_valid, false);
-                phi_784_ = lt_mask_Reprojection();
-                phi_785_ = true;
+            let _e298 = phi_399_;
+            if _e298 {
+                phi_710_ = lt_mask_Reprojection(_e265.pixel, _e265.is_valid, false);
+                phi_711_ = lt_mask_Reprojection();
+                phi_712_ = true;
             } else {
-                let _e301 = samples.member[_e65.first_primitive].position;
-                let _e305 = p.member.previous.eye;
-                let _e308 = (_e84.x - _e305.x);
-                let _e311 = (_e84.y - _e305.y);
-                let _e314 = (_e84.z - _e305.z);
-                let _e316 = p.member.previous.forward;
-                let _e324 = (((_e308 * _e316.x) + (_e311 * _e316.y)) + (_e314 * _e316.z));
-                let _e326 = p.member.previous.right;
-                let _e336 = p.member.previous.right;
-                let _e351 = p.member.previous.up;
-                let _e361 = p.member.previous.up;
-                let _e376 = p.member.current.eye;
-                let _e379 = (_e301.x - _e376.x);
-                let _e382 = (_e301.y - _e376.y);
-                let _e385 = (_e301.z - _e376.z);
-                let _e387 = p.member.current.forward;
-                let _e395 = (((_e379 * _e387.x) + (_e382 * _e387.y)) + (_e385 * _e387.z));
-                let _e397 = p.member.current.right;
-                let _e407 = p.member.current.right;
-                let _e422 = p.member.current.up;
-                let _e432 = p.member.current.up;
-                let _e451 = p.member.current.size[0u];
-                let _e453 = (((((((_e308 * _e326.x) + (_e311 * _e326.y)) + (_e314 * _e326.z)) / ((((_e336.x * _e336.x) + (_e336.y * _e336.y)) + (_e336.z * _e336.z)) * _e324)) - ((((_e379 * _e397.x) + (_e382 * _e397.y)) + (_e385 * _e397.z)) / ((((_e407.x * _e407.x) + (_e407.y * _e407.y)) + (_e407.z * _e407.z)) * _e395))) * 0.5f) * f32(_e451));
-                let _e457 = p.member.current.size[1u];
-                let _e459 = (((((((_e308 * _e351.x) + (_e311 * _e351.y)) + (_e314 * _e351.z)) / ((((_e361.x * _e361.x) + (_e361.y * _e361.y)) + (_e361.z * _e361.z)) * _e324)) - ((((_e379 * _e422.x) + (_e382 * _e422.y)) + (_e385 * _e422.z)) / ((((_e432.x * _e432.x) + (_e432.y * _e432.y)) + (_e432.z * _e432.z)) * _e395))) * -0.5f) * f32(_e457));
-                let _e463 = p.member.current.grid[0u];
-                let _e465 = p.member.current.grid[1u];
-                let _e485 = p.member.current.size[0u];
-                let _e487 = p.member.current.size[1u];
-                let _e489 = ((f32(_e49.x) + ((f32((_e49.y & (_e465 - 1u))) + 0.5f) / f32(_e465))) + _e453);
-                if (_e489 > -8388608f) {
-                    let _e501 = f32(select(0i, select(select(i32(_e489), i32(-2147483648), (_e489 < bitcast<f32>(3472883712u))), 2147483647i, (_e489 > bitcast<f32>(1325400063u))), (_e489 == _e489)));
-                    if (_e501 > _e489) {
-                        phi_611_ = 1f;
+                let _e302 = p.member.current.grid[0u];
+                let _e304 = p.member.current.grid[1u];
+                let _e318 = (f32(_e48.x) + ((f32((_e48.y & (_e304 - 1u))) + 0.5f) / f32(_e304)));
+                let _e320 = (f32(_e48.y) + ((f32((_e48.x & (_e302 - 1u))) + 0.5f) / f32(_e302)));
+                let _e323 = p.member.previous.eye;
+                let _e326 = (_e83.x - _e323.x);
+                let _e329 = (_e83.y - _e323.y);
+                let _e332 = (_e83.z - _e323.z);
+                let _e334 = p.member.previous.forward;
+                let _e342 = (((_e326 * _e334.x) + (_e329 * _e334.y)) + (_e332 * _e334.z));
+                let _e344 = p.member.previous.right;
+                let _e354 = p.member.previous.right;
+                let _e369 = p.member.previous.up;
+                let _e379 = p.member.previous.up;
+                let _e396 = p.member.previous.size[0u];
+                let _e403 = p.member.previous.size[1u];
+                let _e407 = (((((((_e326 * _e344.x) + (_e329 * _e344.y)) + (_e332 * _e344.z)) / ((((_e354.x * _e354.x) + (_e354.y * _e354.y)) + (_e354.z * _e354.z)) * _e342)) + 1f) * (0.5f * f32(_e396))) - _e318);
+                let _e408 = (((1f - ((((_e326 * _e369.x) + (_e329 * _e369.y)) + (_e332 * _e369.z)) / ((((_e379.x * _e379.x) + (_e379.y * _e379.y)) + (_e379.z * _e379.z)) * _e342))) * (0.5f * f32(_e403))) - _e320);
+                let _e412 = p.member.current.size[0u];
+                let _e414 = p.member.current.size[1u];
+                let _e416 = (_e318 + _e407);
+                if (_e416 > -8388608f) {
+                    let _e428 = f32(select(0i, select(select(i32(_e416), i32(-2147483648), (_e416 < bitcast<f32>(3472883712u))), 2147483647i, (_e416 > bitcast<f32>(1325400063u))), (_e416 == _e416)));
+                    if (_e428 > _e416) {
+                        phi_538_ = 1f;
                     } else {
-                        phi_611_ = 0f;
+                        phi_538_ = 0f;
                     }
-                    let _e504 = phi_611_;
-                    if (_e489 < 8388608f) {
-                        phi_616_ = (_e501 - _e504);
-                        phi_617_ = false;
+                    let _e431 = phi_538_;
+                    if (_e416 < 8388608f) {
+                        phi_543_ = (_e428 - _e431);
+                        phi_544_ = false;
                     } else {
-                        phi_616_ = f32();
-                        phi_617_ = true;
+                        phi_543_ = f32();
+                        phi_544_ = true;
                     }
-                    let _e507 = phi_616_;
-                    let _e509 = phi_617_;
-                    phi_618_ = _e507;
-                    phi_619_ = _e509;
+                    let _e434 = phi_543_;
+                    let _e436 = phi_544_;
+                    phi_545_ = _e434;
+                    phi_546_ = _e436;
                 } else {
-                    phi_618_ = f32();
-                    phi_619_ = true;
+                    phi_545_ = f32();
+                    phi_546_ = true;
                 }
-                let _e511 = phi_618_;
-                let _e513 = phi_619_;
-                if _e513 {
-                    phi_623_ = _e489;
+                let _e438 = phi_545_;
+                let _e440 = phi_546_;
+                if _e440 {
+                    phi_550_ = _e416;
                 } else {
-                    phi_623_ = _e511;
+                    phi_550_ = _e438;
                 }
-                let _e515 = phi_623_;
-                let _e516 = ((f32(_e49.y) + ((f32((_e49.x & (_e463 - 1u))) + 0.5f) / f32(_e463))) + _e459);
-                if (_e516 > -8388608f) {
-                    let _e528 = f32(select(0i, select(select(i32(_e516), i32(-2147483648), (_e516 < bitcast<f32>(3472883712u))), 2147483647i, (_e516 > bitcast<f32>(1325400063u))), (_e516 == _e516)));
-                    if (_e528 > _e516) {
-                        phi_644_ = 1f;
+                let _e442 = phi_550_;
+                let _e443 = (_e320 + _e408);
+                if (_e443 > -8388608f) {
+                    let _e455 = f32(select(0i, select(select(i32(_e443), i32(-2147483648), (_e443 < bitcast<f32>(3472883712u))), 2147483647i, (_e443 > bitcast<f32>(1325400063u))), (_e443 == _e443)));
+                    if (_e455 > _e443) {
+                        phi_571_ = 1f;
                     } else {
-                        phi_644_ = 0f;
+                        phi_571_ = 0f;
                     }
-                    let _e531 = phi_644_;
-                    if (_e516 < 8388608f) {
-                        phi_649_ = (_e528 - _e531);
-                        phi_650_ = false;
+                    let _e458 = phi_571_;
+                    if (_e443 < 8388608f) {
+                        phi_576_ = (_e455 - _e458);
+                        phi_577_ = false;
                     } else {
-                        phi_649_ = f32();
-                        phi_650_ = true;
+                        phi_576_ = f32();
+                        phi_577_ = true;
                     }
-                    let _e534 = phi_649_;
-                    let _e536 = phi_650_;
-                    phi_651_ = _e534;
-                    phi_652_ = _e536;
+                    let _e461 = phi_576_;
+                    let _e463 = phi_577_;
+                    phi_578_ = _e461;
+                    phi_579_ = _e463;
                 } else {
-                    phi_651_ = f32();
-                    phi_652_ = true;
+                    phi_578_ = f32();
+                    phi_579_ = true;
                 }
-                let _e538 = phi_651_;
-                let _e540 = phi_652_;
-                if _e540 {
-                    phi_656_ = _e516;
+                let _e465 = phi_578_;
+                let _e467 = phi_579_;
+                if _e467 {
+                    phi_583_ = _e443;
                 } else {
-                    phi_656_ = _e538;
+                    phi_583_ = _e465;
                 }
-                let _e542 = phi_656_;
-                if (_e515 >= 0f) {
-                    if (_e542 >= 0f) {
-                        if (_e515 < f32(_e485)) {
-                            let _e548 = (_e542 < f32(_e487));
-                            if (_e453 == 0f) {
-                                phi_677_ = (_e459 == 0f);
+                let _e469 = phi_583_;
+                if (_e442 >= 0f) {
+                    if (_e469 >= 0f) {
+                        if (_e442 < f32(_e412)) {
+                            let _e475 = (_e469 < f32(_e414));
+                            if (_e407 == 0f) {
+                                phi_604_ = (_e408 == 0f);
                             } else {
-                                phi_677_ = false;
+                                phi_604_ = false;
                             }
-                            let _e552 = phi_677_;
-                            if _e548 {
-                                phi_696_ = vec2<u32>(select(select(u32(_e515), 0u, (_e515 < bitcast<f32>(0u))), 4294967295u, (_e515 > bitcast<f32>(1333788671u))), select(select(u32(_e542), 0u, (_e542 < bitcast<f32>(0u))), 4294967295u, (_e542 > bitcast<f32>(1333788671u))));
-                                phi_697_ = false;
+                            let _e479 = phi_604_;
+                            if _e475 {
+                                phi_623_ = vec2<u32>(select(select(u32(_e442), 0u, (_e442 < bitcast<f32>(0u))), 4294967295u, (_e442 > bitcast<f32>(1333788671u))), select(select(u32(_e469), 0u, (_e469 < bitcast<f32>(0u))), 4294967295u, (_e469 > bitcast<f32>(1333788671u))));
+                                phi_624_ = false;
                             } else {
-                                phi_696_ = vec2<u32>();
-                                phi_697_ = true;
+                                phi_623_ = vec2<u32>();
+                                phi_624_ = true;
                             }
-                            let _e569 = phi_696_;
-                            let _e571 = phi_697_;
-                            phi_698_ = _e552;
-                            phi_699_ = _e548;
-                            phi_700_ = _e569;
-                            phi_701_ = _e552;
-                            phi_702_ = _e548;
-                            phi_703_ = false;
-                            phi_704_ = _e571;
+                            let _e496 = phi_623_;
+                            let _e498 = phi_624_;
+                            phi_625_ = _e479;
+                            phi_626_ = _e475;
+                            phi_627_ = _e496;
+                            phi_628_ = _e479;
+                            phi_629_ = _e475;
+                            phi_630_ = false;
+                            phi_631_ = _e498;
                         } else {
-                            phi_698_ = bool();
-                            phi_699_ = bool();
-                            phi_700_ = vec2<u32>();
-                            phi_701_ = bool();
-                            phi_702_ = bool();
-                            phi_703_ = true;
-                            phi_704_ = false;
+                            phi_625_ = bool();
+                            phi_626_ = bool();
+                            phi_627_ = vec2<u32>();
+                            phi_628_ = bool();
+                            phi_629_ = bool();
+                            phi_630_ = true;
+                            phi_631_ = false;
                         }
-                        let _e573 = phi_698_;
-                        let _e575 = phi_699_;
-                        let _e577 = phi_700_;
-                        let _e579 = phi_701_;
-                        let _e581 = phi_702_;
-                        let _e583 = phi_703_;
-                        let _e585 = phi_704_;
-                        phi_705_ = _e573;
-                        phi_706_ = _e575;
-                        phi_707_ = _e577;
-                        phi_708_ = _e579;
-                        phi_709_ = _e581;
-                        phi_710_ = _e583;
-                        phi_711_ = _e585;
+                        let _e500 = phi_625_;
+                        let _e502 = phi_626_;
+                        let _e504 = phi_627_;
+                        let _e506 = phi_628_;
+                        let _e508 = phi_629_;
+                        let _e510 = phi_630_;
+                        let _e512 = phi_631_;
+                        phi_632_ = _e500;
+                        phi_633_ = _e502;
+                        phi_634_ = _e504;
+                        phi_635_ = _e506;
+                        phi_636_ = _e508;
+                        phi_637_ = _e510;
+                        phi_638_ = _e512;
                     } else {
-                        phi_705_ = bool();
-                        phi_706_ = bool();
-                        phi_707_ = vec2<u32>();
-                        phi_708_ = bool();
-                        phi_709_ = bool();
-                        phi_710_ = true;
-                        phi_711_ = false;
+                        phi_632_ = bool();
+                        phi_633_ = bool();
+                        phi_634_ = vec2<u32>();
+                        phi_635_ = bool();
+                        phi_636_ = bool();
+                        phi_637_ = true;
+                        phi_638_ = false;
                     }
-                    let _e587 = phi_705_;
-                    let _e589 = phi_706_;
-                    let _e591 = phi_707_;
-                    let _e593 = phi_708_;
-                    let _e595 = phi_709_;
-                    let _e597 = phi_710_;
-                    let _e599 = phi_711_;
-                    phi_712_ = _e587;
-                    phi_713_ = _e589;
-                    phi_714_ = _e591;
-                    phi_715_ = _e593;
-                    phi_716_ = _e595;
-                    phi_717_ = _e597;
-                    phi_718_ = _e599;
+                    let _e514 = phi_632_;
+                    let _e516 = phi_633_;
+                    let _e518 = phi_634_;
+                    let _e520 = phi_635_;
+                    let _e522 = phi_636_;
+                    let _e524 = phi_637_;
+                    let _e526 = phi_638_;
+                    phi_639_ = _e514;
+                    phi_640_ = _e516;
+                    phi_641_ = _e518;
+                    phi_642_ = _e520;
+                    phi_643_ = _e522;
+                    phi_644_ = _e524;
+                    phi_645_ = _e526;
                 } else {
-                    phi_712_ = bool();
-                    phi_713_ = bool();
-                    phi_714_ = vec2<u32>();
-                    phi_715_ = bool();
-                    phi_716_ = bool();
-                    phi_717_ = true;
-                    phi_718_ = false;
+                    phi_639_ = bool();
+                    phi_640_ = bool();
+                    phi_641_ = vec2<u32>();
+                    phi_642_ = bool();
+                    phi_643_ = bool();
+                    phi_644_ = true;
+                    phi_645_ = false;
                 }
-                let _e601 = phi_712_;
-                let _e603 = phi_713_;
-                let _e605 = phi_714_;
-                let _e607 = phi_715_;
-                let _e609 = phi_716_;
-                let _e611 = phi_717_;
-                let _e613 = phi_718_;
-                if _e611 {
-                    if (_e453 == 0f) {
-                        phi_727_ = (_e459 == 0f);
+                let _e528 = phi_639_;
+                let _e530 = phi_640_;
+                let _e532 = phi_641_;
+                let _e534 = phi_642_;
+                let _e536 = phi_643_;
+                let _e538 = phi_644_;
+                let _e540 = phi_645_;
+                if _e538 {
+                    if (_e407 == 0f) {
+                        phi_654_ = (_e408 == 0f);
                     } else {
-                        phi_727_ = false;
+                        phi_654_ = false;
                     }
-                    let _e617 = phi_727_;
-                    phi_728_ = _e617;
-                    phi_729_ = false;
-                    phi_730_ = true;
+                    let _e544 = phi_654_;
+                    phi_655_ = _e544;
+                    phi_656_ = false;
+                    phi_657_ = true;
                 } else {
-                    phi_728_ = _e607;
-                    phi_729_ = _e609;
-                    phi_730_ = _e613;
+                    phi_655_ = _e534;
+                    phi_656_ = _e536;
+                    phi_657_ = _e540;
                 }
-                let _e619 = phi_728_;
-                let _e621 = phi_729_;
-                let _e623 = phi_730_;
-                if _e623 {
-                    phi_734_ = _e619;
-                    phi_735_ = _e621;
-                    phi_736_ = vec2<u32>(_e49.x, _e49.y);
+                let _e546 = phi_655_;
+                let _e548 = phi_656_;
+                let _e550 = phi_657_;
+                if _e550 {
+                    phi_661_ = _e546;
+                    phi_662_ = _e548;
+                    phi_663_ = vec2<u32>(_e48.x, _e48.y);
                 } else {
-                    phi_734_ = _e601;
-                    phi_735_ = _e603;
-                    phi_736_ = _e605;
+                    phi_661_ = _e528;
+                    phi_662_ = _e530;
+                    phi_663_ = _e532;
                 }
-                let _e625 = phi_734_;
-                let _e627 = phi_735_;
-                let _e629 = phi_736_;
-                let _e639 = lt_mask_Reprojection(vec2<u32>(_e629.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e646 = lt_mask_Reprojection(vec2<u32>(_e639.pixel.x, _e629.y), _e639.is_valid, _e639.has_moved);
-                let _e650 = lt_mask_Reprojection(_e646.pixel, _e627, _e646.has_moved);
-                let _e654 = lt_mask_Reprojection(_e650.pixel, _e650.is_valid, !(_e625));
-                if _e627 {
-                    let _e657 = p.member.previous.eye;
-                    let _e668 = p.member.previous.forward;
-                    let _e677 = (((((_e84.x - _e657.x) * _e668.x) + ((_e84.y - _e657.y) * _e668.y)) + ((_e84.z - _e657.z) * _e668.z)) > 0f);
-                    let _e681 = lt_mask_Reprojection(_e654.pixel, _e677, _e654.has_moved);
-                    if _e677 {
-                        phi_774_ = false;
+                let _e552 = phi_661_;
+                let _e554 = phi_662_;
+                let _e556 = phi_663_;
+                let _e566 = lt_mask_Reprojection(vec2<u32>(_e556.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e573 = lt_mask_Reprojection(vec2<u32>(_e566.pixel.x, _e556.y), _e566.is_valid, _e566.has_moved);
+                let _e577 = lt_mask_Reprojection(_e573.pixel, _e554, _e573.has_moved);
+                let _e581 = lt_mask_Reprojection(_e577.pixel, _e577.is_valid, !(_e552));
+                if _e554 {
+                    let _e584 = p.member.previous.eye;
+                    let _e595 = p.member.previous.forward;
+                    let _e604 = (((((_e83.x - _e584.x) * _e595.x) + ((_e83.y - _e584.y) * _e595.y)) + ((_e83.z - _e584.z) * _e595.z)) > 0f);
+                    let _e608 = lt_mask_Reprojection(_e581.pixel, _e604, _e581.has_moved);
+                    if _e604 {
+                        phi_701_ = false;
                     } else {
-                        phi_774_ = true;
+                        phi_701_ = true;
                     }
-                    let _e683 = phi_774_;
-                    phi_776_ = _e681;
-                    phi_777_ = _e681;
-                    phi_778_ = _e683;
+                    let _e610 = phi_701_;
+                    phi_703_ = _e608;
+                    phi_704_ = _e608;
+                    phi_705_ = _e610;
                 } else {
-                    phi_776_ = lt_mask_Reprojection();
-                    phi_777_ = lt_mask_Reprojection(_e654.pixel, false, _e654.has_moved);
-                    phi_778_ = true;
+                    phi_703_ = lt_mask_Reprojection();
+                    phi_704_ = lt_mask_Reprojection(_e581.pixel, false, _e581.has_moved);
+                    phi_705_ = true;
                 }
-                let _e689 = phi_776_;
-                let _e691 = phi_777_;
-                let _e693 = phi_778_;
-                if _e693 {
-                    phi_782_ = false;
+                let _e616 = phi_703_;
+                let _e618 = phi_704_;
+                let _e620 = phi_705_;
+                if _e620 {
+                    phi_709_ = false;
                 } else {
-                    phi_782_ = true;
+                    phi_709_ = true;
                 }
-                let _e695 = phi_782_;
-                phi_783_ = _e689;
-                phi_784_ = _e691;
-                phi_785_ = _e695;
+                let _e622 = phi_709_;
+                phi_710_ = _e616;
+                phi_711_ = _e618;
+                phi_712_ = _e622;
             }
-            let _e697 = phi_783_;
-            let _e699 = phi_784_;
-            let _e701 = phi_785_;
-            if _e701 {
-                let _e703 = p.member.flags;
-                phi_793_ = ((_e703 & 1u) != 0u);
-                phi_794_ = _e697;
+            let _e624 = phi_710_;
+            let _e626 = phi_711_;
+            let _e628 = phi_712_;
+            if _e628 {
+                let _e630 = p.member.flags;
+                phi_720_ = ((_e630 & 1u) != 0u);
+                phi_721_ = _e624;
             } else {
-                phi_793_ = false;
-                phi_794_ = _e699;
+                phi_720_ = false;
+                phi_721_ = _e626;
             }
-            let _e707 = phi_793_;
-            let _e709 = phi_794_;
-            let _e713 = lt_mask_Reprojection(_e709.pixel, _e707, _e709.has_moved);
-            let _e715 = p.member.flags;
-            let _e717 = ((_e715 & 2u) != 0u);
-            let _e719 = p.member.flags;
-            if ((_e719 & 4u) == 0u) {
-                phi_872_ = u32();
-                phi_873_ = true;
-                phi_874_ = false;
+            let _e634 = phi_720_;
+            let _e636 = phi_721_;
+            let _e640 = lt_mask_Reprojection(_e636.pixel, _e634, _e636.has_moved);
+            let _e642 = p.member.flags;
+            let _e644 = ((_e642 & 2u) != 0u);
+            let _e646 = p.member.flags;
+            if ((_e646 & 4u) == 0u) {
+                phi_799_ = u32();
+                phi_800_ = true;
+                phi_801_ = false;
             } else {
-                if _e707 {
-                    if !(_e713.has_moved) {
-                        let _e728 = ((((_e49.y * _e81) + (_e49.x / 32u)) * 6u) + 4u);
-                        if (_e728 < _e55) {
+                if _e634 {
+                    if !(_e640.has_moved) {
+                        let _e655 = ((((_e48.y * _e80) + (_e48.x / 32u)) * 6u) + 4u);
+                        if (_e655 < _e54) {
+                        } else {
+                            return;
+                        }
+                        let _e659 = heard.member[(0u + _e655)];
+                        if (((_e659 >> bitcast<u32>(((_e48.x % 32u) & 31u))) & 1u) != 0u) {
+                            let _e670 = ((((_e48.y * _e80) + (_e48.x / 32u)) * 6u) + 5u);
+                            if (_e670 < _e54) {
+                            } else {
+                                return;
+                            }
+                            let _e674 = heard.member[(0u + _e670)];
+                            if false {
+                                phi_787_ = (2u | 1u);
+                            } else {
+                                phi_787_ = 2u;
+                            }
+                            let _e683 = phi_787_;
+                            if (((_e674 >> bitcast<u32>(((_e48.x % 32u) & 31u))) & 1u) != 0u) {
+                                phi_792_ = (_e683 | 4u);
+                            } else {
+                                phi_792_ = _e683;
+                            }
+                            let _e686 = phi_792_;
+                            phi_793_ = _e686;
+                        } else {
+                            phi_793_ = 0u;
+                        }
+                        let _e688 = phi_793_;
+                        phi_794_ = _e688;
+                        phi_795_ = false;
+                    } else {
+                        phi_794_ = u32();
+                        phi_795_ = true;
+                    }
+                    let _e690 = phi_794_;
+                    let _e692 = phi_795_;
+                    phi_796_ = _e690;
+                    phi_797_ = false;
+                    phi_798_ = _e692;
+                } else {
+                    phi_796_ = u32();
+                    phi_797_ = true;
+                    phi_798_ = false;
+                }
+                let _e694 = phi_796_;
+                let _e696 = phi_797_;
+                let _e698 = phi_798_;
+                phi_799_ = _e694;
+                phi_800_ = _e696;
+                phi_801_ = _e698;
+            }
+            let _e700 = phi_799_;
+            let _e702 = phi_800_;
+            let _e704 = phi_801_;
+            if _e702 {
+                phi_805_ = true;
+            } else {
+                phi_805_ = _e704;
+            }
+            let _e706 = phi_805_;
+            if _e706 {
+                phi_809_ = 0u;
+            } else {
+                phi_809_ = _e700;
+            }
+            let _e708 = phi_809_;
+            let _e709 = lt_mask_Neighbourhood(false, true);
+            if _e247 {
+                phi_814_ = _e644;
+            } else {
+                phi_814_ = false;
+            }
+            let _e711 = phi_814_;
+            if _e711 {
+                if _e634 {
+                    if ((_e708 & 2u) != 0u) {
+                        phi_854_ = _e709;
+                    } else {
+                        let _e728 = ((((_e640.pixel.y * _e80) + (_e640.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e243) | (select(0u, 1u, _e640.has_moved) << bitcast<u32>(1i))));
+                        if (_e728 < _e54) {
                         } else {
                             return;
                         }
                         let _e732 = heard.member[(0u + _e728)];
-                        if (((_e732 >> bitcast<u32>(((_e49.x % 32u) & 31u))) & 1u) != 0u) {
-                            let _e743 = ((((_e49.y * _e81) + (_e49.x / 32u)) * 6u) + 5u);
-                            if (_e743 < _e55) {
-                            } else {
-                                return;
-                            }
-                            let _e747 = heard.member[(0u + _e743)];
-                            if false {
-                                phi_860_ = (2u | 1u);
-                            } else {
-                                phi_860_ = 2u;
-                            }
-                            let _e756 = phi_860_;
-                            if (((_e747 >> bitcast<u32>(((_e49.x % 32u) & 31u))) & 1u) != 0u) {
-                                phi_865_ = (_e756 | 4u);
-                            } else {
-                                phi_865_ = _e756;
-                            }
-                            let _e759 = phi_865_;
-                            phi_866_ = _e759;
-                        } else {
-                            phi_866_ = 0u;
-                        }
-                        let _e761 = phi_866_;
-                        phi_867_ = _e761;
-                        phi_868_ = false;
-                    } else {
-                        phi_867_ = u32();
-                        phi_868_ = true;
+                        let _e738 = (((_e732 >> bitcast<u32>(((_e640.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_854_ = lt_mask_Neighbourhood(_e738, !(_e738));
                     }
-                    let _e763 = phi_867_;
-                    let _e765 = phi_868_;
-                    phi_869_ = _e763;
-                    phi_870_ = false;
-                    phi_871_ = _e765;
+                    let _e742 = phi_854_;
+                    phi_855_ = _e742;
                 } else {
-                    phi_869_ = u32();
-                    phi_870_ = true;
-                    phi_871_ = false;
+                    phi_855_ = _e709;
                 }
-                let _e767 = phi_869_;
-                let _e769 = phi_870_;
-                let _e771 = phi_871_;
-                phi_872_ = _e767;
-                phi_873_ = _e769;
-                phi_874_ = _e771;
-            }
-            let _e773 = phi_872_;
-            let _e775 = phi_873_;
-            let _e777 = phi_874_;
-            if _e775 {
-                phi_878_ = true;
+                let _e744 = phi_855_;
+                phi_856_ = _e744;
             } else {
-                phi_878_ = _e777;
+                phi_856_ = _e709;
             }
-            let _e779 = phi_878_;
-            if _e779 {
-                phi_882_ = 0u;
+            let _e746 = phi_856_;
+            let _e749 = p.member.frame;
+            let _e751 = p.member.refresh;
+            if (_e751 == 0u) {
+                phi_889_ = false;
             } else {
-                phi_882_ = _e773;
-            }
-            let _e781 = phi_882_;
-            let _e782 = lt_mask_Neighbourhood(false, true);
-            if _e248 {
-                phi_887_ = _e717;
-            } else {
-                phi_887_ = false;
-            }
-            let _e784 = phi_887_;
-            if _e784 {
-                if _e707 {
-                    if ((_e781 & 2u) != 0u) {
-                        phi_927_ = _e782;
-                    } else {
-                        let _e801 = ((((_e713.pixel.y * _e81) + (_e713.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e244) | (select(0u, 1u, _e713.has_moved) << bitcast<u32>(1i))));
-                        if (_e801 < _e55) {
-                        } else {
-                            return;
-                        }
-                        let _e805 = heard.member[(0u + _e801)];
-                        let _e811 = (((_e805 >> bitcast<u32>(((_e713.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_927_ = lt_mask_Neighbourhood(_e811, !(_e811));
-                    }
-                    let _e815 = phi_927_;
-                    phi_928_ = _e815;
-                } else {
-                    phi_928_ = _e782;
-                }
-                let _e817 = phi_928_;
-                phi_929_ = _e817;
-            } else {
-                phi_929_ = _e782;
-            }
-            let _e819 = phi_929_;
-            let _e822 = p.member.frame;
-            let _e824 = p.member.refresh;
-            if (_e824 == 0u) {
-                phi_962_ = false;
-            } else {
-                if (_e824 == 0u) {
+                if (_e751 == 0u) {
                     return;
                 }
-                let _e833 = ((_e49.x + (_e49.y * (((_e824 * 5u) / 8u) | 1u))) + (_e822 % _e824));
-                if (_e824 == 0u) {
-                    phi_961_ = (_e833 == 0u);
+                let _e760 = ((_e48.x + (_e48.y * (((_e751 * 5u) / 8u) | 1u))) + (_e749 % _e751));
+                if (_e751 == 0u) {
+                    phi_888_ = (_e760 == 0u);
                 } else {
-                    if (_e824 == 0u) {
+                    if (_e751 == 0u) {
                         return;
                     }
-                    phi_961_ = ((_e833 % _e824) == 0u);
+                    phi_888_ = ((_e760 % _e751) == 0u);
                 }
-                let _e840 = phi_961_;
-                phi_962_ = _e840;
+                let _e767 = phi_888_;
+                phi_889_ = _e767;
             }
-            let _e842 = phi_962_;
-            if _e707 {
-                if _e842 {
-                    phi_984_ = bool();
+            let _e769 = phi_889_;
+            if _e634 {
+                if _e769 {
+                    phi_911_ = bool();
                 } else {
-                    phi_984_ = ((_e781 & 2u) != 0u);
+                    phi_911_ = ((_e708 & 2u) != 0u);
                 }
-                let _e848 = phi_984_;
-                phi_985_ = _e848;
-                phi_986_ = _e842;
+                let _e775 = phi_911_;
+                phi_912_ = _e775;
+                phi_913_ = _e769;
             } else {
-                phi_985_ = bool();
-                phi_986_ = true;
+                phi_912_ = bool();
+                phi_913_ = true;
             }
-            let _e850 = phi_985_;
-            let _e852 = phi_986_;
-            if _e852 {
-                phi_990_ = false;
+            let _e777 = phi_912_;
+            let _e779 = phi_913_;
+            if _e779 {
+                phi_917_ = false;
             } else {
-                phi_990_ = _e850;
+                phi_917_ = _e777;
             }
-            let _e854 = phi_990_;
-            if _e854 {
-                phi_1041_ = 7u;
+            let _e781 = phi_917_;
+            if _e781 {
+                phi_968_ = 7u;
             } else {
-                if (_e86 != 0.5f) {
-                    if _e707 {
-                        if _e842 {
-                            phi_1038_ = 6u;
+                if (_e85 != 0.5f) {
+                    if _e634 {
+                        if _e769 {
+                            phi_965_ = 6u;
                         } else {
-                            if _e248 {
-                                phi_1013_ = true;
+                            if _e247 {
+                                phi_940_ = true;
                             } else {
-                                if _e819.any_expands {
-                                    phi_1012_ = false;
+                                if _e746.any_expands {
+                                    phi_939_ = false;
                                 } else {
-                                    phi_1012_ = true;
+                                    phi_939_ = true;
                                 }
-                                let _e856 = phi_1012_;
-                                phi_1013_ = _e856;
+                                let _e783 = phi_939_;
+                                phi_940_ = _e783;
                             }
-                            let _e858 = phi_1013_;
-                            if _e858 {
-                                if _e248 {
-                                    if _e717 {
-                                        if _e819.all_remove {
-                                            phi_1026_ = false;
+                            let _e785 = phi_940_;
+                            if _e785 {
+                                if _e247 {
+                                    if _e644 {
+                                        if _e746.all_remove {
+                                            phi_953_ = false;
                                         } else {
-                                            phi_1026_ = true;
+                                            phi_953_ = true;
                                         }
-                                        let _e860 = phi_1026_;
-                                        phi_1027_ = _e860;
+                                        let _e787 = phi_953_;
+                                        phi_954_ = _e787;
                                     } else {
-                                        phi_1027_ = true;
+                                        phi_954_ = true;
                                     }
-                                    let _e862 = phi_1027_;
-                                    phi_1028_ = _e862;
+                                    let _e789 = phi_954_;
+                                    phi_955_ = _e789;
                                 } else {
-                                    phi_1028_ = true;
+                                    phi_955_ = true;
                                 }
-                                let _e864 = phi_1028_;
-                                if _e864 {
-                                    if _e248 {
-                                        phi_1035_ = 1u;
+                                let _e791 = phi_955_;
+                                if _e791 {
+                                    if _e247 {
+                                        phi_962_ = 1u;
                                     } else {
-                                        phi_1035_ = 0u;
+                                        phi_962_ = 0u;
                                     }
-                                    let _e866 = phi_1035_;
-                                    phi_1036_ = _e866;
+                                    let _e793 = phi_962_;
+                                    phi_963_ = _e793;
                                 } else {
-                                    phi_1036_ = 5u;
+                                    phi_963_ = 5u;
                                 }
-                                let _e868 = phi_1036_;
-                                phi_1037_ = _e868;
+                                let _e795 = phi_963_;
+                                phi_964_ = _e795;
                             } else {
-                                phi_1037_ = 4u;
+                                phi_964_ = 4u;
                             }
-                            let _e870 = phi_1037_;
-                            phi_1038_ = _e870;
+                            let _e797 = phi_964_;
+                            phi_965_ = _e797;
                         }
-                        let _e872 = phi_1038_;
-                        phi_1039_ = _e872;
+                        let _e799 = phi_965_;
+                        phi_966_ = _e799;
                     } else {
-                        phi_1039_ = 3u;
+                        phi_966_ = 3u;
                     }
-                    let _e874 = phi_1039_;
-                    phi_1040_ = _e874;
+                    let _e801 = phi_966_;
+                    phi_967_ = _e801;
                 } else {
-                    phi_1040_ = 2u;
+                    phi_967_ = 2u;
                 }
-                let _e876 = phi_1040_;
-                phi_1041_ = _e876;
+                let _e803 = phi_967_;
+                phi_968_ = _e803;
             }
-            let _e878 = phi_1041_;
-            if !((_e878 == 0u)) {
-                if !((_e878 == 5u)) {
-                    phi_1053_ = !(_e854);
-                    phi_1054_ = false;
+            let _e805 = phi_968_;
+            if !((_e805 == 0u)) {
+                if !((_e805 == 5u)) {
+                    phi_980_ = !(_e781);
+                    phi_981_ = false;
                 } else {
-                    phi_1053_ = bool();
-                    phi_1054_ = true;
+                    phi_980_ = bool();
+                    phi_981_ = true;
                 }
-                let _e885 = phi_1053_;
-                let _e887 = phi_1054_;
-                phi_1055_ = _e885;
-                phi_1056_ = _e887;
+                let _e812 = phi_980_;
+                let _e814 = phi_981_;
+                phi_982_ = _e812;
+                phi_983_ = _e814;
             } else {
-                phi_1055_ = bool();
-                phi_1056_ = true;
+                phi_982_ = bool();
+                phi_983_ = true;
             }
-            let _e889 = phi_1055_;
-            let _e891 = phi_1056_;
-            if _e891 {
-                phi_1060_ = false;
+            let _e816 = phi_982_;
+            let _e818 = phi_983_;
+            if _e818 {
+                phi_987_ = false;
             } else {
-                phi_1060_ = _e889;
+                phi_987_ = _e816;
             }
-            let _e893 = phi_1060_;
-            if _e854 {
-                phi_1066_ = ((_e781 & 4u) != 0u);
+            let _e820 = phi_987_;
+            if _e781 {
+                phi_993_ = ((_e708 & 4u) != 0u);
             } else {
-                phi_1066_ = _e244;
+                phi_993_ = _e243;
             }
-            let _e897 = phi_1066_;
-            if _e893 {
-                if _e244 {
-                    phi_1074_ = (2u | 1u);
+            let _e824 = phi_993_;
+            if _e820 {
+                if _e243 {
+                    phi_1001_ = (2u | 1u);
                 } else {
-                    phi_1074_ = 2u;
+                    phi_1001_ = 2u;
                 }
-                let _e900 = phi_1074_;
+                let _e827 = phi_1001_;
                 if false {
-                    phi_1079_ = (_e900 | 4u);
+                    phi_1006_ = (_e827 | 4u);
                 } else {
-                    phi_1079_ = _e900;
+                    phi_1006_ = _e827;
                 }
-                let _e903 = phi_1079_;
-                phi_1099_ = _e903;
+                let _e830 = phi_1006_;
+                phi_1026_ = _e830;
             } else {
-                if (_e878 == 7u) {
-                    if _e244 {
-                        phi_1088_ = (2u | 1u);
+                if (_e805 == 7u) {
+                    if _e243 {
+                        phi_1015_ = (2u | 1u);
                     } else {
-                        phi_1088_ = 2u;
+                        phi_1015_ = 2u;
                     }
-                    let _e907 = phi_1088_;
-                    if _e897 {
-                        phi_1093_ = (_e907 | 4u);
+                    let _e834 = phi_1015_;
+                    if _e824 {
+                        phi_1020_ = (_e834 | 4u);
                     } else {
-                        phi_1093_ = _e907;
+                        phi_1020_ = _e834;
                     }
-                    let _e910 = phi_1093_;
-                    phi_1098_ = _e910;
+                    let _e837 = phi_1020_;
+                    phi_1025_ = _e837;
                 } else {
-                    if _e244 {
-                        phi_1097_ = 1u;
+                    if _e243 {
+                        phi_1024_ = 1u;
                     } else {
-                        phi_1097_ = 0u;
+                        phi_1024_ = 0u;
                     }
-                    let _e912 = phi_1097_;
-                    phi_1098_ = _e912;
+                    let _e839 = phi_1024_;
+                    phi_1025_ = _e839;
                 }
-                let _e914 = phi_1098_;
-                phi_1099_ = _e914;
+                let _e841 = phi_1025_;
+                phi_1026_ = _e841;
             }
-            let _e916 = phi_1099_;
-            if _e897 {
-                phi_1103_ = 0f;
+            let _e843 = phi_1026_;
+            if _e824 {
+                phi_1030_ = 0f;
             } else {
-                phi_1103_ = 1f;
+                phi_1030_ = 1f;
             }
-            let _e918 = phi_1103_;
-            phi_1105_ = mask_Masked(_e918, _e916, _e893);
+            let _e845 = phi_1030_;
+            phi_1032_ = mask_Masked(_e845, _e843, _e820);
         }
-        let _e921 = phi_1105_;
-        visibility.member[_e65.first_primitive] = _e921.visibility;
-        let _e926 = p.member.light.number;
-        let _e927 = (_e926 * 3u);
-        let _e929 = (_e927 % 32u);
-        let _e931 = p.member.light.mask_words;
-        let _e933 = ((_e65.first_primitive * _e931) + (_e927 / 32u));
-        let _e935 = bits.member[_e933];
-        bits.member[_e933] = ((_e935 & ~((7u << bitcast<u32>((_e929 & 31u))))) | (_e921.bits << bitcast<u32>((_e929 & 31u))));
-        if (_e929 > 29u) {
-            let _e950 = bits.member[(_e933 + 1u)];
-            let _e952 = (32u - _e929);
-            bits.member[(_e933 + 1u)] = ((_e950 & ~((7u >> bitcast<u32>((_e952 & 31u))))) | (_e921.bits >> bitcast<u32>((_e952 & 31u))));
+        let _e848 = phi_1032_;
+        visibility.member[_e64.first_primitive] = _e848.visibility;
+        let _e853 = p.member.light.number;
+        let _e854 = (_e853 * 3u);
+        let _e856 = (_e854 % 32u);
+        let _e858 = p.member.light.mask_words;
+        let _e860 = ((_e64.first_primitive * _e858) + (_e854 / 32u));
+        let _e862 = bits.member[_e860];
+        bits.member[_e860] = ((_e862 & ~((7u << bitcast<u32>((_e856 & 31u))))) | (_e848.bits << bitcast<u32>((_e856 & 31u))));
+        if (_e856 > 29u) {
+            let _e877 = bits.member[(_e860 + 1u)];
+            let _e879 = (32u - _e856);
+            bits.member[(_e860 + 1u)] = ((_e877 & ~((7u >> bitcast<u32>((_e879 & 31u))))) | (_e848.bits >> bitcast<u32>((_e879 & 31u))));
         }
-        phi_1155_ = _e921.needs_ray;
-        phi_1156_ = _e65.first_primitive;
+        phi_1082_ = _e848.needs_ray;
+        phi_1083_ = _e64.first_primitive;
     } else {
-        phi_1155_ = false;
-        phi_1156_ = 0u;
+        phi_1082_ = false;
+        phi_1083_ = 0u;
     }
-    let _e966 = phi_1155_;
-    let _e968 = phi_1156_;
-    if (_e50 == 0u) {
+    let _e893 = phi_1082_;
+    let _e895 = phi_1083_;
+    if (_e49 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e966 {
-        let _e972 = atomicAdd((&shared_[0u]), 1u);
-        phi_1167_ = _e972;
+    if _e893 {
+        let _e899 = atomicAdd((&shared_[0u]), 1u);
+        phi_1094_ = _e899;
     } else {
-        phi_1167_ = 0u;
+        phi_1094_ = 0u;
     }
-    let _e974 = phi_1167_;
+    let _e901 = phi_1094_;
     workgroupBarrier();
-    if (_e50 == 0u) {
-        let _e978 = atomicLoad((&shared_[0u]));
-        let _e979 = atomicAdd((&list.member[3u]), _e978);
-        atomicStore((&shared_[1u]), _e979);
+    if (_e49 == 0u) {
+        let _e905 = atomicLoad((&shared_[0u]));
+        let _e906 = atomicAdd((&list.member[3u]), _e905);
+        atomicStore((&shared_[1u]), _e906);
     }
     workgroupBarrier();
-    if _e966 {
-        let _e982 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e982) + _e974)]), _e968);
+    if _e893 {
+        let _e909 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e909) + _e901)]), _e895);
     }
     return;
 }

@@ -122,942 +122,933 @@ var<workgroup> shared_: array<atomic<u32>, 2>;
 var<storage> past: type_43;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_164_: lt_bvh_traverse_Tree;
-    var phi_165_: bool;
-    var phi_166_: lt_bvh_traverse_Tree;
-    var phi_167_: bool;
-    var phi_172_: lt_bvh_traverse_Tree;
+    var phi_163_: lt_bvh_traverse_Tree;
+    var phi_164_: bool;
+    var phi_165_: lt_bvh_traverse_Tree;
+    var phi_166_: bool;
+    var phi_171_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_164_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_165_ = false;
+            phi_163_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_164_ = false;
         } else {
-            phi_164_ = lt_bvh_traverse_Tree();
-            phi_165_ = true;
+            phi_163_ = lt_bvh_traverse_Tree();
+            phi_164_ = true;
         }
-        let _e63 = phi_164_;
-        let _e65 = phi_165_;
-        phi_166_ = _e63;
-        phi_167_ = _e65;
+        let _e62 = phi_163_;
+        let _e64 = phi_164_;
+        phi_165_ = _e62;
+        phi_166_ = _e64;
     } else {
-        phi_166_ = lt_bvh_traverse_Tree();
-        phi_167_ = true;
+        phi_165_ = lt_bvh_traverse_Tree();
+        phi_166_ = true;
     }
-    let _e67 = phi_166_;
-    let _e69 = phi_167_;
-    if _e69 {
-        phi_172_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e66 = phi_165_;
+    let _e68 = phi_166_;
+    if _e68 {
+        phi_171_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_172_ = _e67;
+        phi_171_ = _e66;
     }
-    let _e74 = phi_172_;
-    return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
+    let _e73 = phi_171_;
+    return lt_bvh_traverse_Tree(_e73.root, _e73.first_primitive);
 }
 
 fn function_() {
-    var phi_218_: u32;
+    var phi_217_: u32;
+    var phi_254_: bool;
     var phi_255_: bool;
     var phi_256_: bool;
     var phi_257_: bool;
-    var phi_258_: bool;
-    var phi_262_: bool;
+    var phi_261_: bool;
+    var phi_331_: bool;
     var phi_332_: bool;
-    var phi_333_: bool;
-    var phi_344_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_345_: bool;
-    var phi_346_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_347_: bool;
-    var phi_354_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_358_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_371_: bool;
+    var phi_343_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_344_: bool;
+    var phi_345_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_346_: bool;
+    var phi_353_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_357_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_370_: bool;
+    var phi_398_: bool;
     var phi_399_: bool;
     var phi_400_: bool;
     var phi_401_: bool;
-    var phi_402_: bool;
+    var phi_405_: bool;
     var phi_406_: bool;
-    var phi_407_: bool;
-    var phi_615_: f32;
-    var phi_620_: f32;
-    var phi_621_: bool;
-    var phi_622_: f32;
-    var phi_623_: bool;
-    var phi_627_: f32;
-    var phi_648_: f32;
-    var phi_653_: f32;
-    var phi_654_: bool;
-    var phi_655_: f32;
-    var phi_656_: bool;
-    var phi_660_: f32;
-    var phi_681_: bool;
-    var phi_700_: vec2<u32>;
-    var phi_701_: bool;
+    var phi_542_: f32;
+    var phi_547_: f32;
+    var phi_548_: bool;
+    var phi_549_: f32;
+    var phi_550_: bool;
+    var phi_554_: f32;
+    var phi_575_: f32;
+    var phi_580_: f32;
+    var phi_581_: bool;
+    var phi_582_: f32;
+    var phi_583_: bool;
+    var phi_587_: f32;
+    var phi_608_: bool;
+    var phi_627_: vec2<u32>;
+    var phi_628_: bool;
+    var phi_629_: bool;
+    var phi_630_: bool;
+    var phi_631_: vec2<u32>;
+    var phi_632_: bool;
+    var phi_633_: bool;
+    var phi_634_: bool;
+    var phi_635_: bool;
+    var phi_636_: bool;
+    var phi_637_: bool;
+    var phi_638_: vec2<u32>;
+    var phi_639_: bool;
+    var phi_640_: bool;
+    var phi_641_: bool;
+    var phi_642_: bool;
+    var phi_643_: bool;
+    var phi_644_: bool;
+    var phi_645_: vec2<u32>;
+    var phi_646_: bool;
+    var phi_647_: bool;
+    var phi_648_: bool;
+    var phi_649_: bool;
+    var phi_658_: bool;
+    var phi_659_: bool;
+    var phi_660_: bool;
+    var phi_661_: bool;
+    var phi_665_: bool;
+    var phi_666_: bool;
+    var phi_667_: vec2<u32>;
     var phi_702_: bool;
-    var phi_703_: bool;
-    var phi_704_: vec2<u32>;
-    var phi_705_: bool;
+    var phi_704_: lt_mask_Reprojection;
+    var phi_705_: lt_mask_Reprojection;
     var phi_706_: bool;
-    var phi_707_: bool;
-    var phi_708_: bool;
-    var phi_709_: bool;
     var phi_710_: bool;
-    var phi_711_: vec2<u32>;
-    var phi_712_: bool;
+    var phi_711_: lt_mask_Reprojection;
+    var phi_712_: lt_mask_Reprojection;
     var phi_713_: bool;
-    var phi_714_: bool;
-    var phi_715_: bool;
-    var phi_716_: bool;
-    var phi_717_: bool;
-    var phi_718_: vec2<u32>;
-    var phi_719_: bool;
-    var phi_720_: bool;
     var phi_721_: bool;
-    var phi_722_: bool;
-    var phi_731_: bool;
-    var phi_732_: bool;
-    var phi_733_: bool;
-    var phi_734_: bool;
-    var phi_738_: bool;
-    var phi_739_: bool;
-    var phi_740_: vec2<u32>;
-    var phi_775_: bool;
-    var phi_777_: lt_mask_Reprojection;
-    var phi_778_: lt_mask_Reprojection;
-    var phi_779_: bool;
-    var phi_783_: bool;
-    var phi_784_: lt_mask_Reprojection;
-    var phi_785_: lt_mask_Reprojection;
-    var phi_786_: bool;
-    var phi_794_: bool;
-    var phi_795_: lt_mask_Reprojection;
-    var phi_861_: u32;
-    var phi_866_: u32;
-    var phi_867_: u32;
-    var phi_868_: u32;
-    var phi_869_: bool;
-    var phi_870_: u32;
-    var phi_871_: bool;
-    var phi_872_: bool;
-    var phi_873_: u32;
-    var phi_874_: bool;
-    var phi_875_: bool;
-    var phi_879_: bool;
-    var phi_883_: u32;
-    var phi_888_: bool;
-    var phi_928_: lt_mask_Neighbourhood;
-    var phi_929_: lt_mask_Neighbourhood;
-    var phi_930_: lt_mask_Neighbourhood;
-    var phi_962_: bool;
-    var phi_963_: bool;
-    var phi_985_: bool;
-    var phi_986_: bool;
-    var phi_987_: bool;
-    var phi_991_: bool;
-    var phi_1013_: bool;
-    var phi_1014_: bool;
-    var phi_1027_: bool;
-    var phi_1028_: bool;
-    var phi_1029_: bool;
-    var phi_1036_: u32;
-    var phi_1037_: u32;
-    var phi_1038_: u32;
-    var phi_1039_: u32;
-    var phi_1040_: u32;
-    var phi_1041_: u32;
-    var phi_1042_: u32;
-    var phi_1054_: bool;
-    var phi_1055_: bool;
-    var phi_1056_: bool;
-    var phi_1057_: bool;
-    var phi_1061_: bool;
-    var phi_1067_: bool;
-    var phi_1075_: u32;
-    var phi_1080_: u32;
-    var phi_1089_: u32;
-    var phi_1094_: u32;
-    var phi_1098_: u32;
-    var phi_1099_: u32;
-    var phi_1100_: u32;
-    var phi_1104_: f32;
-    var phi_1106_: mask_Masked;
-    var phi_1156_: bool;
-    var phi_1157_: u32;
-    var phi_1168_: u32;
+    var phi_722_: lt_mask_Reprojection;
+    var phi_788_: u32;
+    var phi_793_: u32;
+    var phi_794_: u32;
+    var phi_795_: u32;
+    var phi_796_: bool;
+    var phi_797_: u32;
+    var phi_798_: bool;
+    var phi_799_: bool;
+    var phi_800_: u32;
+    var phi_801_: bool;
+    var phi_802_: bool;
+    var phi_806_: bool;
+    var phi_810_: u32;
+    var phi_815_: bool;
+    var phi_855_: lt_mask_Neighbourhood;
+    var phi_856_: lt_mask_Neighbourhood;
+    var phi_857_: lt_mask_Neighbourhood;
+    var phi_889_: bool;
+    var phi_890_: bool;
+    var phi_912_: bool;
+    var phi_913_: bool;
+    var phi_914_: bool;
+    var phi_918_: bool;
+    var phi_940_: bool;
+    var phi_941_: bool;
+    var phi_954_: bool;
+    var phi_955_: bool;
+    var phi_956_: bool;
+    var phi_963_: u32;
+    var phi_964_: u32;
+    var phi_965_: u32;
+    var phi_966_: u32;
+    var phi_967_: u32;
+    var phi_968_: u32;
+    var phi_969_: u32;
+    var phi_981_: bool;
+    var phi_982_: bool;
+    var phi_983_: bool;
+    var phi_984_: bool;
+    var phi_988_: bool;
+    var phi_994_: bool;
+    var phi_1002_: u32;
+    var phi_1007_: u32;
+    var phi_1016_: u32;
+    var phi_1021_: u32;
+    var phi_1025_: u32;
+    var phi_1026_: u32;
+    var phi_1027_: u32;
+    var phi_1031_: f32;
+    var phi_1033_: mask_Masked;
+    var phi_1083_: bool;
+    var phi_1084_: u32;
+    var phi_1095_: u32;
 
-    let _e50 = id_1;
-    let _e51 = local_1;
-    let _e56 = arrayLength((&heard.member));
-    let _e64 = p.member.current.size[0u];
-    let _e66 = p.member.current.size[1u];
-    let _e67 = lt_shaders_entry_pixel_index(_e50, _e64, _e66);
-    if (bitcast<i32>(_e67.root) != 0i) {
-        let _e75 = p.member.current.size[0u];
+    let _e49 = id_1;
+    let _e50 = local_1;
+    let _e55 = arrayLength((&heard.member));
+    let _e63 = p.member.current.size[0u];
+    let _e65 = p.member.current.size[1u];
+    let _e66 = lt_shaders_entry_pixel_index(_e49, _e63, _e65);
+    if (bitcast<i32>(_e66.root) != 0i) {
+        let _e74 = p.member.current.size[0u];
         if (32u == 0u) {
             return;
         }
-        let _e77 = (_e75 / 32u);
+        let _e76 = (_e74 / 32u);
         if (32u == 0u) {
             return;
         }
-        if ((_e75 % 32u) > 0u) {
-            phi_218_ = (_e77 + 1u);
+        if ((_e74 % 32u) > 0u) {
+            phi_217_ = (_e76 + 1u);
         } else {
-            phi_218_ = _e77;
+            phi_217_ = _e76;
         }
-        let _e83 = phi_218_;
-        let _e86 = past.member[_e67.first_primitive];
-        let _e91 = visibility.member[_e67.first_primitive];
-        let _e97 = samples.member[_e67.first_primitive].normal[0u];
-        let _e99 = global[0u];
-        if (_e97 == _e99) {
-            let _e102 = samples.member[_e67.first_primitive].normal[1u];
-            let _e104 = global[1u];
-            if (_e102 == _e104) {
-                let _e107 = samples.member[_e67.first_primitive].normal[2u];
-                let _e109 = global[2u];
-                phi_255_ = (_e107 == _e109);
-                phi_256_ = false;
+        let _e82 = phi_217_;
+        let _e85 = past.member[_e66.first_primitive];
+        let _e90 = visibility.member[_e66.first_primitive];
+        let _e96 = samples.member[_e66.first_primitive].normal[0u];
+        let _e98 = global[0u];
+        if (_e96 == _e98) {
+            let _e101 = samples.member[_e66.first_primitive].normal[1u];
+            let _e103 = global[1u];
+            if (_e101 == _e103) {
+                let _e106 = samples.member[_e66.first_primitive].normal[2u];
+                let _e108 = global[2u];
+                phi_254_ = (_e106 == _e108);
+                phi_255_ = false;
             } else {
-                phi_255_ = bool();
-                phi_256_ = true;
+                phi_254_ = bool();
+                phi_255_ = true;
             }
-            let _e112 = phi_255_;
-            let _e114 = phi_256_;
-            phi_257_ = _e112;
-            phi_258_ = _e114;
+            let _e111 = phi_254_;
+            let _e113 = phi_255_;
+            phi_256_ = _e111;
+            phi_257_ = _e113;
         } else {
-            phi_257_ = bool();
-            phi_258_ = true;
+            phi_256_ = bool();
+            phi_257_ = true;
         }
-        let _e116 = phi_257_;
-        let _e118 = phi_258_;
-        if _e118 {
-            phi_262_ = false;
+        let _e115 = phi_256_;
+        let _e117 = phi_257_;
+        if _e117 {
+            phi_261_ = false;
         } else {
-            phi_262_ = _e116;
+            phi_261_ = _e115;
         }
-        let _e120 = phi_262_;
-        if !(_e120) {
-            let _e123 = samples.member[_e67.first_primitive].position;
-            let _e125 = p.member.light.place;
-            let _e131 = p.member.light.place[3u];
-            let _e138 = (_e125.x - (_e123.x * _e131));
-            let _e139 = (_e125.y - (_e123.y * _e131));
-            let _e140 = (_e125.z - (_e123.z * _e131));
-            let _e142 = samples.member[_e67.first_primitive].normal;
-            if ((((_e142.x * _e138) + (_e142.y * _e139)) + (_e142.z * _e140)) > 0f) {
-                let _e156 = (((_e138 * _e138) + (_e139 * _e139)) + (_e140 * _e140));
-                let _e158 = p.member.light.axis;
-                let _e170 = p.member.light.place[3u];
-                if (_e170 == 0f) {
-                    phi_333_ = true;
+        let _e119 = phi_261_;
+        if !(_e119) {
+            let _e122 = samples.member[_e66.first_primitive].position;
+            let _e124 = p.member.light.place;
+            let _e130 = p.member.light.place[3u];
+            let _e137 = (_e124.x - (_e122.x * _e130));
+            let _e138 = (_e124.y - (_e122.y * _e130));
+            let _e139 = (_e124.z - (_e122.z * _e130));
+            let _e141 = samples.member[_e66.first_primitive].normal;
+            if ((((_e141.x * _e137) + (_e141.y * _e138)) + (_e141.z * _e139)) > 0f) {
+                let _e155 = (((_e137 * _e137) + (_e138 * _e138)) + (_e139 * _e139));
+                let _e157 = p.member.light.axis;
+                let _e169 = p.member.light.place[3u];
+                if (_e169 == 0f) {
+                    phi_332_ = true;
                 } else {
-                    let _e173 = p.member.light.range_squared;
-                    if (_e156 <= _e173) {
-                        let _e176 = p.member.light.cos_outer;
-                        phi_332_ = (-((((_e138 * _e158.x) + (_e139 * _e158.y)) + (_e140 * _e158.z))) >= (_e176 * sqrt(_e156)));
+                    let _e172 = p.member.light.range_squared;
+                    if (_e155 <= _e172) {
+                        let _e175 = p.member.light.cos_outer;
+                        phi_331_ = (-((((_e137 * _e157.x) + (_e138 * _e157.y)) + (_e139 * _e157.z))) >= (_e175 * sqrt(_e155)));
                     } else {
-                        phi_332_ = false;
+                        phi_331_ = false;
                     }
-                    let _e181 = phi_332_;
-                    phi_333_ = _e181;
+                    let _e180 = phi_331_;
+                    phi_332_ = _e180;
                 }
-                let _e183 = phi_333_;
-                if _e183 {
-                    let _e185 = samples.member[_e67.first_primitive].flags;
-                    let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e193.unnamed.visibility, false), _e193.unnamed_1);
-                    phi_344_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e199.unnamed, ((_e185 & 1u) == 0u));
-                    phi_345_ = false;
+                let _e182 = phi_332_;
+                if _e182 {
+                    let _e184 = samples.member[_e66.first_primitive].flags;
+                    let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
+                    phi_343_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, ((_e184 & 1u) == 0u));
+                    phi_344_ = false;
                 } else {
-                    phi_344_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_345_ = true;
+                    phi_343_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_344_ = true;
                 }
-                let _e204 = phi_344_;
-                let _e206 = phi_345_;
-                phi_346_ = _e204;
-                phi_347_ = _e206;
+                let _e203 = phi_343_;
+                let _e205 = phi_344_;
+                phi_345_ = _e203;
+                phi_346_ = _e205;
             } else {
-                phi_346_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_347_ = true;
+                phi_345_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_346_ = true;
             }
-            let _e208 = phi_346_;
-            let _e210 = phi_347_;
-            if _e210 {
-                let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e216.unnamed.visibility, false), _e216.unnamed_1);
-                phi_354_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e222.unnamed, true);
+            let _e207 = phi_345_;
+            let _e209 = phi_346_;
+            if _e209 {
+                let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e215.unnamed.visibility, false), _e215.unnamed_1);
+                phi_353_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e221.unnamed, true);
             } else {
-                phi_354_ = _e208;
+                phi_353_ = _e207;
             }
-            let _e227 = phi_354_;
-            phi_358_ = _e227;
+            let _e226 = phi_353_;
+            phi_357_ = _e226;
         } else {
-            let _e233 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e239 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e233.unnamed.visibility, false), _e233.unnamed_1);
-            phi_358_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e239.unnamed, true);
+            let _e232 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e238 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e232.unnamed.visibility, false), _e232.unnamed_1);
+            phi_357_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e238.unnamed, true);
         }
-        let _e244 = phi_358_;
-        if _e244.unnamed_1 {
-            phi_1106_ = mask_Masked(_e244.unnamed.visibility, 0u, false);
+        let _e243 = phi_357_;
+        if _e243.unnamed_1 {
+            phi_1033_ = mask_Masked(_e243.unnamed.visibility, 0u, false);
         } else {
-            let _e249 = (_e91 < 0.5f);
-            if (_e91 > 0f) {
-                phi_371_ = (_e91 < 1f);
+            let _e248 = (_e90 < 0.5f);
+            if (_e90 > 0f) {
+                phi_370_ = (_e90 < 1f);
             } else {
-                phi_371_ = false;
+                phi_370_ = false;
             }
-            let _e253 = phi_371_;
-            let _e260 = lt_mask_Reprojection(vec2<u32>(_e50.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e267 = lt_mask_Reprojection(vec2<u32>(_e260.pixel.x, _e50.y), _e260.is_valid, _e260.has_moved);
-            let _e271 = lt_mask_Reprojection(_e267.pixel, true, _e267.has_moved);
-            let _e277 = p.member.flags;
-            if ((_e277 & 16u) == 0u) {
-                phi_407_ = false;
+            let _e252 = phi_370_;
+            let _e259 = lt_mask_Reprojection(vec2<u32>(_e49.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e266 = lt_mask_Reprojection(vec2<u32>(_e259.pixel.x, _e49.y), _e259.is_valid, _e259.has_moved);
+            let _e270 = lt_mask_Reprojection(_e266.pixel, true, _e266.has_moved);
+            let _e276 = p.member.flags;
+            if ((_e276 & 16u) == 0u) {
+                phi_406_ = false;
             } else {
-                let _e282 = samples.member[_e67.first_primitive].position[0u];
-                if (_e86.x == _e282) {
-                    let _e285 = samples.member[_e67.first_primitive].position[1u];
-                    if (_e86.y == _e285) {
-                        let _e288 = samples.member[_e67.first_primitive].position[2u];
-                        phi_399_ = (_e86.z == _e288);
-                        phi_400_ = false;
+                let _e281 = samples.member[_e66.first_primitive].position[0u];
+                if (_e85.x == _e281) {
+                    let _e284 = samples.member[_e66.first_primitive].position[1u];
+                    if (_e85.y == _e284) {
+                        let _e287 = samples.member[_e66.first_primitive].position[2u];
+                        phi_398_ = (_e85.z == _e287);
+                        phi_399_ = false;
                     } else {
-                        phi_399_ = bool();
-                        phi_400_ = true;
+                        phi_398_ = bool();
+                        phi_399_ = true;
                     }
-                    let _e291 = phi_399_;
-                    let _e293 = phi_400_;
-                    phi_401_ = _e291;
-                    phi_402_ = _e293;
+                    let _e290 = phi_398_;
+                    let _e292 = phi_399_;
+                    phi_400_ = _e290;
+                    phi_401_ = _e292;
                 } else {
-                    phi_401_ = bool();
-                    phi_402_ = true;
+                    phi_400_ = bool();
+                    phi_401_ = true;
                 }
-                let _e295 = phi_401_;
-                let _e297 = phi_402_;
-                if _e297 {
-                    phi_406_ = false;
+                let _e294 = phi_400_;
+                let _e296 = phi_401_;
+                if _e296 {
+                    phi_405_ = false;
                 } else {
-                    phi_406_ = _e295;
+                    phi_405_ = _e294;
                 }
-                let _e299 = phi_406_;
-                phi_407_ = _e299;
+                let _e298 = phi_405_;
+                phi_406_ = _e298;
             }
-            let _e301 = phi_407_;
-            if _e301 {
-                phi_784_ = lt_mask_Reprojection(_e271.pixel, _e271.is_valid, false);
-                phi_785_ = lt_mask_Reprojection();
-                phi_786_ = true;
+            let _e300 = phi_406_;
+            if _e300 {
+                phi_711_ = lt_mask_Reprojection(_e270.pixel, _e270.is_valid, false);
+                phi_712_ = lt_mask_Reprojection();
+                phi_713_ = true;
             } else {
-                let _e303 = samples.member[_e67.first_primitive].position;
-                let _e307 = p.member.previous.eye;
-                let _e309 = (_e86.x - _e307.x);
-                let _e311 = (_e86.y - _e307.y);
-                let _e313 = (_e86.z - _e307.z);
-                let _e315 = p.member.previous.forward;
-                let _e323 = (((_e309 * _e315.x) + (_e311 * _e315.y)) + (_e313 * _e315.z));
-                let _e325 = p.member.previous.right;
-                let _e335 = p.member.previous.right;
-                let _e350 = p.member.previous.up;
-                let _e360 = p.member.previous.up;
-                let _e375 = p.member.current.eye;
-                let _e378 = (_e303.x - _e375.x);
-                let _e381 = (_e303.y - _e375.y);
-                let _e384 = (_e303.z - _e375.z);
-                let _e386 = p.member.current.forward;
-                let _e394 = (((_e378 * _e386.x) + (_e381 * _e386.y)) + (_e384 * _e386.z));
-                let _e396 = p.member.current.right;
-                let _e406 = p.member.current.right;
-                let _e421 = p.member.current.up;
-                let _e431 = p.member.current.up;
-                let _e450 = p.member.current.size[0u];
-                let _e452 = (((((((_e309 * _e325.x) + (_e311 * _e325.y)) + (_e313 * _e325.z)) / ((((_e335.x * _e335.x) + (_e335.y * _e335.y)) + (_e335.z * _e335.z)) * _e323)) - ((((_e378 * _e396.x) + (_e381 * _e396.y)) + (_e384 * _e396.z)) / ((((_e406.x * _e406.x) + (_e406.y * _e406.y)) + (_e406.z * _e406.z)) * _e394))) * 0.5f) * f32(_e450));
-                let _e456 = p.member.current.size[1u];
-                let _e458 = (((((((_e309 * _e350.x) + (_e311 * _e350.y)) + (_e313 * _e350.z)) / ((((_e360.x * _e360.x) + (_e360.y * _e360.y)) + (_e360.z * _e360.z)) * _e323)) - ((((_e378 * _e421.x) + (_e381 * _e421.y)) + (_e384 * _e421.z)) / ((((_e431.x * _e431.x) + (_e431.y * _e431.y)) + (_e431.z * _e431.z)) * _e394))) * -0.5f) * f32(_e456));
-                let _e462 = p.member.current.grid[0u];
-                let _e464 = p.member.current.grid[1u];
-                let _e484 = p.member.current.size[0u];
-                let _e486 = p.member.current.size[1u];
-                let _e488 = ((f32(_e50.x) + ((f32((_e50.y & (_e464 - 1u))) + 0.5f) / f32(_e464))) + _e452);
-                if (_e488 > -8388608f) {
-                    let _e500 = f32(select(0i, select(select(i32(_e488), i32(-2147483648), (_e488 < bitcast<f32>(3472883712u))), 2147483647i, (_e488 > bitcast<f32>(1325400063u))), (_e488 == _e488)));
-                    if (_e500 > _e488) {
-                        phi_615_ = 1f;
+                let _e304 = p.member.current.grid[0u];
+                let _e306 = p.member.current.grid[1u];
+                let _e320 = (f32(_e49.x) + ((f32((_e49.y & (_e306 - 1u))) + 0.5f) / f32(_e306)));
+                let _e322 = (f32(_e49.y) + ((f32((_e49.x & (_e304 - 1u))) + 0.5f) / f32(_e304)));
+                let _e325 = p.member.previous.eye;
+                let _e327 = (_e85.x - _e325.x);
+                let _e329 = (_e85.y - _e325.y);
+                let _e331 = (_e85.z - _e325.z);
+                let _e333 = p.member.previous.forward;
+                let _e341 = (((_e327 * _e333.x) + (_e329 * _e333.y)) + (_e331 * _e333.z));
+                let _e343 = p.member.previous.right;
+                let _e353 = p.member.previous.right;
+                let _e368 = p.member.previous.up;
+                let _e378 = p.member.previous.up;
+                let _e395 = p.member.previous.size[0u];
+                let _e402 = p.member.previous.size[1u];
+                let _e406 = (((((((_e327 * _e343.x) + (_e329 * _e343.y)) + (_e331 * _e343.z)) / ((((_e353.x * _e353.x) + (_e353.y * _e353.y)) + (_e353.z * _e353.z)) * _e341)) + 1f) * (0.5f * f32(_e395))) - _e320);
+                let _e407 = (((1f - ((((_e327 * _e368.x) + (_e329 * _e368.y)) + (_e331 * _e368.z)) / ((((_e378.x * _e378.x) + (_e378.y * _e378.y)) + (_e378.z * _e378.z)) * _e341))) * (0.5f * f32(_e402))) - _e322);
+                let _e411 = p.member.current.size[0u];
+                let _e413 = p.member.current.size[1u];
+                let _e415 = (_e320 + _e406);
+                if (_e415 > -8388608f) {
+                    let _e427 = f32(select(0i, select(select(i32(_e415), i32(-2147483648), (_e415 < bitcast<f32>(3472883712u))), 2147483647i, (_e415 > bitcast<f32>(1325400063u))), (_e415 == _e415)));
+                    if (_e427 > _e415) {
+                        phi_542_ = 1f;
                     } else {
-                        phi_615_ = 0f;
+                        phi_542_ = 0f;
                     }
-                    let _e503 = phi_615_;
-                    if (_e488 < 8388608f) {
-                        phi_620_ = (_e500 - _e503);
-                        phi_621_ = false;
+                    let _e430 = phi_542_;
+                    if (_e415 < 8388608f) {
+                        phi_547_ = (_e427 - _e430);
+                        phi_548_ = false;
                     } else {
-                        phi_620_ = f32();
-                        phi_621_ = true;
+                        phi_547_ = f32();
+                        phi_548_ = true;
                     }
-                    let _e506 = phi_620_;
-                    let _e508 = phi_621_;
-                    phi_622_ = _e506;
-                    phi_623_ = _e508;
+                    let _e433 = phi_547_;
+                    let _e435 = phi_548_;
+                    phi_549_ = _e433;
+                    phi_550_ = _e435;
                 } else {
-                    phi_622_ = f32();
-                    phi_623_ = true;
+                    phi_549_ = f32();
+                    phi_550_ = true;
                 }
-                let _e510 = phi_622_;
-                let _e512 = phi_623_;
-                if _e512 {
-                    phi_627_ = _e488;
+                let _e437 = phi_549_;
+                let _e439 = phi_550_;
+                if _e439 {
+                    phi_554_ = _e415;
                 } else {
-                    phi_627_ = _e510;
+                    phi_554_ = _e437;
                 }
-                let _e514 = phi_627_;
-                let _e515 = ((f32(_e50.y) + ((f32((_e50.x & (_e462 - 1u))) + 0.5f) / f32(_e462))) + _e458);
-                if (_e515 > -8388608f) {
-                    let _e527 = f32(select(0i, select(select(i32(_e515), i32(-2147483648), (_e515 < bitcast<f32>(3472883712u))), 2147483647i, (_e515 > bitcast<f32>(1325400063u))), (_e515 == _e515)));
-                    if (_e527 > _e515) {
-                        phi_648_ = 1f;
+                let _e441 = phi_554_;
+                let _e442 = (_e322 + _e407);
+                if (_e442 > -8388608f) {
+                    let _e454 = f32(select(0i, select(select(i32(_e442), i32(-2147483648), (_e442 < bitcast<f32>(3472883712u))), 2147483647i, (_e442 > bitcast<f32>(1325400063u))), (_e442 == _e442)));
+                    if (_e454 > _e442) {
+                        phi_575_ = 1f;
                     } else {
-                        phi_648_ = 0f;
+                        phi_575_ = 0f;
                     }
-                    let _e530 = phi_648_;
-                    if (_e515 < 8388608f) {
-                        phi_653_ = (_e527 - _e530);
-                        phi_654_ = false;
+                    let _e457 = phi_575_;
+                    if (_e442 < 8388608f) {
+                        phi_580_ = (_e454 - _e457);
+                        phi_581_ = false;
                     } else {
-                        phi_653_ = f32();
-                        phi_654_ = true;
+                        phi_580_ = f32();
+                        phi_581_ = true;
                     }
-                    let _e533 = phi_653_;
-                    let _e535 = phi_654_;
-                    phi_655_ = _e533;
-                    phi_656_ = _e535;
+                    let _e460 = phi_580_;
+                    let _e462 = phi_581_;
+                    phi_582_ = _e460;
+                    phi_583_ = _e462;
                 } else {
-                    phi_655_ = f32();
-                    phi_656_ = true;
+                    phi_582_ = f32();
+                    phi_583_ = true;
                 }
-                let _e537 = phi_655_;
-                let _e539 = phi_656_;
-                if _e539 {
-                    phi_660_ = _e515;
+                let _e464 = phi_582_;
+                let _e466 = phi_583_;
+                if _e466 {
+                    phi_587_ = _e442;
                 } else {
-                    phi_660_ = _e537;
+                    phi_587_ = _e464;
                 }
-                let _e541 = phi_660_;
-                if (_e514 >= 0f) {
-                    if (_e541 >= 0f) {
-                        if (_e514 < f32(_e484)) {
-                            let _e547 = (_e541 < f32(_e486));
-                            if (_e452 == 0f) {
-                                phi_681_ = (_e458 == 0f);
+                let _e468 = phi_587_;
+                if (_e441 >= 0f) {
+                    if (_e468 >= 0f) {
+                        if (_e441 < f32(_e411)) {
+                            let _e474 = (_e468 < f32(_e413));
+                            if (_e406 == 0f) {
+                                phi_608_ = (_e407 == 0f);
                             } else {
-                                phi_681_ = false;
+                                phi_608_ = false;
                             }
-                            let _e551 = phi_681_;
-                            if _e547 {
-                                phi_700_ = vec2<u32>(select(select(u32(_e514), 0u, (_e514 < bitcast<f32>(0u))), 4294967295u, (_e514 > bitcast<f32>(1333788671u))), select(select(u32(_e541), 0u, (_e541 < bitcast<f32>(0u))), 4294967295u, (_e541 > bitcast<f32>(1333788671u))));
-                                phi_701_ = false;
+                            let _e478 = phi_608_;
+                            if _e474 {
+                                phi_627_ = vec2<u32>(select(select(u32(_e441), 0u, (_e441 < bitcast<f32>(0u))), 4294967295u, (_e441 > bitcast<f32>(1333788671u))), select(select(u32(_e468), 0u, (_e468 < bitcast<f32>(0u))), 4294967295u, (_e468 > bitcast<f32>(1333788671u))));
+                                phi_628_ = false;
                             } else {
-                                phi_700_ = vec2<u32>();
-                                phi_701_ = true;
+                                phi_627_ = vec2<u32>();
+                                phi_628_ = true;
                             }
-                            let _e568 = phi_700_;
-                            let _e570 = phi_701_;
-                            phi_702_ = _e551;
-                            phi_703_ = _e547;
-                            phi_704_ = _e568;
-                            phi_705_ = _e551;
-                            phi_706_ = _e547;
-                            phi_707_ = false;
-                            phi_708_ = _e570;
+                            let _e495 = phi_627_;
+                            let _e497 = phi_628_;
+                            phi_629_ = _e478;
+                            phi_630_ = _e474;
+                            phi_631_ = _e495;
+                            phi_632_ = _e478;
+                            phi_633_ = _e474;
+                            phi_634_ = false;
+                            phi_635_ = _e497;
                         } else {
-                            phi_702_ = bool();
-                            phi_703_ = bool();
-                            phi_704_ = vec2<u32>();
-                            phi_705_ = bool();
-                            phi_706_ = bool();
-                            phi_707_ = true;
-                            phi_708_ = false;
+                            phi_629_ = bool();
+                            phi_630_ = bool();
+                            phi_631_ = vec2<u32>();
+                            phi_632_ = bool();
+                            phi_633_ = bool();
+                            phi_634_ = true;
+                            phi_635_ = false;
                         }
-                        let _e572 = phi_702_;
-                        let _e574 = phi_703_;
-                        let _e576 = phi_704_;
-                        let _e578 = phi_705_;
-                        let _e580 = phi_706_;
-                        let _e582 = phi_707_;
-                        let _e584 = phi_708_;
-                        phi_709_ = _e572;
-                        phi_710_ = _e574;
-                        phi_711_ = _e576;
-                        phi_712_ = _e578;
-                        phi_713_ = _e580;
-                        phi_714_ = _e582;
-                        phi_715_ = _e584;
+                        let _e499 = phi_629_;
+                        let _e501 = phi_630_;
+                        let _e503 = phi_631_;
+                        let _e505 = phi_632_;
+                        let _e507 = phi_633_;
+                        let _e509 = phi_634_;
+                        let _e511 = phi_635_;
+                        phi_636_ = _e499;
+                        phi_637_ = _e501;
+                        phi_638_ = _e503;
+                        phi_639_ = _e505;
+                        phi_640_ = _e507;
+                        phi_641_ = _e509;
+                        phi_642_ = _e511;
                     } else {
-                        phi_709_ = bool();
-                        phi_710_ = bool();
-                        phi_711_ = vec2<u32>();
-                        phi_712_ = bool();
-                        phi_713_ = bool();
-                        phi_714_ = true;
-                        phi_715_ = false;
+                        phi_636_ = bool();
+                        phi_637_ = bool();
+                        phi_638_ = vec2<u32>();
+                        phi_639_ = bool();
+                        phi_640_ = bool();
+                        phi_641_ = true;
+                        phi_642_ = false;
                     }
-                    let _e586 = phi_709_;
-                    let _e588 = phi_710_;
-                    let _e590 = phi_711_;
-                    let _e592 = phi_712_;
-                    let _e594 = phi_713_;
-                    let _e596 = phi_714_;
-                    let _e598 = phi_715_;
-                    phi_716_ = _e586;
-                    phi_717_ = _e588;
-                    phi_718_ = _e590;
-                    phi_719_ = _e592;
-                    phi_720_ = _e594;
-                    phi_721_ = _e596;
-                    phi_722_ = _e598;
+                    let _e513 = phi_636_;
+                    let _e515 = phi_637_;
+                    let _e517 = phi_638_;
+                    let _e519 = phi_639_;
+                    let _e521 = phi_640_;
+                    let _e523 = phi_641_;
+                    let _e525 = phi_642_;
+                    phi_643_ = _e513;
+                    phi_644_ = _e515;
+                    phi_645_ = _e517;
+                    phi_646_ = _e519;
+                    phi_647_ = _e521;
+                    phi_648_ = _e523;
+                    phi_649_ = _e525;
                 } else {
-                    phi_716_ = bool();
-                    phi_717_ = bool();
-                    phi_718_ = vec2<u32>();
-                    phi_719_ = bool();
-                    phi_720_ = bool();
-                    phi_721_ = true;
-                    phi_722_ = false;
+                    phi_643_ = bool();
+                    phi_644_ = bool();
+                    phi_645_ = vec2<u32>();
+                    phi_646_ = bool();
+                    phi_647_ = bool();
+                    phi_648_ = true;
+                    phi_649_ = false;
                 }
-                let _e600 = phi_716_;
-                let _e602 = phi_717_;
-                let _e604 = phi_718_;
-                let _e606 = phi_719_;
-                let _e608 = phi_720_;
-                let _e610 = phi_721_;
-                let _e612 = phi_722_;
-                if _e610 {
-                    if (_e452 == 0f) {
-                        phi_731_ = (_e458 == 0f);
+                let _e527 = phi_643_;
+                let _e529 = phi_644_;
+                let _e531 = phi_645_;
+                let _e533 = phi_646_;
+                let _e535 = phi_647_;
+                let _e537 = phi_648_;
+                let _e539 = phi_649_;
+                if _e537 {
+                    if (_e406 == 0f) {
+                        phi_658_ = (_e407 == 0f);
                     } else {
-                        phi_731_ = false;
+                        phi_658_ = false;
                     }
-                    let _e616 = phi_731_;
-                    phi_732_ = _e616;
-                    phi_733_ = false;
-                    phi_734_ = true;
+                    let _e543 = phi_658_;
+                    phi_659_ = _e543;
+                    phi_660_ = false;
+                    phi_661_ = true;
                 } else {
-                    phi_732_ = _e606;
-                    phi_733_ = _e608;
-                    phi_734_ = _e612;
+                    phi_659_ = _e533;
+                    phi_660_ = _e535;
+                    phi_661_ = _e539;
                 }
-                let _e618 = phi_732_;
-                let _e620 = phi_733_;
-                let _e622 = phi_734_;
-                if _e622 {
-                    phi_738_ = _e618;
-                    phi_739_ = _e620;
-                    phi_740_ = vec2<u32>(_e50.x, _e50.y);
+                let _e545 = phi_659_;
+                let _e547 = phi_660_;
+                let _e549 = phi_661_;
+                if _e549 {
+                    phi_665_ = _e545;
+                    phi_666_ = _e547;
+                    phi_667_ = vec2<u32>(_e49.x, _e49.y);
                 } else {
-                    phi_738_ = _e600;
-                    phi_739_ = _e602;
-                    phi_740_ = _e604;
+                    phi_665_ = _e527;
+                    phi_666_ = _e529;
+                    phi_667_ = _e531;
                 }
-                let _e624 = phi_738_;
-                let _e626 = phi_739_;
-                let _e628 = phi_740_;
-                let _e638 = lt_mask_Reprojection(vec2<u32>(_e628.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e645 = lt_mask_Reprojection(vec2<u32>(_e638.pixel.x, _e628.y), _e638.is_valid, _e638.has_moved);
-                let _e649 = lt_mask_Reprojection(_e645.pixel, _e626, _e645.has_moved);
-                let _e653 = lt_mask_Reprojection(_e649.pixel, _e649.is_valid, !(_e624));
-                if _e626 {
-                    let _e656 = p.member.previous.eye;
-                    let _e664 = p.member.previous.forward;
-                    let _e673 = (((((_e86.x - _e656.x) * _e664.x) + ((_e86.y - _e656.y) * _e664.y)) + ((_e86.z - _e656.z) * _e664.z)) > 0f);
-                    let _e677 = lt_mask_Reprojection(_e653.pixel, _e673, _e653.has_moved);
-                    if _e673 {
-                        phi_775_ = false;
+                let _e551 = phi_665_;
+                let _e553 = phi_666_;
+                let _e555 = phi_667_;
+                let _e565 = lt_mask_Reprojection(vec2<u32>(_e555.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e572 = lt_mask_Reprojection(vec2<u32>(_e565.pixel.x, _e555.y), _e565.is_valid, _e565.has_moved);
+                let _e576 = lt_mask_Reprojection(_e572.pixel, _e553, _e572.has_moved);
+                let _e580 = lt_mask_Reprojection(_e576.pixel, _e576.is_valid, !(_e551));
+                if _e553 {
+                    let _e583 = p.member.previous.eye;
+                    let _e591 = p.member.previous.forward;
+                    let _e600 = (((((_e85.x - _e583.x) * _e591.x) + ((_e85.y - _e583.y) * _e591.y)) + ((_e85.z - _e583.z) * _e591.z)) > 0f);
+                    let _e604 = lt_mask_Reprojection(_e580.pixel, _e600, _e580.has_moved);
+                    if _e600 {
+                        phi_702_ = false;
                     } else {
-                        phi_775_ = true;
+                        phi_702_ = true;
                     }
-                    let _e679 = phi_775_;
-                    phi_777_ = _e677;
-                    phi_778_ = _e677;
-                    phi_779_ = _e679;
+                    let _e606 = phi_702_;
+                    phi_704_ = _e604;
+                    phi_705_ = _e604;
+                    phi_706_ = _e606;
                 } else {
-                    phi_777_ = lt_mask_Reprojection();
-                    phi_778_ = lt_mask_Reprojection(_e653.pixel, false, _e653.has_moved);
-                    phi_779_ = true;
+                    phi_704_ = lt_mask_Reprojection();
+                    phi_705_ = lt_mask_Reprojection(_e580.pixel, false, _e580.has_moved);
+                    phi_706_ = true;
                 }
-                let _e685 = phi_777_;
-                let _e687 = phi_778_;
-                let _e689 = phi_779_;
-                if _e689 {
-                    phi_783_ = false;
+                let _e612 = phi_704_;
+                let _e614 = phi_705_;
+                let _e616 = phi_706_;
+                if _e616 {
+                    phi_710_ = false;
                 } else {
-                    phi_783_ = true;
+                    phi_710_ = true;
                 }
-                let _e691 = phi_783_;
-                phi_784_ = _e685;
-                phi_785_ = _e687;
-                phi_786_ = _e691;
+                let _e618 = phi_710_;
+                phi_711_ = _e612;
+                phi_712_ = _e614;
+                phi_713_ = _e618;
             }
-            let _e693 = phi_784_;
-            let _e695 = phi_785_;
-            let _e697 = phi_786_;
-            if _e697 {
-                let _e699 = p.member.flags;
-                phi_794_ = ((_e699 & 1u) != 0u);
-                phi_795_ = _e693;
+            let _e620 = phi_711_;
+            let _e622 = phi_712_;
+            let _e624 = phi_713_;
+            if _e624 {
+                let _e626 = p.member.flags;
+                phi_721_ = ((_e626 & 1u) != 0u);
+                phi_722_ = _e620;
             } else {
-                phi_794_ = false;
-                phi_795_ = _e695;
+                phi_721_ = false;
+                phi_722_ = _e622;
             }
-            let _e703 = phi_794_;
-            let _e705 = phi_795_;
-            let _e709 = lt_mask_Reprojection(_e705.pixel, _e703, _e705.has_moved);
-            let _e711 = p.member.flags;
-            let _e713 = ((_e711 & 2u) != 0u);
-            let _e715 = p.member.flags;
-            if ((_e715 & 4u) == 0u) {
-                phi_873_ = u32();
-                phi_874_ = true;
-                phi_875_ = false;
+            let _e630 = phi_721_;
+            let _e632 = phi_722_;
+            let _e636 = lt_mask_Reprojection(_e632.pixel, _e630, _e632.has_moved);
+            let _e638 = p.member.flags;
+            let _e640 = ((_e638 & 2u) != 0u);
+            let _e642 = p.member.flags;
+            if ((_e642 & 4u) == 0u) {
+                phi_800_ = u32();
+                phi_801_ = true;
+                phi_802_ = false;
             } else {
-                if _e703 {
-                    if !(_e709.has_moved) {
-                        let _e724 = ((((_e50.y * _e83) + (_e50.x / 32u)) * 6u) + 4u);
-                        if (_e724 < _e56) {
+                if _e630 {
+                    if !(_e636.has_moved) {
+                        let _e651 = ((((_e49.y * _e82) + (_e49.x / 32u)) * 6u) + 4u);
+                        if (_e651 < _e55) {
+                        } else {
+                            return;
+                        }
+                        let _e655 = heard.member[(0u + _e651)];
+                        if (((_e655 >> bitcast<u32>(((_e49.x % 32u) & 31u))) & 1u) != 0u) {
+                            let _e666 = ((((_e49.y * _e82) + (_e49.x / 32u)) * 6u) + 5u);
+                            if (_e666 < _e55) {
+                            } else {
+                                return;
+                            }
+                            let _e670 = heard.member[(0u + _e666)];
+                            if false {
+                                phi_788_ = (2u | 1u);
+                            } else {
+                                phi_788_ = 2u;
+                            }
+                            let _e679 = phi_788_;
+                            if (((_e670 >> bitcast<u32>(((_e49.x % 32u) & 31u))) & 1u) != 0u) {
+                                phi_793_ = (_e679 | 4u);
+                            } else {
+                                phi_793_ = _e679;
+                            }
+                            let _e682 = phi_793_;
+                            phi_794_ = _e682;
+                        } else {
+                            phi_794_ = 0u;
+                        }
+                        let _e684 = phi_794_;
+                        phi_795_ = _e684;
+                        phi_796_ = false;
+                    } else {
+                        phi_795_ = u32();
+                        phi_796_ = true;
+                    }
+                    let _e686 = phi_795_;
+                    let _e688 = phi_796_;
+                    phi_797_ = _e686;
+                    phi_798_ = false;
+                    phi_799_ = _e688;
+                } else {
+                    phi_797_ = u32();
+                    phi_798_ = true;
+                    phi_799_ = false;
+                }
+                let _e690 = phi_797_;
+                let _e692 = phi_798_;
+                let _e694 = phi_799_;
+                phi_800_ = _e690;
+                phi_801_ = _e692;
+                phi_802_ = _e694;
+            }
+            let _e696 = phi_800_;
+            let _e698 = phi_801_;
+            let _e700 = phi_802_;
+            if _e698 {
+                phi_806_ = true;
+            } else {
+                phi_806_ = _e700;
+            }
+            let _e702 = phi_806_;
+            if _e702 {
+                phi_810_ = 0u;
+            } else {
+                phi_810_ = _e696;
+            }
+            let _e704 = phi_810_;
+            let _e705 = lt_mask_Neighbourhood(false, true);
+            if _e252 {
+                phi_815_ = _e640;
+            } else {
+                phi_815_ = true;
+            }
+            let _e707 = phi_815_;
+            if _e707 {
+                if _e630 {
+                    if ((_e704 & 2u) != 0u) {
+                        phi_855_ = _e705;
+                    } else {
+                        let _e724 = ((((_e636.pixel.y * _e82) + (_e636.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e248) | (select(0u, 1u, _e636.has_moved) << bitcast<u32>(1i))));
+                        if (_e724 < _e55) {
                         } else {
                             return;
                         }
                         let _e728 = heard.member[(0u + _e724)];
-                        if (((_e728 >> bitcast<u32>(((_e50.x % 32u) & 31u))) & 1u) != 0u) {
-                            let _e739 = ((((_e50.y * _e83) + (_e50.x / 32u)) * 6u) + 5u);
-                            if (_e739 < _e56) {
-                            } else {
-                                return;
-                            }
-                            let _e743 = heard.member[(0u + _e739)];
-                            if false {
-                                phi_861_ = (2u | 1u);
-                            } else {
-                                phi_861_ = 2u;
-                            }
-                            let _e752 = phi_861_;
-                            if (((_e743 >> bitcast<u32>(((_e50.x % 32u) & 31u))) & 1u) != 0u) {
-                                phi_866_ = (_e752 | 4u);
-                            } else {
-                                phi_866_ = _e752;
-                            }
-                            let _e755 = phi_866_;
-                            phi_867_ = _e755;
-                        } else {
-                            phi_867_ = 0u;
-                        }
-                        let _e757 = phi_867_;
-                        phi_868_ = _e757;
-                        phi_869_ = false;
-                    } else {
-                        phi_868_ = u32();
-                        phi_869_ = true;
+                        let _e734 = (((_e728 >> bitcast<u32>(((_e636.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_855_ = lt_mask_Neighbourhood(_e734, !(_e734));
                     }
-                    let _e759 = phi_868_;
-                    let _e761 = phi_869_;
-                    phi_870_ = _e759;
-                    phi_871_ = false;
-                    phi_872_ = _e761;
+                    let _e738 = phi_855_;
+                    phi_856_ = _e738;
                 } else {
-                    phi_870_ = u32();
-                    phi_871_ = true;
-                    phi_872_ = false;
+                    phi_856_ = _e705;
                 }
-                let _e763 = phi_870_;
-                let _e765 = phi_871_;
-                let _e767 = phi_872_;
-                phi_873_ = _e763;
-                phi_874_ = _e765;
-                phi_875_ = _e767;
-            }
-            let _e769 = phi_873_;
-            let _e771 = phi_874_;
-            let _e773 = phi_875_;
-            if _e771 {
-                phi_879_ = true;
+                let _e740 = phi_856_;
+                phi_857_ = _e740;
             } else {
-                phi_879_ = _e773;
+                phi_857_ = _e705;
             }
-            let _e775 = phi_879_;
-            if _e775 {
-                phi_883_ = 0u;
+            let _e742 = phi_857_;
+            let _e745 = p.member.frame;
+            let _e747 = p.member.refresh;
+            if (_e747 == 0u) {
+                phi_890_ = false;
             } else {
-                phi_883_ = _e769;
-            }
-            let _e777 = phi_883_;
-            let _e778 = lt_mask_Neighbourhood(false, true);
-            if _e253 {
-                phi_888_ = _e713;
-            } else {
-                phi_888_ = true;
-            }
-            let _e780 = phi_888_;
-            if _e780 {
-                if _e703 {
-                    if ((_e777 & 2u) != 0u) {
-                        phi_928_ = _e778;
-                    } else {
-                        let _e797 = ((((_e709.pixel.y * _e83) + (_e709.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e249) | (select(0u, 1u, _e709.has_moved) << bitcast<u32>(1i))));
-                        if (_e797 < _e56) {
-                        } else {
-                            return;
-                        }
-                        let _e801 = heard.member[(0u + _e797)];
-                        let _e807 = (((_e801 >> bitcast<u32>(((_e709.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_928_ = lt_mask_Neighbourhood(_e807, !(_e807));
-                    }
-                    let _e811 = phi_928_;
-                    phi_929_ = _e811;
-                } else {
-                    phi_929_ = _e778;
-                }
-                let _e813 = phi_929_;
-                phi_930_ = _e813;
-            } else {
-                phi_930_ = _e778;
-            }
-            let _e815 = phi_930_;
-            let _e818 = p.member.frame;
-            let _e820 = p.member.refresh;
-            if (_e820 == 0u) {
-                phi_963_ = false;
-            } else {
-                if (_e820 == 0u) {
+                if (_e747 == 0u) {
                     return;
                 }
-                let _e829 = ((_e50.x + (_e50.y * (((_e820 * 5u) / 8u) | 1u))) + (_e818 % _e820));
-                if (_e820 == 0u) {
-                    phi_962_ = (_e829 == 0u);
+                let _e756 = ((_e49.x + (_e49.y * (((_e747 * 5u) / 8u) | 1u))) + (_e745 % _e747));
+                if (_e747 == 0u) {
+                    phi_889_ = (_e756 == 0u);
                 } else {
-                    if (_e820 == 0u) {
+                    if (_e747 == 0u) {
                         return;
                     }
-                    phi_962_ = ((_e829 % _e820) == 0u);
+                    phi_889_ = ((_e756 % _e747) == 0u);
                 }
-                let _e836 = phi_962_;
-                phi_963_ = _e836;
+                let _e763 = phi_889_;
+                phi_890_ = _e763;
             }
-            let _e838 = phi_963_;
-            if _e703 {
-                if _e838 {
-                    phi_985_ = bool();
+            let _e765 = phi_890_;
+            if _e630 {
+                if _e765 {
+                    phi_912_ = bool();
                 } else {
-                    phi_985_ = ((_e777 & 2u) != 0u);
+                    phi_912_ = ((_e704 & 2u) != 0u);
                 }
-                let _e844 = phi_985_;
-                phi_986_ = _e844;
-                phi_987_ = _e838;
+                let _e771 = phi_912_;
+                phi_913_ = _e771;
+                phi_914_ = _e765;
             } else {
-                phi_986_ = bool();
-                phi_987_ = true;
+                phi_913_ = bool();
+                phi_914_ = true;
             }
-            let _e846 = phi_986_;
-            let _e848 = phi_987_;
-            if _e848 {
-                phi_991_ = false;
+            let _e773 = phi_913_;
+            let _e775 = phi_914_;
+            if _e775 {
+                phi_918_ = false;
             } else {
-                phi_991_ = _e846;
+                phi_918_ = _e773;
             }
-            let _e850 = phi_991_;
-            if _e850 {
-                phi_1042_ = 7u;
+            let _e777 = phi_918_;
+            if _e777 {
+                phi_969_ = 7u;
             } else {
-                if (_e91 != 0.5f) {
-                    if _e703 {
-                        if _e838 {
-                            phi_1039_ = 6u;
+                if (_e90 != 0.5f) {
+                    if _e630 {
+                        if _e765 {
+                            phi_966_ = 6u;
                         } else {
-                            if _e253 {
-                                phi_1014_ = true;
+                            if _e252 {
+                                phi_941_ = true;
                             } else {
-                                if _e815.any_expands {
-                                    phi_1013_ = false;
+                                if _e742.any_expands {
+                                    phi_940_ = false;
                                 } else {
-                                    phi_1013_ = true;
+                                    phi_940_ = true;
                                 }
-                                let _e852 = phi_1013_;
-                                phi_1014_ = _e852;
+                                let _e779 = phi_940_;
+                                phi_941_ = _e779;
                             }
-                            let _e854 = phi_1014_;
-                            if _e854 {
-                                if _e253 {
-                                    if _e713 {
-                                        if _e815.all_remove {
-                                            phi_1027_ = false;
+                            let _e781 = phi_941_;
+                            if _e781 {
+                                if _e252 {
+                                    if _e640 {
+                                        if _e742.all_remove {
+                                            phi_954_ = false;
                                         } else {
-                                            phi_1027_ = true;
+                                            phi_954_ = true;
                                         }
-                                        let _e856 = phi_1027_;
-                                        phi_1028_ = _e856;
+                                        let _e783 = phi_954_;
+                                        phi_955_ = _e783;
                                     } else {
-                                        phi_1028_ = true;
+                                        phi_955_ = true;
                                     }
-                                    let _e858 = phi_1028_;
-                                    phi_1029_ = _e858;
+                                    let _e785 = phi_955_;
+                                    phi_956_ = _e785;
                                 } else {
-                                    phi_1029_ = true;
+                                    phi_956_ = true;
                                 }
-                                let _e860 = phi_1029_;
-                                if _e860 {
-                                    if _e253 {
-                                        phi_1036_ = 1u;
+                                let _e787 = phi_956_;
+                                if _e787 {
+                                    if _e252 {
+                                        phi_963_ = 1u;
                                     } else {
-                                        phi_1036_ = 0u;
+                                        phi_963_ = 0u;
                                     }
-                                    let _e862 = phi_1036_;
-                                    phi_1037_ = _e862;
+                                    let _e789 = phi_963_;
+                                    phi_964_ = _e789;
                                 } else {
-                                    phi_1037_ = 5u;
+                                    phi_964_ = 5u;
                                 }
-                                let _e864 = phi_1037_;
-                                phi_1038_ = _e864;
+                                let _e791 = phi_964_;
+                                phi_965_ = _e791;
                             } else {
-                                phi_1038_ = 4u;
+                                phi_965_ = 4u;
                             }
-                            let _e866 = phi_1038_;
-                            phi_1039_ = _e866;
+                            let _e793 = phi_965_;
+                            phi_966_ = _e793;
                         }
-                        let _e868 = phi_1039_;
-                        phi_1040_ = _e868;
+                        let _e795 = phi_966_;
+                        phi_967_ = _e795;
                     } else {
-                        phi_1040_ = 3u;
+                        phi_967_ = 3u;
                     }
-                    let _e870 = phi_1040_;
-                    phi_1041_ = _e870;
+                    let _e797 = phi_967_;
+                    phi_968_ = _e797;
                 } else {
-                    phi_1041_ = 2u;
+                    phi_968_ = 2u;
                 }
-                let _e872 = phi_1041_;
-                phi_1042_ = _e872;
+                let _e799 = phi_968_;
+                phi_969_ = _e799;
             }
-            let _e874 = phi_1042_;
-            if !((_e874 == 0u)) {
-                if !((_e874 == 5u)) {
-                    phi_1054_ = !(_e850);
-                    phi_1055_ = false;
+            let _e801 = phi_969_;
+            if !((_e801 == 0u)) {
+                if !((_e801 == 5u)) {
+                    phi_981_ = !(_e777);
+                    phi_982_ = false;
                 } else {
-                    phi_1054_ = bool();
-                    phi_1055_ = true;
+                    phi_981_ = bool();
+                    phi_982_ = true;
                 }
-                let _e881 = phi_1054_;
-                let _e883 = phi_1055_;
-                phi_1056_ = _e881;
-                phi_1057_ = _e883;
+                let _e808 = phi_981_;
+                let _e810 = phi_982_;
+                phi_983_ = _e808;
+                phi_984_ = _e810;
             } else {
-                phi_1056_ = bool();
-                phi_1057_ = true;
+                phi_983_ = bool();
+                phi_984_ = true;
             }
-            let _e885 = phi_1056_;
-            let _e887 = phi_1057_;
-            if _e887 {
-                phi_1061_ = false;
+            let _e812 = phi_983_;
+            let _e814 = phi_984_;
+            if _e814 {
+                phi_988_ = false;
             } else {
-                phi_1061_ = _e885;
+                phi_988_ = _e812;
             }
-            let _e889 = phi_1061_;
-            if _e850 {
-                phi_1067_ = ((_e777 & 4u) != 0u);
+            let _e816 = phi_988_;
+            if _e777 {
+                phi_994_ = ((_e704 & 4u) != 0u);
             } else {
-                phi_1067_ = _e249;
+                phi_994_ = _e248;
             }
-            let _e893 = phi_1067_;
-            if _e889 {
-                if _e249 {
-                    phi_1075_ = (2u | 1u);
+            let _e820 = phi_994_;
+            if _e816 {
+                if _e248 {
+                    phi_1002_ = (2u | 1u);
                 } else {
-                    phi_1075_ = 2u;
+                    phi_1002_ = 2u;
                 }
-                let _e896 = phi_1075_;
+                let _e823 = phi_1002_;
                 if false {
-                    phi_1080_ = (_e896 | 4u);
+                    phi_1007_ = (_e823 | 4u);
                 } else {
-                    phi_1080_ = _e896;
+                    phi_1007_ = _e823;
                 }
-                let _e899 = phi_1080_;
-                phi_1100_ = _e899;
+                let _e826 = phi_1007_;
+                phi_1027_ = _e826;
             } else {
-                if (_e874 == 7u) {
-                    if _e249 {
-                        phi_1089_ = (2u | 1u);
+                if (_e801 == 7u) {
+                    if _e248 {
+                        phi_1016_ = (2u | 1u);
                     } else {
-                        phi_1089_ = 2u;
+                        phi_1016_ = 2u;
                     }
-                    let _e903 = phi_1089_;
-                    if _e893 {
-                        phi_1094_ = (_e903 | 4u);
+                    let _e830 = phi_1016_;
+                    if _e820 {
+                        phi_1021_ = (_e830 | 4u);
                     } else {
-                        phi_1094_ = _e903;
+                        phi_1021_ = _e830;
                     }
-                    let _e906 = phi_1094_;
-                    phi_1099_ = _e906;
+                    let _e833 = phi_1021_;
+                    phi_1026_ = _e833;
                 } else {
-                    if _e249 {
-                        phi_1098_ = 1u;
+                    if _e248 {
+                        phi_1025_ = 1u;
                     } else {
-                        phi_1098_ = 0u;
+                        phi_1025_ = 0u;
                     }
-                    let _e908 = phi_1098_;
-                    phi_1099_ = _e908;
+                    let _e835 = phi_1025_;
+                    phi_1026_ = _e835;
                 }
-                let _e910 = phi_1099_;
-                phi_1100_ = _e910;
+                let _e837 = phi_1026_;
+                phi_1027_ = _e837;
             }
-            let _e912 = phi_1100_;
-            if _e893 {
-                phi_1104_ = 0f;
+            let _e839 = phi_1027_;
+            if _e820 {
+                phi_1031_ = 0f;
             } else {
-                phi_1104_ = 1f;
+                phi_1031_ = 1f;
             }
-            let _e914 = phi_1104_;
-            phi_1106_ = mask_Masked(_e914, _e912, _e889);
+            let _e841 = phi_1031_;
+            phi_1033_ = mask_Masked(_e841, _e839, _e816);
         }
-        let _e917 = phi_1106_;
-        visibility.member[_e67.first_primitive] = _e917.visibility;
-        let _e922 = p.member.light.number;
-        let _e923 = (_e922 * 3u);
-        let _e925 = (_e923 % 32u);
-        let _e927 = p.member.light.mask_words;
-        let _e929 = ((_e67.first_primitive * _e927) + (_e923 / 32u));
-        let _e931 = bits.member[_e929];
-        bits.member[_e929] = ((_e931 & ~((7u << bitcast<u32>((_e925 & 31u))))) | (_e917.bits << bitcast<u32>((_e925 & 31u))));
-        if (_e925 > 29u) {
-            let _e946 = bits.member[(_e929 + 1u)];
-            let _e948 = (32u - _e925);
-            bits.member[(_e929 + 1u)] = ((_e946 & ~((7u >> bitcast<u32>((_e948 & 31u))))) | (_e917.bits >> bitcast<u32>((_e948 & 31u))));
+        let _e844 = phi_1033_;
+        visibility.member[_e66.first_primitive] = _e844.visibility;
+        let _e849 = p.member.light.number;
+        let _e850 = (_e849 * 3u);
+        let _e852 = (_e850 % 32u);
+        let _e854 = p.member.light.mask_words;
+        let _e856 = ((_e66.first_primitive * _e854) + (_e850 / 32u));
+        let _e858 = bits.member[_e856];
+        bits.member[_e856] = ((_e858 & ~((7u << bitcast<u32>((_e852 & 31u))))) | (_e844.bits << bitcast<u32>((_e852 & 31u))));
+        if (_e852 > 29u) {
+            let _e873 = bits.member[(_e856 + 1u)];
+            let _e875 = (32u - _e852);
+            bits.member[(_e856 + 1u)] = ((_e873 & ~((7u >> bitcast<u32>((_e875 & 31u))))) | (_e844.bits >> bitcast<u32>((_e875 & 31u))));
         }
-        phi_1156_ = _e917.needs_ray;
-        phi_1157_ = _e67.first_primitive;
+        phi_1083_ = _e844.needs_ray;
+        phi_1084_ = _e66.first_primitive;
     } else {
-        phi_1156_ = false;
-        phi_1157_ = 0u;
+        phi_1083_ = false;
+        phi_1084_ = 0u;
     }
-    let _e962 = phi_1156_;
-    let _e964 = phi_1157_;
-    if (_e51 == 0u) {
+    let _e889 = phi_1083_;
+    let _e891 = phi_1084_;
+    if (_e50 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e962 {
-        let _e968 = atomicAdd((&shared_[0u]), 1u);
-        phi_1168_ = _e968;
+    if _e889 {
+        let _e895 = atomicAdd((&shared_[0u]), 1u);
+        phi_1095_ = _e895;
     } else {
-        phi_1168_ = 0u;
+        phi_1095_ = 0u;
     }
-    let _e970 = phi_1168_;
+    let _e897 = phi_1095_;
     workgroupBarrier();
-    if (_e51 == 0u) {
-        let _e974 = atomicLoad((&shared_[0u]));
-        let _e975 = atomicAdd((&list.member[3u]), _e974);
-        atomicStore((&shared_[1u]), _e975);
+    if (_e50 == 0u) {
+        let _e901 = atomicLoad((&shared_[0u]));
+        let _e902 = atomicAdd((&list.member[3u]), _e901);
+        atomicStore((&shared_[1u]), _e902);
     }
     workgroupBarrier();
-    if _e962 {
-        let _e978 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e978) + _e970)]), _e964);
+    if _e889 {
+        let _e905 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e905) + _e897)]), _e891);
     }
     return;
 }

@@ -126,1077 +126,1068 @@ var<storage, read_write> depths: type_27;
 var<storage> past: type_43;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_172_: lt_bvh_traverse_Tree;
-    var phi_173_: bool;
-    var phi_174_: lt_bvh_traverse_Tree;
-    var phi_175_: bool;
-    var phi_180_: lt_bvh_traverse_Tree;
+    var phi_171_: lt_bvh_traverse_Tree;
+    var phi_172_: bool;
+    var phi_173_: lt_bvh_traverse_Tree;
+    var phi_174_: bool;
+    var phi_179_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_172_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_173_ = false;
+            phi_171_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_172_ = false;
         } else {
-            phi_172_ = lt_bvh_traverse_Tree();
-            phi_173_ = true;
+            phi_171_ = lt_bvh_traverse_Tree();
+            phi_172_ = true;
         }
-        let _e67 = phi_172_;
-        let _e69 = phi_173_;
-        phi_174_ = _e67;
-        phi_175_ = _e69;
+        let _e66 = phi_171_;
+        let _e68 = phi_172_;
+        phi_173_ = _e66;
+        phi_174_ = _e68;
     } else {
-        phi_174_ = lt_bvh_traverse_Tree();
-        phi_175_ = true;
+        phi_173_ = lt_bvh_traverse_Tree();
+        phi_174_ = true;
     }
-    let _e71 = phi_174_;
-    let _e73 = phi_175_;
-    if _e73 {
-        phi_180_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e70 = phi_173_;
+    let _e72 = phi_174_;
+    if _e72 {
+        phi_179_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_180_ = _e71;
+        phi_179_ = _e70;
     }
-    let _e78 = phi_180_;
-    return lt_bvh_traverse_Tree(_e78.root, _e78.first_primitive);
+    let _e77 = phi_179_;
+    return lt_bvh_traverse_Tree(_e77.root, _e77.first_primitive);
 }
 
 fn function_() {
+    var phi_251_: bool;
     var phi_252_: bool;
     var phi_253_: bool;
     var phi_254_: bool;
-    var phi_255_: bool;
-    var phi_259_: bool;
+    var phi_258_: bool;
+    var phi_328_: bool;
     var phi_329_: bool;
-    var phi_330_: bool;
-    var phi_341_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_342_: bool;
-    var phi_343_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_344_: bool;
-    var phi_351_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_355_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_368_: bool;
+    var phi_340_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_341_: bool;
+    var phi_342_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_343_: bool;
+    var phi_350_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_354_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_367_: bool;
+    var phi_395_: bool;
     var phi_396_: bool;
     var phi_397_: bool;
     var phi_398_: bool;
-    var phi_399_: bool;
+    var phi_402_: bool;
     var phi_403_: bool;
-    var phi_404_: bool;
-    var phi_612_: f32;
-    var phi_617_: f32;
-    var phi_618_: bool;
-    var phi_619_: f32;
-    var phi_620_: bool;
-    var phi_624_: f32;
-    var phi_645_: f32;
-    var phi_650_: f32;
-    var phi_651_: bool;
-    var phi_652_: f32;
-    var phi_653_: bool;
-    var phi_657_: f32;
-    var phi_678_: bool;
-    var phi_697_: vec2<u32>;
-    var phi_698_: bool;
+    var phi_539_: f32;
+    var phi_544_: f32;
+    var phi_545_: bool;
+    var phi_546_: f32;
+    var phi_547_: bool;
+    var phi_551_: f32;
+    var phi_572_: f32;
+    var phi_577_: f32;
+    var phi_578_: bool;
+    var phi_579_: f32;
+    var phi_580_: bool;
+    var phi_584_: f32;
+    var phi_605_: bool;
+    var phi_624_: vec2<u32>;
+    var phi_625_: bool;
+    var phi_626_: bool;
+    var phi_627_: bool;
+    var phi_628_: vec2<u32>;
+    var phi_629_: bool;
+    var phi_630_: bool;
+    var phi_631_: bool;
+    var phi_632_: bool;
+    var phi_633_: bool;
+    var phi_634_: bool;
+    var phi_635_: vec2<u32>;
+    var phi_636_: bool;
+    var phi_637_: bool;
+    var phi_638_: bool;
+    var phi_639_: bool;
+    var phi_640_: bool;
+    var phi_641_: bool;
+    var phi_642_: vec2<u32>;
+    var phi_643_: bool;
+    var phi_644_: bool;
+    var phi_645_: bool;
+    var phi_646_: bool;
+    var phi_655_: bool;
+    var phi_656_: bool;
+    var phi_657_: bool;
+    var phi_658_: bool;
+    var phi_662_: bool;
+    var phi_663_: bool;
+    var phi_664_: vec2<u32>;
     var phi_699_: bool;
-    var phi_700_: bool;
-    var phi_701_: vec2<u32>;
-    var phi_702_: bool;
-    var phi_703_: bool;
+    var phi_701_: lt_mask_Reprojection;
+    var phi_702_: lt_mask_Reprojection;
+    var phi_703_: lt_mask_Reprojection;
     var phi_704_: bool;
     var phi_705_: bool;
-    var phi_706_: bool;
-    var phi_707_: bool;
-    var phi_708_: vec2<u32>;
+    var phi_706_: lt_mask_Reprojection;
+    var phi_707_: lt_mask_Reprojection;
+    var phi_708_: lt_mask_Reprojection;
     var phi_709_: bool;
     var phi_710_: bool;
-    var phi_711_: bool;
-    var phi_712_: bool;
-    var phi_713_: bool;
-    var phi_714_: bool;
-    var phi_715_: vec2<u32>;
-    var phi_716_: bool;
-    var phi_717_: bool;
-    var phi_718_: bool;
-    var phi_719_: bool;
-    var phi_728_: bool;
-    var phi_729_: bool;
-    var phi_730_: bool;
-    var phi_731_: bool;
-    var phi_735_: bool;
-    var phi_736_: bool;
-    var phi_737_: vec2<u32>;
-    var phi_772_: bool;
-    var phi_774_: lt_mask_Reprojection;
-    var phi_775_: lt_mask_Reprojection;
-    var phi_776_: lt_mask_Reprojection;
-    var phi_777_: bool;
-    var phi_778_: bool;
-    var phi_779_: lt_mask_Reprojection;
-    var phi_780_: lt_mask_Reprojection;
-    var phi_781_: lt_mask_Reprojection;
-    var phi_782_: bool;
+    var phi_762_: bool;
+    var phi_766_: f32;
+    var phi_770_: lt_mask_Reprojection;
+    var phi_771_: bool;
     var phi_783_: bool;
-    var phi_835_: bool;
-    var phi_839_: f32;
-    var phi_843_: lt_mask_Reprojection;
-    var phi_844_: bool;
-    var phi_856_: bool;
-    var phi_857_: bool;
-    var phi_858_: bool;
-    var phi_859_: lt_mask_Reprojection;
-    var phi_860_: bool;
-    var phi_864_: bool;
-    var phi_865_: lt_mask_Reprojection;
-    var phi_903_: u32;
-    var phi_952_: u32;
-    var phi_957_: u32;
-    var phi_958_: u32;
-    var phi_959_: u32;
-    var phi_960_: bool;
-    var phi_961_: u32;
-    var phi_962_: bool;
-    var phi_963_: bool;
-    var phi_964_: u32;
-    var phi_965_: bool;
-    var phi_966_: bool;
-    var phi_970_: bool;
-    var phi_974_: u32;
-    var phi_979_: bool;
-    var phi_1011_: u32;
-    var phi_1040_: lt_mask_Neighbourhood;
-    var phi_1041_: lt_mask_Neighbourhood;
-    var phi_1042_: lt_mask_Neighbourhood;
-    var phi_1074_: bool;
-    var phi_1075_: bool;
-    var phi_1097_: bool;
-    var phi_1098_: bool;
-    var phi_1099_: bool;
-    var phi_1103_: bool;
-    var phi_1125_: bool;
-    var phi_1126_: bool;
-    var phi_1139_: bool;
-    var phi_1140_: bool;
-    var phi_1141_: bool;
-    var phi_1148_: u32;
-    var phi_1149_: u32;
-    var phi_1150_: u32;
-    var phi_1151_: u32;
-    var phi_1152_: u32;
-    var phi_1153_: u32;
-    var phi_1154_: u32;
-    var phi_1166_: bool;
-    var phi_1167_: bool;
-    var phi_1168_: bool;
-    var phi_1169_: bool;
-    var phi_1173_: bool;
-    var phi_1179_: bool;
-    var phi_1187_: u32;
-    var phi_1192_: u32;
-    var phi_1201_: u32;
-    var phi_1206_: u32;
-    var phi_1210_: u32;
-    var phi_1211_: u32;
-    var phi_1212_: u32;
-    var phi_1216_: f32;
-    var phi_1218_: mask_Masked;
-    var phi_1290_: bool;
-    var phi_1291_: bool;
-    var phi_1292_: bool;
-    var phi_1293_: bool;
-    var phi_1297_: bool;
-    var phi_1325_: f32;
-    var phi_1328_: bool;
-    var phi_1329_: u32;
-    var phi_1340_: u32;
+    var phi_784_: bool;
+    var phi_785_: bool;
+    var phi_786_: lt_mask_Reprojection;
+    var phi_787_: bool;
+    var phi_791_: bool;
+    var phi_792_: lt_mask_Reprojection;
+    var phi_830_: u32;
+    var phi_879_: u32;
+    var phi_884_: u32;
+    var phi_885_: u32;
+    var phi_886_: u32;
+    var phi_887_: bool;
+    var phi_888_: u32;
+    var phi_889_: bool;
+    var phi_890_: bool;
+    var phi_891_: u32;
+    var phi_892_: bool;
+    var phi_893_: bool;
+    var phi_897_: bool;
+    var phi_901_: u32;
+    var phi_906_: bool;
+    var phi_938_: u32;
+    var phi_967_: lt_mask_Neighbourhood;
+    var phi_968_: lt_mask_Neighbourhood;
+    var phi_969_: lt_mask_Neighbourhood;
+    var phi_1001_: bool;
+    var phi_1002_: bool;
+    var phi_1024_: bool;
+    var phi_1025_: bool;
+    var phi_1026_: bool;
+    var phi_1030_: bool;
+    var phi_1052_: bool;
+    var phi_1053_: bool;
+    var phi_1066_: bool;
+    var phi_1067_: bool;
+    var phi_1068_: bool;
+    var phi_1075_: u32;
+    var phi_1076_: u32;
+    var phi_1077_: u32;
+    var phi_1078_: u32;
+    var phi_1079_: u32;
+    var phi_1080_: u32;
+    var phi_1081_: u32;
+    var phi_1093_: bool;
+    var phi_1094_: bool;
+    var phi_1095_: bool;
+    var phi_1096_: bool;
+    var phi_1100_: bool;
+    var phi_1106_: bool;
+    var phi_1114_: u32;
+    var phi_1119_: u32;
+    var phi_1128_: u32;
+    var phi_1133_: u32;
+    var phi_1137_: u32;
+    var phi_1138_: u32;
+    var phi_1139_: u32;
+    var phi_1143_: f32;
+    var phi_1145_: mask_Masked;
+    var phi_1217_: bool;
+    var phi_1218_: bool;
+    var phi_1219_: bool;
+    var phi_1220_: bool;
+    var phi_1224_: bool;
+    var phi_1252_: f32;
+    var phi_1255_: bool;
+    var phi_1256_: u32;
+    var phi_1267_: u32;
 
-    let _e54 = id_1;
-    let _e55 = local_1;
-    let _e60 = arrayLength((&heard.member));
-    let _e72 = p.member.current.size[0u];
-    let _e74 = p.member.current.size[1u];
-    let _e75 = lt_shaders_entry_pixel_index(_e54, _e72, _e74);
-    if (bitcast<i32>(_e75.root) != 0i) {
-        let _e83 = p.member.current.size[0u];
-        let _e86 = past.member[_e75.first_primitive];
-        let _e91 = visibility.member[_e75.first_primitive];
-        let _e97 = samples.member[_e75.first_primitive].normal[0u];
-        let _e99 = global[0u];
-        if (_e97 == _e99) {
-            let _e102 = samples.member[_e75.first_primitive].normal[1u];
-            let _e104 = global[1u];
-            if (_e102 == _e104) {
-                let _e107 = samples.member[_e75.first_primitive].normal[2u];
-                let _e109 = global[2u];
-                phi_252_ = (_e107 == _e109);
-                phi_253_ = false;
+    let _e53 = id_1;
+    let _e54 = local_1;
+    let _e59 = arrayLength((&heard.member));
+    let _e71 = p.member.current.size[0u];
+    let _e73 = p.member.current.size[1u];
+    let _e74 = lt_shaders_entry_pixel_index(_e53, _e71, _e73);
+    if (bitcast<i32>(_e74.root) != 0i) {
+        let _e82 = p.member.current.size[0u];
+        let _e85 = past.member[_e74.first_primitive];
+        let _e90 = visibility.member[_e74.first_primitive];
+        let _e96 = samples.member[_e74.first_primitive].normal[0u];
+        let _e98 = global[0u];
+        if (_e96 == _e98) {
+            let _e101 = samples.member[_e74.first_primitive].normal[1u];
+            let _e103 = global[1u];
+            if (_e101 == _e103) {
+                let _e106 = samples.member[_e74.first_primitive].normal[2u];
+                let _e108 = global[2u];
+                phi_251_ = (_e106 == _e108);
+                phi_252_ = false;
             } else {
-                phi_252_ = bool();
-                phi_253_ = true;
+                phi_251_ = bool();
+                phi_252_ = true;
             }
-            let _e112 = phi_252_;
-            let _e114 = phi_253_;
-            phi_254_ = _e112;
-            phi_255_ = _e114;
+            let _e111 = phi_251_;
+            let _e113 = phi_252_;
+            phi_253_ = _e111;
+            phi_254_ = _e113;
         } else {
-            phi_254_ = bool();
-            phi_255_ = true;
+            phi_253_ = bool();
+            phi_254_ = true;
         }
-        let _e116 = phi_254_;
-        let _e118 = phi_255_;
-        if _e118 {
-            phi_259_ = false;
+        let _e115 = phi_253_;
+        let _e117 = phi_254_;
+        if _e117 {
+            phi_258_ = false;
         } else {
-            phi_259_ = _e116;
+            phi_258_ = _e115;
         }
-        let _e120 = phi_259_;
-        if !(_e120) {
-            let _e123 = samples.member[_e75.first_primitive].position;
-            let _e125 = p.member.light.place;
-            let _e131 = p.member.light.place[3u];
-            let _e138 = (_e125.x - (_e123.x * _e131));
-            let _e139 = (_e125.y - (_e123.y * _e131));
-            let _e140 = (_e125.z - (_e123.z * _e131));
-            let _e142 = samples.member[_e75.first_primitive].normal;
-            if ((((_e142.x * _e138) + (_e142.y * _e139)) + (_e142.z * _e140)) > 0f) {
-                let _e156 = (((_e138 * _e138) + (_e139 * _e139)) + (_e140 * _e140));
-                let _e158 = p.member.light.axis;
-                let _e170 = p.member.light.place[3u];
-                if (_e170 == 0f) {
-                    phi_330_ = true;
+        let _e119 = phi_258_;
+        if !(_e119) {
+            let _e122 = samples.member[_e74.first_primitive].position;
+            let _e124 = p.member.light.place;
+            let _e130 = p.member.light.place[3u];
+            let _e137 = (_e124.x - (_e122.x * _e130));
+            let _e138 = (_e124.y - (_e122.y * _e130));
+            let _e139 = (_e124.z - (_e122.z * _e130));
+            let _e141 = samples.member[_e74.first_primitive].normal;
+            if ((((_e141.x * _e137) + (_e141.y * _e138)) + (_e141.z * _e139)) > 0f) {
+                let _e155 = (((_e137 * _e137) + (_e138 * _e138)) + (_e139 * _e139));
+                let _e157 = p.member.light.axis;
+                let _e169 = p.member.light.place[3u];
+                if (_e169 == 0f) {
+                    phi_329_ = true;
                 } else {
-                    let _e173 = p.member.light.range_squared;
-                    if (_e156 <= _e173) {
-                        let _e176 = p.member.light.cos_outer;
-                        phi_329_ = (-((((_e138 * _e158.x) + (_e139 * _e158.y)) + (_e140 * _e158.z))) >= (_e176 * sqrt(_e156)));
+                    let _e172 = p.member.light.range_squared;
+                    if (_e155 <= _e172) {
+                        let _e175 = p.member.light.cos_outer;
+                        phi_328_ = (-((((_e137 * _e157.x) + (_e138 * _e157.y)) + (_e139 * _e157.z))) >= (_e175 * sqrt(_e155)));
                     } else {
-                        phi_329_ = false;
+                        phi_328_ = false;
                     }
-                    let _e181 = phi_329_;
-                    phi_330_ = _e181;
+                    let _e180 = phi_328_;
+                    phi_329_ = _e180;
                 }
-                let _e183 = phi_330_;
-                if _e183 {
-                    let _e185 = samples.member[_e75.first_primitive].flags;
-                    let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e193.unnamed.visibility, false), _e193.unnamed_1);
-                    phi_341_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e199.unnamed, ((_e185 & 1u) == 0u));
-                    phi_342_ = false;
+                let _e182 = phi_329_;
+                if _e182 {
+                    let _e184 = samples.member[_e74.first_primitive].flags;
+                    let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
+                    phi_340_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, ((_e184 & 1u) == 0u));
+                    phi_341_ = false;
                 } else {
-                    phi_341_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_342_ = true;
+                    phi_340_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_341_ = true;
                 }
-                let _e204 = phi_341_;
-                let _e206 = phi_342_;
-                phi_343_ = _e204;
-                phi_344_ = _e206;
+                let _e203 = phi_340_;
+                let _e205 = phi_341_;
+                phi_342_ = _e203;
+                phi_343_ = _e205;
             } else {
-                phi_343_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_344_ = true;
+                phi_342_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_343_ = true;
             }
-            let _e208 = phi_343_;
-            let _e210 = phi_344_;
-            if _e210 {
-                let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e216.unnamed.visibility, false), _e216.unnamed_1);
-                phi_351_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e222.unnamed, true);
+            let _e207 = phi_342_;
+            let _e209 = phi_343_;
+            if _e209 {
+                let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e215.unnamed.visibility, false), _e215.unnamed_1);
+                phi_350_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e221.unnamed, true);
             } else {
-                phi_351_ = _e208;
+                phi_350_ = _e207;
             }
-            let _e227 = phi_351_;
-            phi_355_ = _e227;
+            let _e226 = phi_350_;
+            phi_354_ = _e226;
         } else {
-            let _e233 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e239 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e233.unnamed.visibility, false), _e233.unnamed_1);
-            phi_355_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e239.unnamed, true);
+            let _e232 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e238 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e232.unnamed.visibility, false), _e232.unnamed_1);
+            phi_354_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e238.unnamed, true);
         }
-        let _e244 = phi_355_;
-        if _e244.unnamed_1 {
-            phi_1218_ = mask_Masked(_e244.unnamed.visibility, 0u, false);
+        let _e243 = phi_354_;
+        if _e243.unnamed_1 {
+            phi_1145_ = mask_Masked(_e243.unnamed.visibility, 0u, false);
         } else {
-            let _e249 = (_e91 < 0.5f);
-            if (_e91 > 0f) {
-                phi_368_ = (_e91 < 1f);
+            let _e248 = (_e90 < 0.5f);
+            if (_e90 > 0f) {
+                phi_367_ = (_e90 < 1f);
             } else {
-                phi_368_ = false;
+                phi_367_ = false;
             }
-            let _e253 = phi_368_;
-            let _e260 = lt_mask_Reprojection(vec2<u32>(_e54.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e267 = lt_mask_Reprojection(vec2<u32>(_e260.pixel.x, _e54.y), _e260.is_valid, _e260.has_moved);
-            let _e271 = lt_mask_Reprojection(_e267.pixel, true, _e267.has_moved);
-            let _e277 = p.member.flags;
-            if ((_e277 & 16u) == 0u) {
-                phi_404_ = false;
+            let _e252 = phi_367_;
+            let _e259 = lt_mask_Reprojection(vec2<u32>(_e53.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e266 = lt_mask_Reprojection(vec2<u32>(_e259.pixel.x, _e53.y), _e259.is_valid, _e259.has_moved);
+            let _e270 = lt_mask_Reprojection(_e266.pixel, true, _e266.has_moved);
+            let _e276 = p.member.flags;
+            if ((_e276 & 16u) == 0u) {
+                phi_403_ = false;
             } else {
-                let _e282 = samples.member[_e75.first_primitive].position[0u];
-                if (_e86.x == _e282) {
-                    let _e285 = samples.member[_e75.first_primitive].position[1u];
-                    if (_e86.y == _e285) {
-                        let _e288 = samples.member[_e75.first_primitive].position[2u];
-                        phi_396_ = (_e86.z == _e288);
-                        phi_397_ = false;
+                let _e281 = samples.member[_e74.first_primitive].position[0u];
+                if (_e85.x == _e281) {
+                    let _e284 = samples.member[_e74.first_primitive].position[1u];
+                    if (_e85.y == _e284) {
+                        let _e287 = samples.member[_e74.first_primitive].position[2u];
+                        phi_395_ = (_e85.z == _e287);
+                        phi_396_ = false;
                     } else {
-                        phi_396_ = bool();
-                        phi_397_ = true;
+                        phi_395_ = bool();
+                        phi_396_ = true;
                     }
-                    let _e291 = phi_396_;
-                    let _e293 = phi_397_;
-                    phi_398_ = _e291;
-                    phi_399_ = _e293;
+                    let _e290 = phi_395_;
+                    let _e292 = phi_396_;
+                    phi_397_ = _e290;
+                    phi_398_ = _e292;
                 } else {
-                    phi_398_ = bool();
-                    phi_399_ = true;
+                    phi_397_ = bool();
+                    phi_398_ = true;
                 }
-                let _e295 = phi_398_;
-                let _e297 = phi_399_;
-                if _e297 {
-                    phi_403_ = false;
+                let _e294 = phi_397_;
+                let _e296 = phi_398_;
+                if _e296 {
+                    phi_402_ = false;
                 } else {
-                    phi_403_ = _e295;
+                    phi_402_ = _e294;
                 }
-                let _e299 = phi_403_;
-                phi_404_ = _e299;
+                let _e298 = phi_402_;
+                phi_403_ = _e298;
             }
-            let _e301 = phi_404_;
-            if _e301 {
-                phi_779_ = lt_mask_Reprojection(_e271.pixel, _e271.is_valid, false);
-                phi_780_ = lt_mask_Reprojection();
-                phi_781_ = lt_mask_Reprojection();
-                phi_782_ = true;
-                phi_783_ = false;
+            let _e300 = phi_403_;
+            if _e300 {
+                phi_706_ = lt_mask_Reprojection(_e270.pixel, _e270.is_valid, false);
+                phi_707_ = lt_mask_Reprojection();
+                phi_708_ = lt_mask_Reprojection();
+                phi_709_ = true;
+                phi_710_ = false;
             } else {
-                let _e303 = samples.member[_e75.first_primitive].position;
-                let _e307 = p.member.previous.eye;
-                let _e309 = (_e86.x - _e307.x);
-                let _e311 = (_e86.y - _e307.y);
-                let _e313 = (_e86.z - _e307.z);
-                let _e315 = p.member.previous.forward;
-                let _e323 = (((_e309 * _e315.x) + (_e311 * _e315.y)) + (_e313 * _e315.z));
-                let _e325 = p.member.previous.right;
-                let _e335 = p.member.previous.right;
-                let _e350 = p.member.previous.up;
-                let _e360 = p.member.previous.up;
-                let _e375 = p.member.current.eye;
-                let _e378 = (_e303.x - _e375.x);
-                let _e381 = (_e303.y - _e375.y);
-                let _e384 = (_e303.z - _e375.z);
-                let _e386 = p.member.current.forward;
-                let _e394 = (((_e378 * _e386.x) + (_e381 * _e386.y)) + (_e384 * _e386.z));
-                let _e396 = p.member.current.right;
-                let _e406 = p.member.current.right;
-                let _e421 = p.member.current.up;
-                let _e431 = p.member.current.up;
-                let _e450 = p.member.current.size[0u];
-                let _e452 = (((((((_e309 * _e325.x) + (_e311 * _e325.y)) + (_e313 * _e325.z)) / ((((_e335.x * _e335.x) + (_e335.y * _e335.y)) + (_e335.z * _e335.z)) * _e323)) - ((((_e378 * _e396.x) + (_e381 * _e396.y)) + (_e384 * _e396.z)) / ((((_e406.x * _e406.x) + (_e406.y * _e406.y)) + (_e406.z * _e406.z)) * _e394))) * 0.5f) * f32(_e450));
-                let _e456 = p.member.current.size[1u];
-                let _e458 = (((((((_e309 * _e350.x) + (_e311 * _e350.y)) + (_e313 * _e350.z)) / ((((_e360.x * _e360.x) + (_e360.y * _e360.y)) + (_e360.z * _e360.z)) * _e323)) - ((((_e378 * _e421.x) + (_e381 * _e421.y)) + (_e384 * _e421.z)) / ((((_e431.x * _e431.x) + (_e431.y * _e431.y)) + (_e431.z * _e431.z)) * _e394))) * -0.5f) * f32(_e456));
-                let _e462 = p.member.current.grid[0u];
-                let _e464 = p.member.current.grid[1u];
-                let _e484 = p.member.current.size[0u];
-                let _e486 = p.member.current.size[1u];
-                let _e488 = ((f32(_e54.x) + ((f32((_e54.y & (_e464 - 1u))) + 0.5f) / f32(_e464))) + _e452);
-                if (_e488 > -8388608f) {
-                    let _e500 = f32(select(0i, select(select(i32(_e488), i32(-2147483648), (_e488 < bitcast<f32>(3472883712u))), 2147483647i, (_e488 > bitcast<f32>(1325400063u))), (_e488 == _e488)));
-                    if (_e500 > _e488) {
-                        phi_612_ = 1f;
+                let _e304 = p.member.current.grid[0u];
+                let _e306 = p.member.current.grid[1u];
+                let _e320 = (f32(_e53.x) + ((f32((_e53.y & (_e306 - 1u))) + 0.5f) / f32(_e306)));
+                let _e322 = (f32(_e53.y) + ((f32((_e53.x & (_e304 - 1u))) + 0.5f) / f32(_e304)));
+                let _e325 = p.member.previous.eye;
+                let _e327 = (_e85.x - _e325.x);
+                let _e329 = (_e85.y - _e325.y);
+                let _e331 = (_e85.z - _e325.z);
+                let _e333 = p.member.previous.forward;
+                let _e341 = (((_e327 * _e333.x) + (_e329 * _e333.y)) + (_e331 * _e333.z));
+                let _e343 = p.member.previous.right;
+                let _e353 = p.member.previous.right;
+                let _e368 = p.member.previous.up;
+                let _e378 = p.member.previous.up;
+                let _e395 = p.member.previous.size[0u];
+                let _e402 = p.member.previous.size[1u];
+                let _e406 = (((((((_e327 * _e343.x) + (_e329 * _e343.y)) + (_e331 * _e343.z)) / ((((_e353.x * _e353.x) + (_e353.y * _e353.y)) + (_e353.z * _e353.z)) * _e341)) + 1f) * (0.5f * f32(_e395))) - _e320);
+                let _e407 = (((1f - ((((_e327 * _e368.x) + (_e329 * _e368.y)) + (_e331 * _e368.z)) / ((((_e378.x * _e378.x) + (_e378.y * _e378.y)) + (_e378.z * _e378.z)) * _e341))) * (0.5f * f32(_e402))) - _e322);
+                let _e411 = p.member.current.size[0u];
+                let _e413 = p.member.current.size[1u];
+                let _e415 = (_e320 + _e406);
+                if (_e415 > -8388608f) {
+                    let _e427 = f32(select(0i, select(select(i32(_e415), i32(-2147483648), (_e415 < bitcast<f32>(3472883712u))), 2147483647i, (_e415 > bitcast<f32>(1325400063u))), (_e415 == _e415)));
+                    if (_e427 > _e415) {
+                        phi_539_ = 1f;
                     } else {
-                        phi_612_ = 0f;
+                        phi_539_ = 0f;
                     }
-                    let _e503 = phi_612_;
-                    if (_e488 < 8388608f) {
-                        phi_617_ = (_e500 - _e503);
-                        phi_618_ = false;
+                    let _e430 = phi_539_;
+                    if (_e415 < 8388608f) {
+                        phi_544_ = (_e427 - _e430);
+                        phi_545_ = false;
                     } else {
-                        phi_617_ = f32();
-                        phi_618_ = true;
+                        phi_544_ = f32();
+                        phi_545_ = true;
                     }
-                    let _e506 = phi_617_;
-                    let _e508 = phi_618_;
-                    phi_619_ = _e506;
-                    phi_620_ = _e508;
+                    let _e433 = phi_544_;
+                    let _e435 = phi_545_;
+                    phi_546_ = _e433;
+                    phi_547_ = _e435;
                 } else {
-                    phi_619_ = f32();
-                    phi_620_ = true;
+                    phi_546_ = f32();
+                    phi_547_ = true;
                 }
-                let _e510 = phi_619_;
-                let _e512 = phi_620_;
-                if _e512 {
-                    phi_624_ = _e488;
+                let _e437 = phi_546_;
+                let _e439 = phi_547_;
+                if _e439 {
+                    phi_551_ = _e415;
                 } else {
-                    phi_624_ = _e510;
+                    phi_551_ = _e437;
                 }
-                let _e514 = phi_624_;
-                let _e515 = ((f32(_e54.y) + ((f32((_e54.x & (_e462 - 1u))) + 0.5f) / f32(_e462))) + _e458);
-                if (_e515 > -8388608f) {
-                    let _e527 = f32(select(0i, select(select(i32(_e515), i32(-2147483648), (_e515 < bitcast<f32>(3472883712u))), 2147483647i, (_e515 > bitcast<f32>(1325400063u))), (_e515 == _e515)));
-                    if (_e527 > _e515) {
-                        phi_645_ = 1f;
+                let _e441 = phi_551_;
+                let _e442 = (_e322 + _e407);
+                if (_e442 > -8388608f) {
+                    let _e454 = f32(select(0i, select(select(i32(_e442), i32(-2147483648), (_e442 < bitcast<f32>(3472883712u))), 2147483647i, (_e442 > bitcast<f32>(1325400063u))), (_e442 == _e442)));
+                    if (_e454 > _e442) {
+                        phi_572_ = 1f;
                     } else {
-                        phi_645_ = 0f;
+                        phi_572_ = 0f;
                     }
-                    let _e530 = phi_645_;
-                    if (_e515 < 8388608f) {
-                        phi_650_ = (_e527 - _e530);
-                        phi_651_ = false;
+                    let _e457 = phi_572_;
+                    if (_e442 < 8388608f) {
+                        phi_577_ = (_e454 - _e457);
+                        phi_578_ = false;
                     } else {
-                        phi_650_ = f32();
-                        phi_651_ = true;
+                        phi_577_ = f32();
+                        phi_578_ = true;
                     }
-                    let _e533 = phi_650_;
-                    let _e535 = phi_651_;
-                    phi_652_ = _e533;
-                    phi_653_ = _e535;
+                    let _e460 = phi_577_;
+                    let _e462 = phi_578_;
+                    phi_579_ = _e460;
+                    phi_580_ = _e462;
                 } else {
-                    phi_652_ = f32();
-                    phi_653_ = true;
+                    phi_579_ = f32();
+                    phi_580_ = true;
                 }
-                let _e537 = phi_652_;
-                let _e539 = phi_653_;
-                if _e539 {
-                    phi_657_ = _e515;
+                let _e464 = phi_579_;
+                let _e466 = phi_580_;
+                if _e466 {
+                    phi_584_ = _e442;
                 } else {
-                    phi_657_ = _e537;
+                    phi_584_ = _e464;
                 }
-                let _e541 = phi_657_;
-                if (_e514 >= 0f) {
-                    if (_e541 >= 0f) {
-                        if (_e514 < f32(_e484)) {
-                            let _e547 = (_e541 < f32(_e486));
-                            if (_e452 == 0f) {
-                                phi_678_ = (_e458 == 0f);
+                let _e468 = phi_584_;
+                if (_e441 >= 0f) {
+                    if (_e468 >= 0f) {
+                        if (_e441 < f32(_e411)) {
+                            let _e474 = (_e468 < f32(_e413));
+                            if (_e406 == 0f) {
+                                phi_605_ = (_e407 == 0f);
                             } else {
-                                phi_678_ = false;
+                                phi_605_ = false;
                             }
-                            let _e551 = phi_678_;
-                            if _e547 {
-                                phi_697_ = vec2<u32>(select(select(u32(_e514), 0u, (_e514 < bitcast<f32>(0u))), 4294967295u, (_e514 > bitcast<f32>(1333788671u))), select(select(u32(_e541), 0u, (_e541 < bitcast<f32>(0u))), 4294967295u, (_e541 > bitcast<f32>(1333788671u))));
-                                phi_698_ = false;
+                            let _e478 = phi_605_;
+                            if _e474 {
+                                phi_624_ = vec2<u32>(select(select(u32(_e441), 0u, (_e441 < bitcast<f32>(0u))), 4294967295u, (_e441 > bitcast<f32>(1333788671u))), select(select(u32(_e468), 0u, (_e468 < bitcast<f32>(0u))), 4294967295u, (_e468 > bitcast<f32>(1333788671u))));
+                                phi_625_ = false;
                             } else {
-                                phi_697_ = vec2<u32>();
-                                phi_698_ = true;
+                                phi_624_ = vec2<u32>();
+                                phi_625_ = true;
                             }
-                            let _e568 = phi_697_;
-                            let _e570 = phi_698_;
-                            phi_699_ = _e551;
-                            phi_700_ = _e547;
-                            phi_701_ = _e568;
-                            phi_702_ = _e551;
-                            phi_703_ = _e547;
-                            phi_704_ = false;
-                            phi_705_ = _e570;
+                            let _e495 = phi_624_;
+                            let _e497 = phi_625_;
+                            phi_626_ = _e478;
+                            phi_627_ = _e474;
+                            phi_628_ = _e495;
+                            phi_629_ = _e478;
+                            phi_630_ = _e474;
+                            phi_631_ = false;
+                            phi_632_ = _e497;
                         } else {
-                            phi_699_ = bool();
-                            phi_700_ = bool();
-                            phi_701_ = vec2<u32>();
-                            phi_702_ = bool();
-                            phi_703_ = bool();
-                            phi_704_ = true;
-                            phi_705_ = false;
+                            phi_626_ = bool();
+                            phi_627_ = bool();
+                            phi_628_ = vec2<u32>();
+                            phi_629_ = bool();
+                            phi_630_ = bool();
+                            phi_631_ = true;
+                            phi_632_ = false;
                         }
-                        let _e572 = phi_699_;
-                        let _e574 = phi_700_;
-                        let _e576 = phi_701_;
-                        let _e578 = phi_702_;
-                        let _e580 = phi_703_;
-                        let _e582 = phi_704_;
-                        let _e584 = phi_705_;
-                        phi_706_ = _e572;
-                        phi_707_ = _e574;
-                        phi_708_ = _e576;
-                        phi_709_ = _e578;
-                        phi_710_ = _e580;
-                        phi_711_ = _e582;
-                        phi_712_ = _e584;
+                        let _e499 = phi_626_;
+                        let _e501 = phi_627_;
+                        let _e503 = phi_628_;
+                        let _e505 = phi_629_;
+                        let _e507 = phi_630_;
+                        let _e509 = phi_631_;
+                        let _e511 = phi_632_;
+                        phi_633_ = _e499;
+                        phi_634_ = _e501;
+                        phi_635_ = _e503;
+                        phi_636_ = _e505;
+                        phi_637_ = _e507;
+                        phi_638_ = _e509;
+                        phi_639_ = _e511;
                     } else {
-                        phi_706_ = bool();
-                        phi_707_ = bool();
-                        phi_708_ = vec2<u32>();
-                        phi_709_ = bool();
-                        phi_710_ = bool();
-                        phi_711_ = true;
-                        phi_712_ = false;
+                        phi_633_ = bool();
+                        phi_634_ = bool();
+                        phi_635_ = vec2<u32>();
+                        phi_636_ = bool();
+                        phi_637_ = bool();
+                        phi_638_ = true;
+                        phi_639_ = false;
                     }
-                    let _e586 = phi_706_;
-                    let _e588 = phi_707_;
-                    let _e590 = phi_708_;
-                    let _e592 = phi_709_;
-                    let _e594 = phi_710_;
-                    let _e596 = phi_711_;
-                    let _e598 = phi_712_;
-                    phi_713_ = _e586;
-                    phi_714_ = _e588;
-                    phi_715_ = _e590;
-                    phi_716_ = _e592;
-                    phi_717_ = _e594;
-                    phi_718_ = _e596;
-                    phi_719_ = _e598;
+                    let _e513 = phi_633_;
+                    let _e515 = phi_634_;
+                    let _e517 = phi_635_;
+                    let _e519 = phi_636_;
+                    let _e521 = phi_637_;
+                    let _e523 = phi_638_;
+                    let _e525 = phi_639_;
+                    phi_640_ = _e513;
+                    phi_641_ = _e515;
+                    phi_642_ = _e517;
+                    phi_643_ = _e519;
+                    phi_644_ = _e521;
+                    phi_645_ = _e523;
+                    phi_646_ = _e525;
                 } else {
-                    phi_713_ = bool();
-                    phi_714_ = bool();
-                    phi_715_ = vec2<u32>();
-                    phi_716_ = bool();
-                    phi_717_ = bool();
-                    phi_718_ = true;
-                    phi_719_ = false;
+                    phi_640_ = bool();
+                    phi_641_ = bool();
+                    phi_642_ = vec2<u32>();
+                    phi_643_ = bool();
+                    phi_644_ = bool();
+                    phi_645_ = true;
+                    phi_646_ = false;
                 }
-                let _e600 = phi_713_;
-                let _e602 = phi_714_;
-                let _e604 = phi_715_;
-                let _e606 = phi_716_;
-                let _e608 = phi_717_;
-                let _e610 = phi_718_;
-                let _e612 = phi_719_;
-                if _e610 {
-                    if (_e452 == 0f) {
-                        phi_728_ = (_e458 == 0f);
+                let _e527 = phi_640_;
+                let _e529 = phi_641_;
+                let _e531 = phi_642_;
+                let _e533 = phi_643_;
+                let _e535 = phi_644_;
+                let _e537 = phi_645_;
+                let _e539 = phi_646_;
+                if _e537 {
+                    if (_e406 == 0f) {
+                        phi_655_ = (_e407 == 0f);
                     } else {
-                        phi_728_ = false;
+                        phi_655_ = false;
                     }
-                    let _e616 = phi_728_;
-                    phi_729_ = _e616;
-                    phi_730_ = false;
-                    phi_731_ = true;
+                    let _e543 = phi_655_;
+                    phi_656_ = _e543;
+                    phi_657_ = false;
+                    phi_658_ = true;
                 } else {
-                    phi_729_ = _e606;
-                    phi_730_ = _e608;
-                    phi_731_ = _e612;
+                    phi_656_ = _e533;
+                    phi_657_ = _e535;
+                    phi_658_ = _e539;
                 }
-                let _e618 = phi_729_;
-                let _e620 = phi_730_;
-                let _e622 = phi_731_;
-                if _e622 {
-                    phi_735_ = _e618;
-                    phi_736_ = _e620;
-                    phi_737_ = vec2<u32>(_e54.x, _e54.y);
+                let _e545 = phi_656_;
+                let _e547 = phi_657_;
+                let _e549 = phi_658_;
+                if _e549 {
+                    phi_662_ = _e545;
+                    phi_663_ = _e547;
+                    phi_664_ = vec2<u32>(_e53.x, _e53.y);
                 } else {
-                    phi_735_ = _e600;
-                    phi_736_ = _e602;
-                    phi_737_ = _e604;
+                    phi_662_ = _e527;
+                    phi_663_ = _e529;
+                    phi_664_ = _e531;
                 }
-                let _e624 = phi_735_;
-                let _e626 = phi_736_;
-                let _e628 = phi_737_;
-                let _e638 = lt_mask_Reprojection(vec2<u32>(_e628.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e645 = lt_mask_Reprojection(vec2<u32>(_e638.pixel.x, _e628.y), _e638.is_valid, _e638.has_moved);
-                let _e649 = lt_mask_Reprojection(_e645.pixel, _e626, _e645.has_moved);
-                let _e653 = lt_mask_Reprojection(_e649.pixel, _e649.is_valid, !(_e624));
-                if _e626 {
-                    let _e656 = p.member.previous.eye;
-                    let _e664 = p.member.previous.forward;
-                    let _e673 = (((((_e86.x - _e656.x) * _e664.x) + ((_e86.y - _e656.y) * _e664.y)) + ((_e86.z - _e656.z) * _e664.z)) > 0f);
-                    let _e677 = lt_mask_Reprojection(_e653.pixel, _e673, _e653.has_moved);
-                    if _e673 {
-                        phi_772_ = false;
+                let _e551 = phi_662_;
+                let _e553 = phi_663_;
+                let _e555 = phi_664_;
+                let _e565 = lt_mask_Reprojection(vec2<u32>(_e555.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e572 = lt_mask_Reprojection(vec2<u32>(_e565.pixel.x, _e555.y), _e565.is_valid, _e565.has_moved);
+                let _e576 = lt_mask_Reprojection(_e572.pixel, _e553, _e572.has_moved);
+                let _e580 = lt_mask_Reprojection(_e576.pixel, _e576.is_valid, !(_e551));
+                if _e553 {
+                    let _e583 = p.member.previous.eye;
+                    let _e591 = p.member.previous.forward;
+                    let _e600 = (((((_e85.x - _e583.x) * _e591.x) + ((_e85.y - _e583.y) * _e591.y)) + ((_e85.z - _e583.z) * _e591.z)) > 0f);
+                    let _e604 = lt_mask_Reprojection(_e580.pixel, _e600, _e580.has_moved);
+                    if _e600 {
+                        phi_699_ = false;
                     } else {
-                        phi_772_ = true;
+                        phi_699_ = true;
                     }
-                    let _e679 = phi_772_;
-                    phi_774_ = _e677;
-                    phi_775_ = _e677;
-                    phi_776_ = lt_mask_Reprojection();
-                    phi_777_ = _e673;
-                    phi_778_ = _e679;
+                    let _e606 = phi_699_;
+                    phi_701_ = _e604;
+                    phi_702_ = _e604;
+                    phi_703_ = lt_mask_Reprojection();
+                    phi_704_ = _e600;
+                    phi_705_ = _e606;
                 } else {
-                    phi_774_ = lt_mask_Reprojection();
-                    phi_775_ = lt_mask_Reprojection();
-                    phi_776_ = lt_mask_Reprojection(_e653.pixel, false, _e653.has_moved);
-                    phi_777_ = false;
-                    phi_778_ = false;
+                    phi_701_ = lt_mask_Reprojection();
+                    phi_702_ = lt_mask_Reprojection();
+                    phi_703_ = lt_mask_Reprojection(_e580.pixel, false, _e580.has_moved);
+                    phi_704_ = false;
+                    phi_705_ = false;
                 }
-                let _e685 = phi_774_;
-                let _e687 = phi_775_;
-                let _e689 = phi_776_;
-                let _e691 = phi_777_;
-                let _e693 = phi_778_;
-                phi_779_ = _e685;
-                phi_780_ = _e687;
-                phi_781_ = _e689;
-                phi_782_ = _e691;
-                phi_783_ = _e693;
+                let _e612 = phi_701_;
+                let _e614 = phi_702_;
+                let _e616 = phi_703_;
+                let _e618 = phi_704_;
+                let _e620 = phi_705_;
+                phi_706_ = _e612;
+                phi_707_ = _e614;
+                phi_708_ = _e616;
+                phi_709_ = _e618;
+                phi_710_ = _e620;
             }
-            let _e695 = phi_779_;
-            let _e697 = phi_780_;
-            let _e699 = phi_781_;
-            let _e701 = phi_782_;
-            let _e703 = phi_783_;
-            if _e701 {
-                let _e706 = p.member.previous.eye;
-                let _e714 = p.member.previous.forward;
-                let _e722 = ((((_e86.x - _e706.x) * _e714.x) + ((_e86.y - _e706.y) * _e714.y)) + ((_e86.z - _e706.z) * _e714.z));
-                let _e728 = ((_e695.pixel.y * _e83) + _e695.pixel.x);
-                if (_e728 < arrayLength((&last_depths.member))) {
+            let _e622 = phi_706_;
+            let _e624 = phi_707_;
+            let _e626 = phi_708_;
+            let _e628 = phi_709_;
+            let _e630 = phi_710_;
+            if _e628 {
+                let _e633 = p.member.previous.eye;
+                let _e641 = p.member.previous.forward;
+                let _e649 = ((((_e85.x - _e633.x) * _e641.x) + ((_e85.y - _e633.y) * _e641.y)) + ((_e85.z - _e633.z) * _e641.z));
+                let _e655 = ((_e622.pixel.y * _e82) + _e622.pixel.x);
+                if (_e655 < arrayLength((&last_depths.member))) {
                 } else {
                     return;
                 }
-                let _e732 = last_depths.member[(0u + _e728)];
-                let _e734 = p.member.depth_tolerance;
-                let _e737 = abs(_e722);
-                let _e738 = abs(_e732);
-                if ((bitcast<u32>(_e738) & 2147483647u) > 2139095040u) {
-                    phi_835_ = true;
+                let _e659 = last_depths.member[(0u + _e655)];
+                let _e661 = p.member.depth_tolerance;
+                let _e664 = abs(_e649);
+                let _e665 = abs(_e659);
+                if ((bitcast<u32>(_e665) & 2147483647u) > 2139095040u) {
+                    phi_762_ = true;
                 } else {
-                    let _e742 = (_e738 > _e737);
-                    if _e742 {
+                    let _e669 = (_e665 > _e664);
+                    if _e669 {
                     }
-                    phi_835_ = _e742;
+                    phi_762_ = _e669;
                 }
-                let _e744 = phi_835_;
-                if _e744 {
-                    phi_839_ = _e738;
+                let _e671 = phi_762_;
+                if _e671 {
+                    phi_766_ = _e665;
                 } else {
-                    phi_839_ = _e737;
+                    phi_766_ = _e664;
                 }
-                let _e746 = phi_839_;
-                phi_843_ = lt_mask_Reprojection(_e695.pixel, (abs((_e722 - _e732)) <= (_e734 * _e746)), _e695.has_moved);
-                phi_844_ = true;
+                let _e673 = phi_766_;
+                phi_770_ = lt_mask_Reprojection(_e622.pixel, (abs((_e649 - _e659)) <= (_e661 * _e673)), _e622.has_moved);
+                phi_771_ = true;
             } else {
-                phi_843_ = _e697;
-                phi_844_ = _e703;
+                phi_770_ = _e624;
+                phi_771_ = _e630;
             }
-            let _e754 = phi_843_;
-            let _e756 = phi_844_;
-            if _e756 {
-                if _e754.is_valid {
-                    let _e759 = p.member.flags;
-                    phi_856_ = ((_e759 & 1u) != 0u);
-                    phi_857_ = false;
+            let _e681 = phi_770_;
+            let _e683 = phi_771_;
+            if _e683 {
+                if _e681.is_valid {
+                    let _e686 = p.member.flags;
+                    phi_783_ = ((_e686 & 1u) != 0u);
+                    phi_784_ = false;
                 } else {
-                    phi_856_ = bool();
-                    phi_857_ = true;
+                    phi_783_ = bool();
+                    phi_784_ = true;
                 }
-                let _e763 = phi_856_;
-                let _e765 = phi_857_;
-                phi_858_ = _e763;
-                phi_859_ = _e754;
-                phi_860_ = _e765;
+                let _e690 = phi_783_;
+                let _e692 = phi_784_;
+                phi_785_ = _e690;
+                phi_786_ = _e681;
+                phi_787_ = _e692;
             } else {
-                phi_858_ = bool();
-                phi_859_ = _e699;
-                phi_860_ = true;
+                phi_785_ = bool();
+                phi_786_ = _e626;
+                phi_787_ = true;
             }
-            let _e767 = phi_858_;
-            let _e769 = phi_859_;
-            let _e771 = phi_860_;
-            if _e771 {
-                phi_864_ = false;
-                phi_865_ = _e769;
+            let _e694 = phi_785_;
+            let _e696 = phi_786_;
+            let _e698 = phi_787_;
+            if _e698 {
+                phi_791_ = false;
+                phi_792_ = _e696;
             } else {
-                phi_864_ = _e767;
-                phi_865_ = _e754;
+                phi_791_ = _e694;
+                phi_792_ = _e681;
             }
-            let _e773 = phi_864_;
-            let _e775 = phi_865_;
-            let _e779 = lt_mask_Reprojection(_e775.pixel, _e773, _e775.has_moved);
-            let _e781 = p.member.flags;
-            let _e783 = ((_e781 & 2u) != 0u);
-            let _e785 = p.member.flags;
-            if ((_e785 & 4u) == 0u) {
-                phi_964_ = u32();
-                phi_965_ = true;
-                phi_966_ = false;
+            let _e700 = phi_791_;
+            let _e702 = phi_792_;
+            let _e706 = lt_mask_Reprojection(_e702.pixel, _e700, _e702.has_moved);
+            let _e708 = p.member.flags;
+            let _e710 = ((_e708 & 2u) != 0u);
+            let _e712 = p.member.flags;
+            if ((_e712 & 4u) == 0u) {
+                phi_891_ = u32();
+                phi_892_ = true;
+                phi_893_ = false;
             } else {
-                if _e773 {
-                    if !(_e779.has_moved) {
+                if _e700 {
+                    if !(_e706.has_moved) {
                         if (32u == 0u) {
                             return;
                         }
-                        let _e791 = (_e83 / 32u);
+                        let _e718 = (_e82 / 32u);
                         if (32u == 0u) {
                             return;
                         }
-                        if ((_e83 % 32u) > 0u) {
-                            phi_903_ = (_e791 + 1u);
+                        if ((_e82 % 32u) > 0u) {
+                            phi_830_ = (_e718 + 1u);
                         } else {
-                            phi_903_ = _e791;
+                            phi_830_ = _e718;
                         }
-                        let _e797 = phi_903_;
-                        let _e802 = ((((_e54.y * _e797) + (_e54.x / 32u)) * 6u) + 4u);
-                        if (_e802 < _e60) {
+                        let _e724 = phi_830_;
+                        let _e729 = ((((_e53.y * _e724) + (_e53.x / 32u)) * 6u) + 4u);
+                        if (_e729 < _e59) {
                         } else {
                             return;
                         }
-                        let _e806 = heard.member[(0u + _e802)];
-                        if (((_e806 >> bitcast<u32>(((_e54.x % 32u) & 31u))) & 1u) != 0u) {
-                            let _e817 = ((((_e54.y * _e797) + (_e54.x / 32u)) * 6u) + 5u);
-                            if (_e817 < _e60) {
+                        let _e733 = heard.member[(0u + _e729)];
+                        if (((_e733 >> bitcast<u32>(((_e53.x % 32u) & 31u))) & 1u) != 0u) {
+                            let _e744 = ((((_e53.y * _e724) + (_e53.x / 32u)) * 6u) + 5u);
+                            if (_e744 < _e59) {
                             } else {
                                 return;
                             }
-                            let _e821 = heard.member[(0u + _e817)];
+                            let _e748 = heard.member[(0u + _e744)];
                             if false {
-                                phi_952_ = (2u | 1u);
+                                phi_879_ = (2u | 1u);
                             } else {
-                                phi_952_ = 2u;
+                                phi_879_ = 2u;
                             }
-                            let _e830 = phi_952_;
-                            if (((_e821 >> bitcast<u32>(((_e54.x % 32u) & 31u))) & 1u) != 0u) {
-                                phi_957_ = (_e830 | 4u);
+                            let _e757 = phi_879_;
+                            if (((_e748 >> bitcast<u32>(((_e53.x % 32u) & 31u))) & 1u) != 0u) {
+                                phi_884_ = (_e757 | 4u);
                             } else {
-                                phi_957_ = _e830;
+                                phi_884_ = _e757;
                             }
-                            let _e833 = phi_957_;
-                            phi_958_ = _e833;
+                            let _e760 = phi_884_;
+                            phi_885_ = _e760;
                         } else {
-                            phi_958_ = 0u;
+                            phi_885_ = 0u;
                         }
-                        let _e835 = phi_958_;
-                        phi_959_ = _e835;
-                        phi_960_ = false;
+                        let _e762 = phi_885_;
+                        phi_886_ = _e762;
+                        phi_887_ = false;
                     } else {
-                        phi_959_ = u32();
-                        phi_960_ = true;
+                        phi_886_ = u32();
+                        phi_887_ = true;
                     }
-                    let _e837 = phi_959_;
-                    let _e839 = phi_960_;
-                    phi_961_ = _e837;
-                    phi_962_ = false;
-                    phi_963_ = _e839;
+                    let _e764 = phi_886_;
+                    let _e766 = phi_887_;
+                    phi_888_ = _e764;
+                    phi_889_ = false;
+                    phi_890_ = _e766;
                 } else {
-                    phi_961_ = u32();
-                    phi_962_ = true;
-                    phi_963_ = false;
+                    phi_888_ = u32();
+                    phi_889_ = true;
+                    phi_890_ = false;
                 }
-                let _e841 = phi_961_;
-                let _e843 = phi_962_;
-                let _e845 = phi_963_;
-                phi_964_ = _e841;
-                phi_965_ = _e843;
-                phi_966_ = _e845;
+                let _e768 = phi_888_;
+                let _e770 = phi_889_;
+                let _e772 = phi_890_;
+                phi_891_ = _e768;
+                phi_892_ = _e770;
+                phi_893_ = _e772;
             }
-            let _e847 = phi_964_;
-            let _e849 = phi_965_;
-            let _e851 = phi_966_;
-            if _e849 {
-                phi_970_ = true;
+            let _e774 = phi_891_;
+            let _e776 = phi_892_;
+            let _e778 = phi_893_;
+            if _e776 {
+                phi_897_ = true;
             } else {
-                phi_970_ = _e851;
+                phi_897_ = _e778;
             }
-            let _e853 = phi_970_;
-            if _e853 {
-                phi_974_ = 0u;
+            let _e780 = phi_897_;
+            if _e780 {
+                phi_901_ = 0u;
             } else {
-                phi_974_ = _e847;
+                phi_901_ = _e774;
             }
-            let _e855 = phi_974_;
-            let _e856 = lt_mask_Neighbourhood(false, true);
-            if _e253 {
-                phi_979_ = _e783;
+            let _e782 = phi_901_;
+            let _e783 = lt_mask_Neighbourhood(false, true);
+            if _e252 {
+                phi_906_ = _e710;
             } else {
-                phi_979_ = true;
+                phi_906_ = true;
             }
-            let _e858 = phi_979_;
-            if _e858 {
-                if _e773 {
-                    if ((_e855 & 2u) != 0u) {
-                        phi_1040_ = _e856;
+            let _e785 = phi_906_;
+            if _e785 {
+                if _e700 {
+                    if ((_e782 & 2u) != 0u) {
+                        phi_967_ = _e783;
                     } else {
                         if (32u == 0u) {
                             return;
                         }
-                        let _e867 = (_e83 / 32u);
+                        let _e794 = (_e82 / 32u);
                         if (32u == 0u) {
                             return;
                         }
-                        if ((_e83 % 32u) > 0u) {
-                            phi_1011_ = (_e867 + 1u);
+                        if ((_e82 % 32u) > 0u) {
+                            phi_938_ = (_e794 + 1u);
                         } else {
-                            phi_1011_ = _e867;
+                            phi_938_ = _e794;
                         }
-                        let _e873 = phi_1011_;
-                        let _e883 = ((((_e779.pixel.y * _e873) + (_e779.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e249) | (select(0u, 1u, _e779.has_moved) << bitcast<u32>(1i))));
-                        if (_e883 < _e60) {
+                        let _e800 = phi_938_;
+                        let _e810 = ((((_e706.pixel.y * _e800) + (_e706.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e248) | (select(0u, 1u, _e706.has_moved) << bitcast<u32>(1i))));
+                        if (_e810 < _e59) {
                         } else {
                             return;
                         }
-                        let _e887 = heard.member[(0u + _e883)];
-                        let _e893 = (((_e887 >> bitcast<u32>(((_e779.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_1040_ = lt_mask_Neighbourhood(_e893, !(_e893));
+                        let _e814 = heard.member[(0u + _e810)];
+                        let _e820 = (((_e814 >> bitcast<u32>(((_e706.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_967_ = lt_mask_Neighbourhood(_e820, !(_e820));
                     }
-                    let _e897 = phi_1040_;
-                    phi_1041_ = _e897;
+                    let _e824 = phi_967_;
+                    phi_968_ = _e824;
                 } else {
-                    phi_1041_ = _e856;
+                    phi_968_ = _e783;
                 }
-                let _e899 = phi_1041_;
-                phi_1042_ = _e899;
+                let _e826 = phi_968_;
+                phi_969_ = _e826;
             } else {
-                phi_1042_ = _e856;
+                phi_969_ = _e783;
             }
-            let _e901 = phi_1042_;
-            let _e904 = p.member.frame;
-            let _e906 = p.member.refresh;
-            if (_e906 == 0u) {
-                phi_1075_ = false;
+            let _e828 = phi_969_;
+            let _e831 = p.member.frame;
+            let _e833 = p.member.refresh;
+            if (_e833 == 0u) {
+                phi_1002_ = false;
             } else {
-                if (_e906 == 0u) {
+                if (_e833 == 0u) {
                     return;
                 }
-                let _e915 = ((_e54.x + (_e54.y * (((_e906 * 5u) / 8u) | 1u))) + (_e904 % _e906));
-                if (_e906 == 0u) {
-                    phi_1074_ = (_e915 == 0u);
+                let _e842 = ((_e53.x + (_e53.y * (((_e833 * 5u) / 8u) | 1u))) + (_e831 % _e833));
+                if (_e833 == 0u) {
+                    phi_1001_ = (_e842 == 0u);
                 } else {
-                    if (_e906 == 0u) {
+                    if (_e833 == 0u) {
                         return;
                     }
-                    phi_1074_ = ((_e915 % _e906) == 0u);
+                    phi_1001_ = ((_e842 % _e833) == 0u);
                 }
-                let _e922 = phi_1074_;
-                phi_1075_ = _e922;
+                let _e849 = phi_1001_;
+                phi_1002_ = _e849;
             }
-            let _e924 = phi_1075_;
-            if _e773 {
-                if _e924 {
-                    phi_1097_ = bool();
+            let _e851 = phi_1002_;
+            if _e700 {
+                if _e851 {
+                    phi_1024_ = bool();
                 } else {
-                    phi_1097_ = ((_e855 & 2u) != 0u);
+                    phi_1024_ = ((_e782 & 2u) != 0u);
                 }
-                let _e930 = phi_1097_;
-                phi_1098_ = _e930;
-                phi_1099_ = _e924;
+                let _e857 = phi_1024_;
+                phi_1025_ = _e857;
+                phi_1026_ = _e851;
             } else {
-                phi_1098_ = bool();
-                phi_1099_ = true;
+                phi_1025_ = bool();
+                phi_1026_ = true;
             }
-            let _e932 = phi_1098_;
-            let _e934 = phi_1099_;
-            if _e934 {
-                phi_1103_ = false;
+            let _e859 = phi_1025_;
+            let _e861 = phi_1026_;
+            if _e861 {
+                phi_1030_ = false;
             } else {
-                phi_1103_ = _e932;
+                phi_1030_ = _e859;
             }
-            let _e936 = phi_1103_;
-            if _e936 {
-                phi_1154_ = 7u;
+            let _e863 = phi_1030_;
+            if _e863 {
+                phi_1081_ = 7u;
             } else {
-                if (_e91 != 0.5f) {
-                    if _e773 {
-                        if _e924 {
-                            phi_1151_ = 6u;
+                if (_e90 != 0.5f) {
+                    if _e700 {
+                        if _e851 {
+                            phi_1078_ = 6u;
                         } else {
-                            if _e253 {
-                                phi_1126_ = true;
+                            if _e252 {
+                                phi_1053_ = true;
                             } else {
-                                if _e901.any_expands {
-                                    phi_1125_ = false;
+                                if _e828.any_expands {
+                                    phi_1052_ = false;
                                 } else {
-                                    phi_1125_ = true;
+                                    phi_1052_ = true;
                                 }
-                                let _e938 = phi_1125_;
-                                phi_1126_ = _e938;
+                                let _e865 = phi_1052_;
+                                phi_1053_ = _e865;
                             }
-                            let _e940 = phi_1126_;
-                            if _e940 {
-                                if _e253 {
-                                    if _e783 {
-                                        if _e901.all_remove {
-                                            phi_1139_ = false;
+                            let _e867 = phi_1053_;
+                            if _e867 {
+                                if _e252 {
+                                    if _e710 {
+                                        if _e828.all_remove {
+                                            phi_1066_ = false;
                                         } else {
-                                            phi_1139_ = true;
+                                            phi_1066_ = true;
                                         }
-                                        let _e942 = phi_1139_;
-                                        phi_1140_ = _e942;
+                                        let _e869 = phi_1066_;
+                                        phi_1067_ = _e869;
                                     } else {
-                                        phi_1140_ = true;
+                                        phi_1067_ = true;
                                     }
-                                    let _e944 = phi_1140_;
-                                    phi_1141_ = _e944;
+                                    let _e871 = phi_1067_;
+                                    phi_1068_ = _e871;
                                 } else {
-                                    phi_1141_ = true;
+                                    phi_1068_ = true;
                                 }
-                                let _e946 = phi_1141_;
-                                if _e946 {
-                                    if _e253 {
-                                        phi_1148_ = 1u;
+                                let _e873 = phi_1068_;
+                                if _e873 {
+                                    if _e252 {
+                                        phi_1075_ = 1u;
                                     } else {
-                                        phi_1148_ = 0u;
+                                        phi_1075_ = 0u;
                                     }
-                                    let _e948 = phi_1148_;
-                                    phi_1149_ = _e948;
+                                    let _e875 = phi_1075_;
+                                    phi_1076_ = _e875;
                                 } else {
-                                    phi_1149_ = 5u;
+                                    phi_1076_ = 5u;
                                 }
-                                let _e950 = phi_1149_;
-                                phi_1150_ = _e950;
+                                let _e877 = phi_1076_;
+                                phi_1077_ = _e877;
                             } else {
-                                phi_1150_ = 4u;
+                                phi_1077_ = 4u;
                             }
-                            let _e952 = phi_1150_;
-                            phi_1151_ = _e952;
+                            let _e879 = phi_1077_;
+                            phi_1078_ = _e879;
                         }
-                        let _e954 = phi_1151_;
-                        phi_1152_ = _e954;
+                        let _e881 = phi_1078_;
+                        phi_1079_ = _e881;
                     } else {
-                        phi_1152_ = 3u;
+                        phi_1079_ = 3u;
                     }
-                    let _e956 = phi_1152_;
-                    phi_1153_ = _e956;
+                    let _e883 = phi_1079_;
+                    phi_1080_ = _e883;
                 } else {
-                    phi_1153_ = 2u;
+                    phi_1080_ = 2u;
                 }
-                let _e958 = phi_1153_;
-                phi_1154_ = _e958;
+                let _e885 = phi_1080_;
+                phi_1081_ = _e885;
             }
-            let _e960 = phi_1154_;
-            if !((_e960 == 0u)) {
-                if !((_e960 == 5u)) {
-                    phi_1166_ = !(_e936);
-                    phi_1167_ = false;
+            let _e887 = phi_1081_;
+            if !((_e887 == 0u)) {
+                if !((_e887 == 5u)) {
+                    phi_1093_ = !(_e863);
+                    phi_1094_ = false;
                 } else {
-                    phi_1166_ = bool();
-                    phi_1167_ = true;
+                    phi_1093_ = bool();
+                    phi_1094_ = true;
                 }
-                let _e967 = phi_1166_;
-                let _e969 = phi_1167_;
-                phi_1168_ = _e967;
-                phi_1169_ = _e969;
+                let _e894 = phi_1093_;
+                let _e896 = phi_1094_;
+                phi_1095_ = _e894;
+                phi_1096_ = _e896;
             } else {
-                phi_1168_ = bool();
-                phi_1169_ = true;
+                phi_1095_ = bool();
+                phi_1096_ = true;
             }
-            let _e971 = phi_1168_;
-            let _e973 = phi_1169_;
-            if _e973 {
-                phi_1173_ = false;
+            let _e898 = phi_1095_;
+            let _e900 = phi_1096_;
+            if _e900 {
+                phi_1100_ = false;
             } else {
-                phi_1173_ = _e971;
+                phi_1100_ = _e898;
             }
-            let _e975 = phi_1173_;
-            if _e936 {
-                phi_1179_ = ((_e855 & 4u) != 0u);
+            let _e902 = phi_1100_;
+            if _e863 {
+                phi_1106_ = ((_e782 & 4u) != 0u);
             } else {
-                phi_1179_ = _e249;
+                phi_1106_ = _e248;
             }
-            let _e979 = phi_1179_;
-            if _e975 {
-                if _e249 {
-                    phi_1187_ = (2u | 1u);
+            let _e906 = phi_1106_;
+            if _e902 {
+                if _e248 {
+                    phi_1114_ = (2u | 1u);
                 } else {
-                    phi_1187_ = 2u;
+                    phi_1114_ = 2u;
                 }
-                let _e982 = phi_1187_;
+                let _e909 = phi_1114_;
                 if false {
-                    phi_1192_ = (_e982 | 4u);
+                    phi_1119_ = (_e909 | 4u);
                 } else {
-                    phi_1192_ = _e982;
+                    phi_1119_ = _e909;
                 }
-                let _e985 = phi_1192_;
-                phi_1212_ = _e985;
+                let _e912 = phi_1119_;
+                phi_1139_ = _e912;
             } else {
-                if (_e960 == 7u) {
-                    if _e249 {
-                        phi_1201_ = (2u | 1u);
+                if (_e887 == 7u) {
+                    if _e248 {
+                        phi_1128_ = (2u | 1u);
                     } else {
-                        phi_1201_ = 2u;
+                        phi_1128_ = 2u;
                     }
-                    let _e989 = phi_1201_;
-                    if _e979 {
-                        phi_1206_ = (_e989 | 4u);
+                    let _e916 = phi_1128_;
+                    if _e906 {
+                        phi_1133_ = (_e916 | 4u);
                     } else {
-                        phi_1206_ = _e989;
+                        phi_1133_ = _e916;
                     }
-                    let _e992 = phi_1206_;
-                    phi_1211_ = _e992;
+                    let _e919 = phi_1133_;
+                    phi_1138_ = _e919;
                 } else {
-                    if _e249 {
-                        phi_1210_ = 1u;
+                    if _e248 {
+                        phi_1137_ = 1u;
                     } else {
-                        phi_1210_ = 0u;
+                        phi_1137_ = 0u;
                     }
-                    let _e994 = phi_1210_;
-                    phi_1211_ = _e994;
+                    let _e921 = phi_1137_;
+                    phi_1138_ = _e921;
                 }
-                let _e996 = phi_1211_;
-                phi_1212_ = _e996;
+                let _e923 = phi_1138_;
+                phi_1139_ = _e923;
             }
-            let _e998 = phi_1212_;
-            if _e979 {
-                phi_1216_ = 0f;
+            let _e925 = phi_1139_;
+            if _e906 {
+                phi_1143_ = 0f;
             } else {
-                phi_1216_ = 1f;
+                phi_1143_ = 1f;
             }
-            let _e1000 = phi_1216_;
-            phi_1218_ = mask_Masked(_e1000, _e998, _e975);
+            let _e927 = phi_1143_;
+            phi_1145_ = mask_Masked(_e927, _e925, _e902);
         }
-        let _e1003 = phi_1218_;
-        visibility.member[_e75.first_primitive] = _e1003.visibility;
-        let _e1008 = p.member.light.number;
-        let _e1009 = (_e1008 * 3u);
-        let _e1011 = (_e1009 % 32u);
-        let _e1013 = p.member.light.mask_words;
-        let _e1015 = ((_e75.first_primitive * _e1013) + (_e1009 / 32u));
-        let _e1017 = bits.member[_e1015];
-        bits.member[_e1015] = ((_e1017 & ~((7u << bitcast<u32>((_e1011 & 31u))))) | (_e1003.bits << bitcast<u32>((_e1011 & 31u))));
-        if (_e1011 > 29u) {
-            let _e1032 = bits.member[(_e1015 + 1u)];
-            let _e1034 = (32u - _e1011);
-            bits.member[(_e1015 + 1u)] = ((_e1032 & ~((7u >> bitcast<u32>((_e1034 & 31u))))) | (_e1003.bits >> bitcast<u32>((_e1034 & 31u))));
+        let _e930 = phi_1145_;
+        visibility.member[_e74.first_primitive] = _e930.visibility;
+        let _e935 = p.member.light.number;
+        let _e936 = (_e935 * 3u);
+        let _e938 = (_e936 % 32u);
+        let _e940 = p.member.light.mask_words;
+        let _e942 = ((_e74.first_primitive * _e940) + (_e936 / 32u));
+        let _e944 = bits.member[_e942];
+        bits.member[_e942] = ((_e944 & ~((7u << bitcast<u32>((_e938 & 31u))))) | (_e930.bits << bitcast<u32>((_e938 & 31u))));
+        if (_e938 > 29u) {
+            let _e959 = bits.member[(_e942 + 1u)];
+            let _e961 = (32u - _e938);
+            bits.member[(_e942 + 1u)] = ((_e959 & ~((7u >> bitcast<u32>((_e961 & 31u))))) | (_e930.bits >> bitcast<u32>((_e961 & 31u))));
         }
-        let _e1049 = samples.member[_e75.first_primitive].normal[0u];
-        let _e1051 = global[0u];
-        if (_e1049 == _e1051) {
-            let _e1054 = samples.member[_e75.first_primitive].normal[1u];
-            let _e1056 = global[1u];
-            if (_e1054 == _e1056) {
-                let _e1059 = samples.member[_e75.first_primitive].normal[2u];
-                let _e1061 = global[2u];
-                phi_1290_ = (_e1059 == _e1061);
-                phi_1291_ = false;
+        let _e976 = samples.member[_e74.first_primitive].normal[0u];
+        let _e978 = global[0u];
+        if (_e976 == _e978) {
+            let _e981 = samples.member[_e74.first_primitive].normal[1u];
+            let _e983 = global[1u];
+            if (_e981 == _e983) {
+                let _e986 = samples.member[_e74.first_primitive].normal[2u];
+                let _e988 = global[2u];
+                phi_1217_ = (_e986 == _e988);
+                phi_1218_ = false;
             } else {
-                phi_1290_ = bool();
-                phi_1291_ = true;
+                phi_1217_ = bool();
+                phi_1218_ = true;
             }
-            let _e1064 = phi_1290_;
-            let _e1066 = phi_1291_;
-            phi_1292_ = _e1064;
-            phi_1293_ = _e1066;
+            let _e991 = phi_1217_;
+            let _e993 = phi_1218_;
+            phi_1219_ = _e991;
+            phi_1220_ = _e993;
         } else {
-            phi_1292_ = bool();
-            phi_1293_ = true;
+            phi_1219_ = bool();
+            phi_1220_ = true;
         }
-        let _e1068 = phi_1292_;
-        let _e1070 = phi_1293_;
-        if _e1070 {
-            phi_1297_ = false;
+        let _e995 = phi_1219_;
+        let _e997 = phi_1220_;
+        if _e997 {
+            phi_1224_ = false;
         } else {
-            phi_1297_ = _e1068;
+            phi_1224_ = _e995;
         }
-        let _e1072 = phi_1297_;
-        if !(_e1072) {
-            let _e1075 = samples.member[_e75.first_primitive].position;
-            let _e1077 = p.member.current.eye;
-            let _e1088 = p.member.current.forward;
-            phi_1325_ = ((((_e1075.x - _e1077.x) * _e1088.x) + ((_e1075.y - _e1077.y) * _e1088.y)) + ((_e1075.z - _e1077.z) * _e1088.z));
+        let _e999 = phi_1224_;
+        if !(_e999) {
+            let _e1002 = samples.member[_e74.first_primitive].position;
+            let _e1004 = p.member.current.eye;
+            let _e1015 = p.member.current.forward;
+            phi_1252_ = ((((_e1002.x - _e1004.x) * _e1015.x) + ((_e1002.y - _e1004.y) * _e1015.y)) + ((_e1002.z - _e1004.z) * _e1015.z));
         } else {
-            phi_1325_ = 0f;
+            phi_1252_ = 0f;
         }
-        let _e1098 = phi_1325_;
-        depths.member[_e75.first_primitive] = _e1098;
-        phi_1328_ = _e1003.needs_ray;
-        phi_1329_ = _e75.first_primitive;
+        let _e1025 = phi_1252_;
+        depths.member[_e74.first_primitive] = _e1025;
+        phi_1255_ = _e930.needs_ray;
+        phi_1256_ = _e74.first_primitive;
     } else {
-        phi_1328_ = false;
-        phi_1329_ = 0u;
+        phi_1255_ = false;
+        phi_1256_ = 0u;
     }
-    let _e1102 = phi_1328_;
-    let _e1104 = phi_1329_;
-    if (_e55 == 0u) {
+    let _e1029 = phi_1255_;
+    let _e1031 = phi_1256_;
+    if (_e54 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1102 {
-        let _e1108 = atomicAdd((&shared_[0u]), 1u);
-        phi_1340_ = _e1108;
+    if _e1029 {
+        let _e1035 = atomicAdd((&shared_[0u]), 1u);
+        phi_1267_ = _e1035;
     } else {
-        phi_1340_ = 0u;
+        phi_1267_ = 0u;
     }
-    let _e1110 = phi_1340_;
+    let _e1037 = phi_1267_;
     workgroupBarrier();
-    if (_e55 == 0u) {
-        let _e1114 = atomicLoad((&shared_[0u]));
-        let _e1115 = atomicAdd((&list.member[3u]), _e1114);
-        atomicStore((&shared_[1u]), _e1115);
+    if (_e54 == 0u) {
+        let _e1041 = atomicLoad((&shared_[0u]));
+        let _e1042 = atomicAdd((&list.member[3u]), _e1041);
+        atomicStore((&shared_[1u]), _e1042);
     }
     workgroupBarrier();
-    if _e1102 {
-        let _e1118 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1118) + _e1110)]), _e1104);
+    if _e1029 {
+        let _e1045 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1045) + _e1037)]), _e1031);
     }
     return;
 }

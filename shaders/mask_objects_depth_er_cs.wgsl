@@ -126,971 +126,962 @@ var<storage, read_write> depths: type_27;
 var<storage> past: type_43;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_171_: lt_bvh_traverse_Tree;
-    var phi_172_: bool;
-    var phi_173_: lt_bvh_traverse_Tree;
-    var phi_174_: bool;
-    var phi_179_: lt_bvh_traverse_Tree;
+    var phi_170_: lt_bvh_traverse_Tree;
+    var phi_171_: bool;
+    var phi_172_: lt_bvh_traverse_Tree;
+    var phi_173_: bool;
+    var phi_178_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_171_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_172_ = false;
+            phi_170_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_171_ = false;
         } else {
-            phi_171_ = lt_bvh_traverse_Tree();
-            phi_172_ = true;
+            phi_170_ = lt_bvh_traverse_Tree();
+            phi_171_ = true;
         }
-        let _e66 = phi_171_;
-        let _e68 = phi_172_;
-        phi_173_ = _e66;
-        phi_174_ = _e68;
+        let _e65 = phi_170_;
+        let _e67 = phi_171_;
+        phi_172_ = _e65;
+        phi_173_ = _e67;
     } else {
-        phi_173_ = lt_bvh_traverse_Tree();
-        phi_174_ = true;
+        phi_172_ = lt_bvh_traverse_Tree();
+        phi_173_ = true;
     }
-    let _e70 = phi_173_;
-    let _e72 = phi_174_;
-    if _e72 {
-        phi_179_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e69 = phi_172_;
+    let _e71 = phi_173_;
+    if _e71 {
+        phi_178_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_179_ = _e70;
+        phi_178_ = _e69;
     }
-    let _e77 = phi_179_;
-    return lt_bvh_traverse_Tree(_e77.root, _e77.first_primitive);
+    let _e76 = phi_178_;
+    return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
 }
 
 fn function_() {
+    var phi_250_: bool;
     var phi_251_: bool;
     var phi_252_: bool;
     var phi_253_: bool;
-    var phi_254_: bool;
-    var phi_258_: bool;
+    var phi_257_: bool;
+    var phi_327_: bool;
     var phi_328_: bool;
-    var phi_329_: bool;
-    var phi_340_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_341_: bool;
-    var phi_342_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_343_: bool;
-    var phi_350_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_354_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_367_: bool;
+    var phi_339_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_340_: bool;
+    var phi_341_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_342_: bool;
+    var phi_349_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_353_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_366_: bool;
+    var phi_394_: bool;
     var phi_395_: bool;
     var phi_396_: bool;
     var phi_397_: bool;
-    var phi_398_: bool;
+    var phi_401_: bool;
     var phi_402_: bool;
-    var phi_403_: bool;
-    var phi_611_: f32;
-    var phi_616_: f32;
-    var phi_617_: bool;
-    var phi_618_: f32;
-    var phi_619_: bool;
-    var phi_623_: f32;
-    var phi_644_: f32;
-    var phi_649_: f32;
-    var phi_650_: bool;
-    var phi_651_: f32;
-    var phi_652_: bool;
-    var phi_656_: f32;
-    var phi_677_: bool;
-    var phi_696_: vec2<u32>;
-    var phi_697_: bool;
+    var phi_538_: f32;
+    var phi_543_: f32;
+    var phi_544_: bool;
+    var phi_545_: f32;
+    var phi_546_: bool;
+    var phi_550_: f32;
+    var phi_571_: f32;
+    var phi_576_: f32;
+    var phi_577_: bool;
+    var phi_578_: f32;
+    var phi_579_: bool;
+    var phi_583_: f32;
+    var phi_604_: bool;
+    var phi_623_: vec2<u32>;
+    var phi_624_: bool;
+    var phi_625_: bool;
+    var phi_626_: bool;
+    var phi_627_: vec2<u32>;
+    var phi_628_: bool;
+    var phi_629_: bool;
+    var phi_630_: bool;
+    var phi_631_: bool;
+    var phi_632_: bool;
+    var phi_633_: bool;
+    var phi_634_: vec2<u32>;
+    var phi_635_: bool;
+    var phi_636_: bool;
+    var phi_637_: bool;
+    var phi_638_: bool;
+    var phi_639_: bool;
+    var phi_640_: bool;
+    var phi_641_: vec2<u32>;
+    var phi_642_: bool;
+    var phi_643_: bool;
+    var phi_644_: bool;
+    var phi_645_: bool;
+    var phi_654_: bool;
+    var phi_655_: bool;
+    var phi_656_: bool;
+    var phi_657_: bool;
+    var phi_661_: bool;
+    var phi_662_: bool;
+    var phi_663_: vec2<u32>;
     var phi_698_: bool;
-    var phi_699_: bool;
-    var phi_700_: vec2<u32>;
-    var phi_701_: bool;
-    var phi_702_: bool;
+    var phi_700_: lt_mask_Reprojection;
+    var phi_701_: lt_mask_Reprojection;
+    var phi_702_: lt_mask_Reprojection;
     var phi_703_: bool;
     var phi_704_: bool;
-    var phi_705_: bool;
-    var phi_706_: bool;
-    var phi_707_: vec2<u32>;
+    var phi_705_: lt_mask_Reprojection;
+    var phi_706_: lt_mask_Reprojection;
+    var phi_707_: lt_mask_Reprojection;
     var phi_708_: bool;
     var phi_709_: bool;
-    var phi_710_: bool;
-    var phi_711_: bool;
-    var phi_712_: bool;
-    var phi_713_: bool;
-    var phi_714_: vec2<u32>;
-    var phi_715_: bool;
-    var phi_716_: bool;
-    var phi_717_: bool;
-    var phi_718_: bool;
-    var phi_727_: bool;
-    var phi_728_: bool;
-    var phi_729_: bool;
-    var phi_730_: bool;
-    var phi_734_: bool;
-    var phi_735_: bool;
-    var phi_736_: vec2<u32>;
-    var phi_771_: bool;
-    var phi_773_: lt_mask_Reprojection;
-    var phi_774_: lt_mask_Reprojection;
-    var phi_775_: lt_mask_Reprojection;
-    var phi_776_: bool;
-    var phi_777_: bool;
-    var phi_778_: lt_mask_Reprojection;
-    var phi_779_: lt_mask_Reprojection;
-    var phi_780_: lt_mask_Reprojection;
-    var phi_781_: bool;
+    var phi_761_: bool;
+    var phi_765_: f32;
+    var phi_769_: lt_mask_Reprojection;
+    var phi_770_: bool;
     var phi_782_: bool;
-    var phi_834_: bool;
-    var phi_838_: f32;
-    var phi_842_: lt_mask_Reprojection;
-    var phi_843_: bool;
-    var phi_855_: bool;
-    var phi_856_: bool;
-    var phi_857_: bool;
-    var phi_858_: lt_mask_Reprojection;
-    var phi_859_: bool;
-    var phi_863_: bool;
-    var phi_864_: lt_mask_Reprojection;
-    var phi_870_: bool;
-    var phi_902_: u32;
-    var phi_931_: lt_mask_Neighbourhood;
-    var phi_932_: lt_mask_Neighbourhood;
-    var phi_933_: lt_mask_Neighbourhood;
-    var phi_965_: bool;
-    var phi_966_: bool;
-    var phi_988_: bool;
-    var phi_989_: bool;
-    var phi_990_: bool;
-    var phi_994_: bool;
-    var phi_1016_: bool;
-    var phi_1017_: bool;
-    var phi_1030_: bool;
-    var phi_1031_: bool;
-    var phi_1032_: bool;
-    var phi_1039_: u32;
-    var phi_1040_: u32;
-    var phi_1041_: u32;
-    var phi_1042_: u32;
-    var phi_1043_: u32;
-    var phi_1044_: u32;
-    var phi_1045_: u32;
-    var phi_1057_: bool;
-    var phi_1058_: bool;
-    var phi_1059_: bool;
-    var phi_1060_: bool;
-    var phi_1064_: bool;
-    var phi_1070_: bool;
-    var phi_1078_: u32;
-    var phi_1083_: u32;
-    var phi_1092_: u32;
-    var phi_1097_: u32;
-    var phi_1101_: u32;
-    var phi_1102_: u32;
-    var phi_1103_: u32;
-    var phi_1107_: f32;
-    var phi_1109_: mask_Masked;
-    var phi_1181_: bool;
-    var phi_1182_: bool;
-    var phi_1183_: bool;
-    var phi_1184_: bool;
-    var phi_1188_: bool;
-    var phi_1216_: f32;
-    var phi_1219_: bool;
-    var phi_1220_: u32;
-    var phi_1231_: u32;
+    var phi_783_: bool;
+    var phi_784_: bool;
+    var phi_785_: lt_mask_Reprojection;
+    var phi_786_: bool;
+    var phi_790_: bool;
+    var phi_791_: lt_mask_Reprojection;
+    var phi_797_: bool;
+    var phi_829_: u32;
+    var phi_858_: lt_mask_Neighbourhood;
+    var phi_859_: lt_mask_Neighbourhood;
+    var phi_860_: lt_mask_Neighbourhood;
+    var phi_892_: bool;
+    var phi_893_: bool;
+    var phi_915_: bool;
+    var phi_916_: bool;
+    var phi_917_: bool;
+    var phi_921_: bool;
+    var phi_943_: bool;
+    var phi_944_: bool;
+    var phi_957_: bool;
+    var phi_958_: bool;
+    var phi_959_: bool;
+    var phi_966_: u32;
+    var phi_967_: u32;
+    var phi_968_: u32;
+    var phi_969_: u32;
+    var phi_970_: u32;
+    var phi_971_: u32;
+    var phi_972_: u32;
+    var phi_984_: bool;
+    var phi_985_: bool;
+    var phi_986_: bool;
+    var phi_987_: bool;
+    var phi_991_: bool;
+    var phi_997_: bool;
+    var phi_1005_: u32;
+    var phi_1010_: u32;
+    var phi_1019_: u32;
+    var phi_1024_: u32;
+    var phi_1028_: u32;
+    var phi_1029_: u32;
+    var phi_1030_: u32;
+    var phi_1034_: f32;
+    var phi_1036_: mask_Masked;
+    var phi_1108_: bool;
+    var phi_1109_: bool;
+    var phi_1110_: bool;
+    var phi_1111_: bool;
+    var phi_1115_: bool;
+    var phi_1143_: f32;
+    var phi_1146_: bool;
+    var phi_1147_: u32;
+    var phi_1158_: u32;
 
-    let _e53 = id_1;
-    let _e54 = local_1;
-    let _e71 = p.member.current.size[0u];
-    let _e73 = p.member.current.size[1u];
-    let _e74 = lt_shaders_entry_pixel_index(_e53, _e71, _e73);
-    if (bitcast<i32>(_e74.root) != 0i) {
-        let _e82 = p.member.current.size[0u];
-        let _e85 = past.member[_e74.first_primitive];
-        let _e90 = visibility.member[_e74.first_primitive];
-        let _e96 = samples.member[_e74.first_primitive].normal[0u];
-        let _e98 = global[0u];
-        if (_e96 == _e98) {
-            let _e101 = samples.member[_e74.first_primitive].normal[1u];
-            let _e103 = global[1u];
-            if (_e101 == _e103) {
-                let _e106 = samples.member[_e74.first_primitive].normal[2u];
-                let _e108 = global[2u];
-                phi_251_ = (_e106 == _e108);
-                phi_252_ = false;
+    let _e52 = id_1;
+    let _e53 = local_1;
+    let _e70 = p.member.current.size[0u];
+    let _e72 = p.member.current.size[1u];
+    let _e73 = lt_shaders_entry_pixel_index(_e52, _e70, _e72);
+    if (bitcast<i32>(_e73.root) != 0i) {
+        let _e81 = p.member.current.size[0u];
+        let _e84 = past.member[_e73.first_primitive];
+        let _e89 = visibility.member[_e73.first_primitive];
+        let _e95 = samples.member[_e73.first_primitive].normal[0u];
+        let _e97 = global[0u];
+        if (_e95 == _e97) {
+            let _e100 = samples.member[_e73.first_primitive].normal[1u];
+            let _e102 = global[1u];
+            if (_e100 == _e102) {
+                let _e105 = samples.member[_e73.first_primitive].normal[2u];
+                let _e107 = global[2u];
+                phi_250_ = (_e105 == _e107);
+                phi_251_ = false;
             } else {
-                phi_251_ = bool();
-                phi_252_ = true;
+                phi_250_ = bool();
+                phi_251_ = true;
             }
-            let _e111 = phi_251_;
-            let _e113 = phi_252_;
-            phi_253_ = _e111;
-            phi_254_ = _e113;
+            let _e110 = phi_250_;
+            let _e112 = phi_251_;
+            phi_252_ = _e110;
+            phi_253_ = _e112;
         } else {
-            phi_253_ = bool();
-            phi_254_ = true;
+            phi_252_ = bool();
+            phi_253_ = true;
         }
-        let _e115 = phi_253_;
-        let _e117 = phi_254_;
-        if _e117 {
-            phi_258_ = false;
+        let _e114 = phi_252_;
+        let _e116 = phi_253_;
+        if _e116 {
+            phi_257_ = false;
         } else {
-            phi_258_ = _e115;
+            phi_257_ = _e114;
         }
-        let _e119 = phi_258_;
-        if !(_e119) {
-            let _e122 = samples.member[_e74.first_primitive].position;
-            let _e124 = p.member.light.place;
-            let _e130 = p.member.light.place[3u];
-            let _e137 = (_e124.x - (_e122.x * _e130));
-            let _e138 = (_e124.y - (_e122.y * _e130));
-            let _e139 = (_e124.z - (_e122.z * _e130));
-            let _e141 = samples.member[_e74.first_primitive].normal;
-            if ((((_e141.x * _e137) + (_e141.y * _e138)) + (_e141.z * _e139)) > 0f) {
-                let _e155 = (((_e137 * _e137) + (_e138 * _e138)) + (_e139 * _e139));
-                let _e157 = p.member.light.axis;
-                let _e169 = p.member.light.place[3u];
-                if (_e169 == 0f) {
-                    phi_329_ = true;
+        let _e118 = phi_257_;
+        if !(_e118) {
+            let _e121 = samples.member[_e73.first_primitive].position;
+            let _e123 = p.member.light.place;
+            let _e129 = p.member.light.place[3u];
+            let _e136 = (_e123.x - (_e121.x * _e129));
+            let _e137 = (_e123.y - (_e121.y * _e129));
+            let _e138 = (_e123.z - (_e121.z * _e129));
+            let _e140 = samples.member[_e73.first_primitive].normal;
+            if ((((_e140.x * _e136) + (_e140.y * _e137)) + (_e140.z * _e138)) > 0f) {
+                let _e154 = (((_e136 * _e136) + (_e137 * _e137)) + (_e138 * _e138));
+                let _e156 = p.member.light.axis;
+                let _e168 = p.member.light.place[3u];
+                if (_e168 == 0f) {
+                    phi_328_ = true;
                 } else {
-                    let _e172 = p.member.light.range_squared;
-                    if (_e155 <= _e172) {
-                        let _e175 = p.member.light.cos_outer;
-                        phi_328_ = (-((((_e137 * _e157.x) + (_e138 * _e157.y)) + (_e139 * _e157.z))) >= (_e175 * sqrt(_e155)));
+                    let _e171 = p.member.light.range_squared;
+                    if (_e154 <= _e171) {
+                        let _e174 = p.member.light.cos_outer;
+                        phi_327_ = (-((((_e136 * _e156.x) + (_e137 * _e156.y)) + (_e138 * _e156.z))) >= (_e174 * sqrt(_e154)));
                     } else {
-                        phi_328_ = false;
+                        phi_327_ = false;
                     }
-                    let _e180 = phi_328_;
-                    phi_329_ = _e180;
+                    let _e179 = phi_327_;
+                    phi_328_ = _e179;
                 }
-                let _e182 = phi_329_;
-                if _e182 {
-                    let _e184 = samples.member[_e74.first_primitive].flags;
-                    let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
-                    phi_340_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, ((_e184 & 1u) == 0u));
-                    phi_341_ = false;
+                let _e181 = phi_328_;
+                if _e181 {
+                    let _e183 = samples.member[_e73.first_primitive].flags;
+                    let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e191.unnamed.visibility, false), _e191.unnamed_1);
+                    phi_339_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e197.unnamed, ((_e183 & 1u) == 0u));
+                    phi_340_ = false;
                 } else {
-                    phi_340_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_341_ = true;
+                    phi_339_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_340_ = true;
                 }
-                let _e203 = phi_340_;
-                let _e205 = phi_341_;
-                phi_342_ = _e203;
-                phi_343_ = _e205;
+                let _e202 = phi_339_;
+                let _e204 = phi_340_;
+                phi_341_ = _e202;
+                phi_342_ = _e204;
             } else {
-                phi_342_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_343_ = true;
+                phi_341_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_342_ = true;
             }
-            let _e207 = phi_342_;
-            let _e209 = phi_343_;
-            if _e209 {
-                let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e215.unnamed.visibility, false), _e215.unnamed_1);
-                phi_350_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e221.unnamed, true);
+            let _e206 = phi_341_;
+            let _e208 = phi_342_;
+            if _e208 {
+                let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e220 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e214.unnamed.visibility, false), _e214.unnamed_1);
+                phi_349_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e220.unnamed, true);
             } else {
-                phi_350_ = _e207;
+                phi_349_ = _e206;
             }
-            let _e226 = phi_350_;
-            phi_354_ = _e226;
+            let _e225 = phi_349_;
+            phi_353_ = _e225;
         } else {
-            let _e232 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e238 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e232.unnamed.visibility, false), _e232.unnamed_1);
-            phi_354_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e238.unnamed, true);
+            let _e231 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e237 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e231.unnamed.visibility, false), _e231.unnamed_1);
+            phi_353_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e237.unnamed, true);
         }
-        let _e243 = phi_354_;
-        if _e243.unnamed_1 {
-            phi_1109_ = mask_Masked(_e243.unnamed.visibility, 0u, false);
+        let _e242 = phi_353_;
+        if _e242.unnamed_1 {
+            phi_1036_ = mask_Masked(_e242.unnamed.visibility, 0u, false);
         } else {
-            let _e248 = (_e90 < 0.5f);
-            if (_e90 > 0f) {
-                phi_367_ = (_e90 < 1f);
+            let _e247 = (_e89 < 0.5f);
+            if (_e89 > 0f) {
+                phi_366_ = (_e89 < 1f);
             } else {
-                phi_367_ = false;
+                phi_366_ = false;
             }
-            let _e252 = phi_367_;
-            let _e259 = lt_mask_Reprojection(vec2<u32>(_e53.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e266 = lt_mask_Reprojection(vec2<u32>(_e259.pixel.x, _e53.y), _e259.is_valid, _e259.has_moved);
-            let _e270 = lt_mask_Reprojection(_e266.pixel, true, _e266.has_moved);
-            let _e276 = p.member.flags;
-            if ((_e276 & 16u) == 0u) {
-                phi_403_ = false;
+            let _e251 = phi_366_;
+            let _e258 = lt_mask_Reprojection(vec2<u32>(_e52.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e265 = lt_mask_Reprojection(vec2<u32>(_e258.pixel.x, _e52.y), _e258.is_valid, _e258.has_moved);
+            let _e269 = lt_mask_Reprojection(_e265.pixel, true, _e265.has_moved);
+            let _e275 = p.member.flags;
+            if ((_e275 & 16u) == 0u) {
+                phi_402_ = false;
             } else {
-                let _e281 = samples.member[_e74.first_primitive].position[0u];
-                if (_e85.x == _e281) {
-                    let _e284 = samples.member[_e74.first_primitive].position[1u];
-                    if (_e85.y == _e284) {
-                        let _e287 = samples.member[_e74.first_primitive].position[2u];
-                        phi_395_ = (_e85.z == _e287);
-                        phi_396_ = false;
+                let _e280 = samples.member[_e73.first_primitive].position[0u];
+                if (_e84.x == _e280) {
+                    let _e283 = samples.member[_e73.first_primitive].position[1u];
+                    if (_e84.y == _e283) {
+                        let _e286 = samples.member[_e73.first_primitive].position[2u];
+                        phi_394_ = (_e84.z == _e286);
+                        phi_395_ = false;
                     } else {
-                        phi_395_ = bool();
-                        phi_396_ = true;
+                        phi_394_ = bool();
+                        phi_395_ = true;
                     }
-                    let _e290 = phi_395_;
-                    let _e292 = phi_396_;
-                    phi_397_ = _e290;
-                    phi_398_ = _e292;
+                    let _e289 = phi_394_;
+                    let _e291 = phi_395_;
+                    phi_396_ = _e289;
+                    phi_397_ = _e291;
                 } else {
-                    phi_397_ = bool();
-                    phi_398_ = true;
+                    phi_396_ = bool();
+                    phi_397_ = true;
                 }
-                let _e294 = phi_397_;
-                let _e296 = phi_398_;
-                if _e296 {
-                    phi_402_ = false;
+                let _e293 = phi_396_;
+                let _e295 = phi_397_;
+                if _e295 {
+                    phi_401_ = false;
                 } else {
-                    phi_402_ = _e294;
+                    phi_401_ = _e293;
                 }
-                let _e298 = phi_402_;
-                phi_403_ = _e298;
+                let _e297 = phi_401_;
+                phi_402_ = _e297;
             }
-            let _e300 = phi_403_;
-            if _e300 {
-                phi_778_ = lt_mask_Reprojection(_e270.pixel, _e270.is_valid, false);
-                phi_779_ = lt_mask_Reprojection();
-                phi_780_ = lt_mask_Reprojection();
-                phi_781_ = true;
-                phi_782_ = false;
+            let _e299 = phi_402_;
+            if _e299 {
+                phi_705_ = lt_mask_Reprojection(_e269.pixel, _e269.is_valid, false);
+                phi_706_ = lt_mask_Reprojection();
+                phi_707_ = lt_mask_Reprojection();
+                phi_708_ = true;
+                phi_709_ = false;
             } else {
-                let _e302 = samples.member[_e74.first_primitive].position;
-                let _e306 = p.member.previous.eye;
-                let _e308 = (_e85.x - _e306.x);
-                let _e310 = (_e85.y - _e306.y);
-                let _e312 = (_e85.z - _e306.z);
-                let _e314 = p.member.previous.forward;
-                let _e322 = (((_e308 * _e314.x) + (_e310 * _e314.y)) + (_e312 * _e314.z));
-                let _e324 = p.member.previous.right;
-                let _e334 = p.member.previous.right;
-                let _e349 = p.member.previous.up;
-                let _e359 = p.member.previous.up;
-                let _e374 = p.member.current.eye;
-                let _e377 = (_e302.x - _e374.x);
-                let _e380 = (_e302.y - _e374.y);
-                let _e383 = (_e302.z - _e374.z);
-                let _e385 = p.member.current.forward;
-                let _e393 = (((_e377 * _e385.x) + (_e380 * _e385.y)) + (_e383 * _e385.z));
-                let _e395 = p.member.current.right;
-                let _e405 = p.member.current.right;
-                let _e420 = p.member.current.up;
-                let _e430 = p.member.current.up;
-                let _e449 = p.member.current.size[0u];
-                let _e451 = (((((((_e308 * _e324.x) + (_e310 * _e324.y)) + (_e312 * _e324.z)) / ((((_e334.x * _e334.x) + (_e334.y * _e334.y)) + (_e334.z * _e334.z)) * _e322)) - ((((_e377 * _e395.x) + (_e380 * _e395.y)) + (_e383 * _e395.z)) / ((((_e405.x * _e405.x) + (_e405.y * _e405.y)) + (_e405.z * _e405.z)) * _e393))) * 0.5f) * f32(_e449));
-                let _e455 = p.member.current.size[1u];
-                let _e457 = (((((((_e308 * _e349.x) + (_e310 * _e349.y)) + (_e312 * _e349.z)) / ((((_e359.x * _e359.x) + (_e359.y * _e359.y)) + (_e359.z * _e359.z)) * _e322)) - ((((_e377 * _e420.x) + (_e380 * _e420.y)) + (_e383 * _e420.z)) / ((((_e430.x * _e430.x) + (_e430.y * _e430.y)) + (_e430.z * _e430.z)) * _e393))) * -0.5f) * f32(_e455));
-                let _e461 = p.member.current.grid[0u];
-                let _e463 = p.member.current.grid[1u];
-                let _e483 = p.member.current.size[0u];
-                let _e485 = p.member.current.size[1u];
-                let _e487 = ((f32(_e53.x) + ((f32((_e53.y & (_e463 - 1u))) + 0.5f) / f32(_e463))) + _e451);
-                if (_e487 > -8388608f) {
-                    let _e499 = f32(select(0i, select(select(i32(_e487), i32(-2147483648), (_e487 < bitcast<f32>(3472883712u))), 2147483647i, (_e487 > bitcast<f32>(1325400063u))), (_e487 == _e487)));
-                    if (_e499 > _e487) {
-                        phi_611_ = 1f;
+                let _e303 = p.member.current.grid[0u];
+                let _e305 = p.member.current.grid[1u];
+                let _e319 = (f32(_e52.x) + ((f32((_e52.y & (_e305 - 1u))) + 0.5f) / f32(_e305)));
+                let _e321 = (f32(_e52.y) + ((f32((_e52.x & (_e303 - 1u))) + 0.5f) / f32(_e303)));
+                let _e324 = p.member.previous.eye;
+                let _e326 = (_e84.x - _e324.x);
+                let _e328 = (_e84.y - _e324.y);
+                let _e330 = (_e84.z - _e324.z);
+                let _e332 = p.member.previous.forward;
+                let _e340 = (((_e326 * _e332.x) + (_e328 * _e332.y)) + (_e330 * _e332.z));
+                let _e342 = p.member.previous.right;
+                let _e352 = p.member.previous.right;
+                let _e367 = p.member.previous.up;
+                let _e377 = p.member.previous.up;
+                let _e394 = p.member.previous.size[0u];
+                let _e401 = p.member.previous.size[1u];
+                let _e405 = (((((((_e326 * _e342.x) + (_e328 * _e342.y)) + (_e330 * _e342.z)) / ((((_e352.x * _e352.x) + (_e352.y * _e352.y)) + (_e352.z * _e352.z)) * _e340)) + 1f) * (0.5f * f32(_e394))) - _e319);
+                let _e406 = (((1f - ((((_e326 * _e367.x) + (_e328 * _e367.y)) + (_e330 * _e367.z)) / ((((_e377.x * _e377.x) + (_e377.y * _e377.y)) + (_e377.z * _e377.z)) * _e340))) * (0.5f * f32(_e401))) - _e321);
+                let _e410 = p.member.current.size[0u];
+                let _e412 = p.member.current.size[1u];
+                let _e414 = (_e319 + _e405);
+                if (_e414 > -8388608f) {
+                    let _e426 = f32(select(0i, select(select(i32(_e414), i32(-2147483648), (_e414 < bitcast<f32>(3472883712u))), 2147483647i, (_e414 > bitcast<f32>(1325400063u))), (_e414 == _e414)));
+                    if (_e426 > _e414) {
+                        phi_538_ = 1f;
                     } else {
-                        phi_611_ = 0f;
+                        phi_538_ = 0f;
                     }
-                    let _e502 = phi_611_;
-                    if (_e487 < 8388608f) {
-                        phi_616_ = (_e499 - _e502);
-                        phi_617_ = false;
+                    let _e429 = phi_538_;
+                    if (_e414 < 8388608f) {
+                        phi_543_ = (_e426 - _e429);
+                        phi_544_ = false;
                     } else {
-                        phi_616_ = f32();
-                        phi_617_ = true;
+                        phi_543_ = f32();
+                        phi_544_ = true;
                     }
-                    let _e505 = phi_616_;
-                    let _e507 = phi_617_;
-                    phi_618_ = _e505;
-                    phi_619_ = _e507;
+                    let _e432 = phi_543_;
+                    let _e434 = phi_544_;
+                    phi_545_ = _e432;
+                    phi_546_ = _e434;
                 } else {
-                    phi_618_ = f32();
-                    phi_619_ = true;
+                    phi_545_ = f32();
+                    phi_546_ = true;
                 }
-                let _e509 = phi_618_;
-                let _e511 = phi_619_;
-                if _e511 {
-                    phi_623_ = _e487;
+                let _e436 = phi_545_;
+                let _e438 = phi_546_;
+                if _e438 {
+                    phi_550_ = _e414;
                 } else {
-                    phi_623_ = _e509;
+                    phi_550_ = _e436;
                 }
-                let _e513 = phi_623_;
-                let _e514 = ((f32(_e53.y) + ((f32((_e53.x & (_e461 - 1u))) + 0.5f) / f32(_e461))) + _e457);
-                if (_e514 > -8388608f) {
-                    let _e526 = f32(select(0i, select(select(i32(_e514), i32(-2147483648), (_e514 < bitcast<f32>(3472883712u))), 2147483647i, (_e514 > bitcast<f32>(1325400063u))), (_e514 == _e514)));
-                    if (_e526 > _e514) {
-                        phi_644_ = 1f;
+                let _e440 = phi_550_;
+                let _e441 = (_e321 + _e406);
+                if (_e441 > -8388608f) {
+                    let _e453 = f32(select(0i, select(select(i32(_e441), i32(-2147483648), (_e441 < bitcast<f32>(3472883712u))), 2147483647i, (_e441 > bitcast<f32>(1325400063u))), (_e441 == _e441)));
+                    if (_e453 > _e441) {
+                        phi_571_ = 1f;
                     } else {
-                        phi_644_ = 0f;
+                        phi_571_ = 0f;
                     }
-                    let _e529 = phi_644_;
-                    if (_e514 < 8388608f) {
-                        phi_649_ = (_e526 - _e529);
-                        phi_650_ = false;
+                    let _e456 = phi_571_;
+                    if (_e441 < 8388608f) {
+                        phi_576_ = (_e453 - _e456);
+                        phi_577_ = false;
                     } else {
-                        phi_649_ = f32();
-                        phi_650_ = true;
+                        phi_576_ = f32();
+                        phi_577_ = true;
                     }
-                    let _e532 = phi_649_;
-                    let _e534 = phi_650_;
-                    phi_651_ = _e532;
-                    phi_652_ = _e534;
+                    let _e459 = phi_576_;
+                    let _e461 = phi_577_;
+                    phi_578_ = _e459;
+                    phi_579_ = _e461;
                 } else {
-                    phi_651_ = f32();
-                    phi_652_ = true;
+                    phi_578_ = f32();
+                    phi_579_ = true;
                 }
-                let _e536 = phi_651_;
-                let _e538 = phi_652_;
-                if _e538 {
-                    phi_656_ = _e514;
+                let _e463 = phi_578_;
+                let _e465 = phi_579_;
+                if _e465 {
+                    phi_583_ = _e441;
                 } else {
-                    phi_656_ = _e536;
+                    phi_583_ = _e463;
                 }
-                let _e540 = phi_656_;
-                if (_e513 >= 0f) {
-                    if (_e540 >= 0f) {
-                        if (_e513 < f32(_e483)) {
-                            let _e546 = (_e540 < f32(_e485));
-                            if (_e451 == 0f) {
-                                phi_677_ = (_e457 == 0f);
+                let _e467 = phi_583_;
+                if (_e440 >= 0f) {
+                    if (_e467 >= 0f) {
+                        if (_e440 < f32(_e410)) {
+                            let _e473 = (_e467 < f32(_e412));
+                            if (_e405 == 0f) {
+                                phi_604_ = (_e406 == 0f);
                             } else {
-                                phi_677_ = false;
+                                phi_604_ = false;
                             }
-                            let _e550 = phi_677_;
-                            if _e546 {
-                                phi_696_ = vec2<u32>(select(select(u32(_e513), 0u, (_e513 < bitcast<f32>(0u))), 4294967295u, (_e513 > bitcast<f32>(1333788671u))), select(select(u32(_e540), 0u, (_e540 < bitcast<f32>(0u))), 4294967295u, (_e540 > bitcast<f32>(1333788671u))));
-                                phi_697_ = false;
+                            let _e477 = phi_604_;
+                            if _e473 {
+                                phi_623_ = vec2<u32>(select(select(u32(_e440), 0u, (_e440 < bitcast<f32>(0u))), 4294967295u, (_e440 > bitcast<f32>(1333788671u))), select(select(u32(_e467), 0u, (_e467 < bitcast<f32>(0u))), 4294967295u, (_e467 > bitcast<f32>(1333788671u))));
+                                phi_624_ = false;
                             } else {
-                                phi_696_ = vec2<u32>();
-                                phi_697_ = true;
+                                phi_623_ = vec2<u32>();
+                                phi_624_ = true;
                             }
-                            let _e567 = phi_696_;
-                            let _e569 = phi_697_;
-                            phi_698_ = _e550;
-                            phi_699_ = _e546;
-                            phi_700_ = _e567;
-                            phi_701_ = _e550;
-                            phi_702_ = _e546;
-                            phi_703_ = false;
-                            phi_704_ = _e569;
+                            let _e494 = phi_623_;
+                            let _e496 = phi_624_;
+                            phi_625_ = _e477;
+                            phi_626_ = _e473;
+                            phi_627_ = _e494;
+                            phi_628_ = _e477;
+                            phi_629_ = _e473;
+                            phi_630_ = false;
+                            phi_631_ = _e496;
                         } else {
-                            phi_698_ = bool();
-                            phi_699_ = bool();
-                            phi_700_ = vec2<u32>();
-                            phi_701_ = bool();
-                            phi_702_ = bool();
-                            phi_703_ = true;
-                            phi_704_ = false;
+                            phi_625_ = bool();
+                            phi_626_ = bool();
+                            phi_627_ = vec2<u32>();
+                            phi_628_ = bool();
+                            phi_629_ = bool();
+                            phi_630_ = true;
+                            phi_631_ = false;
                         }
-                        let _e571 = phi_698_;
-                        let _e573 = phi_699_;
-                        let _e575 = phi_700_;
-                        let _e577 = phi_701_;
-                        let _e579 = phi_702_;
-                        let _e581 = phi_703_;
-                        let _e583 = phi_704_;
-                        phi_705_ = _e571;
-                        phi_706_ = _e573;
-                        phi_707_ = _e575;
-                        phi_708_ = _e577;
-                        phi_709_ = _e579;
-                        phi_710_ = _e581;
-                        phi_711_ = _e583;
+                        let _e498 = phi_625_;
+                        let _e500 = phi_626_;
+                        let _e502 = phi_627_;
+                        let _e504 = phi_628_;
+                        let _e506 = phi_629_;
+                        let _e508 = phi_630_;
+                        let _e510 = phi_631_;
+                        phi_632_ = _e498;
+                        phi_633_ = _e500;
+                        phi_634_ = _e502;
+                        phi_635_ = _e504;
+                        phi_636_ = _e506;
+                        phi_637_ = _e508;
+                        phi_638_ = _e510;
                     } else {
-                        phi_705_ = bool();
-                        phi_706_ = bool();
-                        phi_707_ = vec2<u32>();
-                        phi_708_ = bool();
-                        phi_709_ = bool();
-                        phi_710_ = true;
-                        phi_711_ = false;
+                        phi_632_ = bool();
+                        phi_633_ = bool();
+                        phi_634_ = vec2<u32>();
+                        phi_635_ = bool();
+                        phi_636_ = bool();
+                        phi_637_ = true;
+                        phi_638_ = false;
                     }
-                    let _e585 = phi_705_;
-                    let _e587 = phi_706_;
-                    let _e589 = phi_707_;
-                    let _e591 = phi_708_;
-                    let _e593 = phi_709_;
-                    let _e595 = phi_710_;
-                    let _e597 = phi_711_;
-                    phi_712_ = _e585;
-                    phi_713_ = _e587;
-                    phi_714_ = _e589;
-                    phi_715_ = _e591;
-                    phi_716_ = _e593;
-                    phi_717_ = _e595;
-                    phi_718_ = _e597;
+                    let _e512 = phi_632_;
+                    let _e514 = phi_633_;
+                    let _e516 = phi_634_;
+                    let _e518 = phi_635_;
+                    let _e520 = phi_636_;
+                    let _e522 = phi_637_;
+                    let _e524 = phi_638_;
+                    phi_639_ = _e512;
+                    phi_640_ = _e514;
+                    phi_641_ = _e516;
+                    phi_642_ = _e518;
+                    phi_643_ = _e520;
+                    phi_644_ = _e522;
+                    phi_645_ = _e524;
                 } else {
-                    phi_712_ = bool();
-                    phi_713_ = bool();
-                    phi_714_ = vec2<u32>();
-                    phi_715_ = bool();
-                    phi_716_ = bool();
-                    phi_717_ = true;
-                    phi_718_ = false;
+                    phi_639_ = bool();
+                    phi_640_ = bool();
+                    phi_641_ = vec2<u32>();
+                    phi_642_ = bool();
+                    phi_643_ = bool();
+                    phi_644_ = true;
+                    phi_645_ = false;
                 }
-                let _e599 = phi_712_;
-                let _e601 = phi_713_;
-                let _e603 = phi_714_;
-                let _e605 = phi_715_;
-                let _e607 = phi_716_;
-                let _e609 = phi_717_;
-                let _e611 = phi_718_;
-                if _e609 {
-                    if (_e451 == 0f) {
-                        phi_727_ = (_e457 == 0f);
+                let _e526 = phi_639_;
+                let _e528 = phi_640_;
+                let _e530 = phi_641_;
+                let _e532 = phi_642_;
+                let _e534 = phi_643_;
+                let _e536 = phi_644_;
+                let _e538 = phi_645_;
+                if _e536 {
+                    if (_e405 == 0f) {
+                        phi_654_ = (_e406 == 0f);
                     } else {
-                        phi_727_ = false;
+                        phi_654_ = false;
                     }
-                    let _e615 = phi_727_;
-                    phi_728_ = _e615;
-                    phi_729_ = false;
-                    phi_730_ = true;
+                    let _e542 = phi_654_;
+                    phi_655_ = _e542;
+                    phi_656_ = false;
+                    phi_657_ = true;
                 } else {
-                    phi_728_ = _e605;
-                    phi_729_ = _e607;
-                    phi_730_ = _e611;
+                    phi_655_ = _e532;
+                    phi_656_ = _e534;
+                    phi_657_ = _e538;
                 }
-                let _e617 = phi_728_;
-                let _e619 = phi_729_;
-                let _e621 = phi_730_;
-                if _e621 {
-                    phi_734_ = _e617;
-                    phi_735_ = _e619;
-                    phi_736_ = vec2<u32>(_e53.x, _e53.y);
+                let _e544 = phi_655_;
+                let _e546 = phi_656_;
+                let _e548 = phi_657_;
+                if _e548 {
+                    phi_661_ = _e544;
+                    phi_662_ = _e546;
+                    phi_663_ = vec2<u32>(_e52.x, _e52.y);
                 } else {
-                    phi_734_ = _e599;
-                    phi_735_ = _e601;
-                    phi_736_ = _e603;
+                    phi_661_ = _e526;
+                    phi_662_ = _e528;
+                    phi_663_ = _e530;
                 }
-                let _e623 = phi_734_;
-                let _e625 = phi_735_;
-                let _e627 = phi_736_;
-                let _e637 = lt_mask_Reprojection(vec2<u32>(_e627.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e644 = lt_mask_Reprojection(vec2<u32>(_e637.pixel.x, _e627.y), _e637.is_valid, _e637.has_moved);
-                let _e648 = lt_mask_Reprojection(_e644.pixel, _e625, _e644.has_moved);
-                let _e652 = lt_mask_Reprojection(_e648.pixel, _e648.is_valid, !(_e623));
-                if _e625 {
-                    let _e655 = p.member.previous.eye;
-                    let _e663 = p.member.previous.forward;
-                    let _e672 = (((((_e85.x - _e655.x) * _e663.x) + ((_e85.y - _e655.y) * _e663.y)) + ((_e85.z - _e655.z) * _e663.z)) > 0f);
-                    let _e676 = lt_mask_Reprojection(_e652.pixel, _e672, _e652.has_moved);
-                    if _e672 {
-                        phi_771_ = false;
+                let _e550 = phi_661_;
+                let _e552 = phi_662_;
+                let _e554 = phi_663_;
+                let _e564 = lt_mask_Reprojection(vec2<u32>(_e554.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e571 = lt_mask_Reprojection(vec2<u32>(_e564.pixel.x, _e554.y), _e564.is_valid, _e564.has_moved);
+                let _e575 = lt_mask_Reprojection(_e571.pixel, _e552, _e571.has_moved);
+                let _e579 = lt_mask_Reprojection(_e575.pixel, _e575.is_valid, !(_e550));
+                if _e552 {
+                    let _e582 = p.member.previous.eye;
+                    let _e590 = p.member.previous.forward;
+                    let _e599 = (((((_e84.x - _e582.x) * _e590.x) + ((_e84.y - _e582.y) * _e590.y)) + ((_e84.z - _e582.z) * _e590.z)) > 0f);
+                    let _e603 = lt_mask_Reprojection(_e579.pixel, _e599, _e579.has_moved);
+                    if _e599 {
+                        phi_698_ = false;
                     } else {
-                        phi_771_ = true;
+                        phi_698_ = true;
                     }
-                    let _e678 = phi_771_;
-                    phi_773_ = _e676;
-                    phi_774_ = _e676;
-                    phi_775_ = lt_mask_Reprojection();
-                    phi_776_ = _e672;
-                    phi_777_ = _e678;
+                    let _e605 = phi_698_;
+                    phi_700_ = _e603;
+                    phi_701_ = _e603;
+                    phi_702_ = lt_mask_Reprojection();
+                    phi_703_ = _e599;
+                    phi_704_ = _e605;
                 } else {
-                    phi_773_ = lt_mask_Reprojection();
-                    phi_774_ = lt_mask_Reprojection();
-                    phi_775_ = lt_mask_Reprojection(_e652.pixel, false, _e652.has_moved);
-                    phi_776_ = false;
-                    phi_777_ = false;
+                    phi_700_ = lt_mask_Reprojection();
+                    phi_701_ = lt_mask_Reprojection();
+                    phi_702_ = lt_mask_Reprojection(_e579.pixel, false, _e579.has_moved);
+                    phi_703_ = false;
+                    phi_704_ = false;
                 }
-                let _e684 = phi_773_;
-                let _e686 = phi_774_;
-                let _e688 = phi_775_;
-                let _e690 = phi_776_;
-                let _e692 = phi_777_;
-                phi_778_ = _e684;
-                phi_779_ = _e686;
-                phi_780_ = _e688;
-                phi_781_ = _e690;
-                phi_782_ = _e692;
+                let _e611 = phi_700_;
+                let _e613 = phi_701_;
+                let _e615 = phi_702_;
+                let _e617 = phi_703_;
+                let _e619 = phi_704_;
+                phi_705_ = _e611;
+                phi_706_ = _e613;
+                phi_707_ = _e615;
+                phi_708_ = _e617;
+                phi_709_ = _e619;
             }
-            let _e694 = phi_778_;
-            let _e696 = phi_779_;
-            let _e698 = phi_780_;
-            let _e700 = phi_781_;
-            let _e702 = phi_782_;
-            if _e700 {
-                let _e705 = p.member.previous.eye;
-                let _e713 = p.member.previous.forward;
-                let _e721 = ((((_e85.x - _e705.x) * _e713.x) + ((_e85.y - _e705.y) * _e713.y)) + ((_e85.z - _e705.z) * _e713.z));
-                let _e727 = ((_e694.pixel.y * _e82) + _e694.pixel.x);
-                if (_e727 < arrayLength((&last_depths.member))) {
+            let _e621 = phi_705_;
+            let _e623 = phi_706_;
+            let _e625 = phi_707_;
+            let _e627 = phi_708_;
+            let _e629 = phi_709_;
+            if _e627 {
+                let _e632 = p.member.previous.eye;
+                let _e640 = p.member.previous.forward;
+                let _e648 = ((((_e84.x - _e632.x) * _e640.x) + ((_e84.y - _e632.y) * _e640.y)) + ((_e84.z - _e632.z) * _e640.z));
+                let _e654 = ((_e621.pixel.y * _e81) + _e621.pixel.x);
+                if (_e654 < arrayLength((&last_depths.member))) {
                 } else {
                     return;
                 }
-                let _e731 = last_depths.member[(0u + _e727)];
-                let _e733 = p.member.depth_tolerance;
-                let _e736 = abs(_e721);
-                let _e737 = abs(_e731);
-                if ((bitcast<u32>(_e737) & 2147483647u) > 2139095040u) {
-                    phi_834_ = true;
+                let _e658 = last_depths.member[(0u + _e654)];
+                let _e660 = p.member.depth_tolerance;
+                let _e663 = abs(_e648);
+                let _e664 = abs(_e658);
+                if ((bitcast<u32>(_e664) & 2147483647u) > 2139095040u) {
+                    phi_761_ = true;
                 } else {
-                    let _e741 = (_e737 > _e736);
-                    if _e741 {
+                    let _e668 = (_e664 > _e663);
+                    if _e668 {
                     }
-                    phi_834_ = _e741;
+                    phi_761_ = _e668;
                 }
-                let _e743 = phi_834_;
-                if _e743 {
-                    phi_838_ = _e737;
+                let _e670 = phi_761_;
+                if _e670 {
+                    phi_765_ = _e664;
                 } else {
-                    phi_838_ = _e736;
+                    phi_765_ = _e663;
                 }
-                let _e745 = phi_838_;
-                phi_842_ = lt_mask_Reprojection(_e694.pixel, (abs((_e721 - _e731)) <= (_e733 * _e745)), _e694.has_moved);
-                phi_843_ = true;
+                let _e672 = phi_765_;
+                phi_769_ = lt_mask_Reprojection(_e621.pixel, (abs((_e648 - _e658)) <= (_e660 * _e672)), _e621.has_moved);
+                phi_770_ = true;
             } else {
-                phi_842_ = _e696;
-                phi_843_ = _e702;
+                phi_769_ = _e623;
+                phi_770_ = _e629;
             }
-            let _e753 = phi_842_;
-            let _e755 = phi_843_;
-            if _e755 {
-                if _e753.is_valid {
-                    let _e758 = p.member.flags;
-                    phi_855_ = ((_e758 & 1u) != 0u);
-                    phi_856_ = false;
+            let _e680 = phi_769_;
+            let _e682 = phi_770_;
+            if _e682 {
+                if _e680.is_valid {
+                    let _e685 = p.member.flags;
+                    phi_782_ = ((_e685 & 1u) != 0u);
+                    phi_783_ = false;
                 } else {
-                    phi_855_ = bool();
-                    phi_856_ = true;
+                    phi_782_ = bool();
+                    phi_783_ = true;
                 }
-                let _e762 = phi_855_;
-                let _e764 = phi_856_;
-                phi_857_ = _e762;
-                phi_858_ = _e753;
-                phi_859_ = _e764;
+                let _e689 = phi_782_;
+                let _e691 = phi_783_;
+                phi_784_ = _e689;
+                phi_785_ = _e680;
+                phi_786_ = _e691;
             } else {
-                phi_857_ = bool();
-                phi_858_ = _e698;
-                phi_859_ = true;
+                phi_784_ = bool();
+                phi_785_ = _e625;
+                phi_786_ = true;
             }
-            let _e766 = phi_857_;
-            let _e768 = phi_858_;
-            let _e770 = phi_859_;
-            if _e770 {
-                phi_863_ = false;
-                phi_864_ = _e768;
+            let _e693 = phi_784_;
+            let _e695 = phi_785_;
+            let _e697 = phi_786_;
+            if _e697 {
+                phi_790_ = false;
+                phi_791_ = _e695;
             } else {
-                phi_863_ = _e766;
-                phi_864_ = _e753;
+                phi_790_ = _e693;
+                phi_791_ = _e680;
             }
-            let _e772 = phi_863_;
-            let _e774 = phi_864_;
-            let _e778 = lt_mask_Reprojection(_e774.pixel, _e772, _e774.has_moved);
-            let _e779 = lt_mask_Neighbourhood(false, true);
-            if _e252 {
-                phi_870_ = false;
+            let _e699 = phi_790_;
+            let _e701 = phi_791_;
+            let _e705 = lt_mask_Reprojection(_e701.pixel, _e699, _e701.has_moved);
+            let _e706 = lt_mask_Neighbourhood(false, true);
+            if _e251 {
+                phi_797_ = false;
             } else {
-                phi_870_ = true;
+                phi_797_ = true;
             }
-            let _e781 = phi_870_;
-            if _e781 {
-                if _e772 {
+            let _e708 = phi_797_;
+            if _e708 {
+                if _e699 {
                     if ((0u & 2u) != 0u) {
-                        phi_931_ = _e779;
+                        phi_858_ = _e706;
                     } else {
                         if (32u == 0u) {
                             return;
                         }
-                        let _e790 = (_e82 / 32u);
+                        let _e717 = (_e81 / 32u);
                         if (32u == 0u) {
                             return;
                         }
-                        if ((_e82 % 32u) > 0u) {
-                            phi_902_ = (_e790 + 1u);
+                        if ((_e81 % 32u) > 0u) {
+                            phi_829_ = (_e717 + 1u);
                         } else {
-                            phi_902_ = _e790;
+                            phi_829_ = _e717;
                         }
-                        let _e796 = phi_902_;
-                        let _e806 = ((((_e778.pixel.y * _e796) + (_e778.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e248) | (select(0u, 1u, _e778.has_moved) << bitcast<u32>(1i))));
-                        if (_e806 < arrayLength((&heard.member))) {
+                        let _e723 = phi_829_;
+                        let _e733 = ((((_e705.pixel.y * _e723) + (_e705.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e247) | (select(0u, 1u, _e705.has_moved) << bitcast<u32>(1i))));
+                        if (_e733 < arrayLength((&heard.member))) {
                         } else {
                             return;
                         }
-                        let _e810 = heard.member[(0u + _e806)];
-                        let _e816 = (((_e810 >> bitcast<u32>(((_e778.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_931_ = lt_mask_Neighbourhood(_e816, !(_e816));
+                        let _e737 = heard.member[(0u + _e733)];
+                        let _e743 = (((_e737 >> bitcast<u32>(((_e705.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_858_ = lt_mask_Neighbourhood(_e743, !(_e743));
                     }
-                    let _e820 = phi_931_;
-                    phi_932_ = _e820;
+                    let _e747 = phi_858_;
+                    phi_859_ = _e747;
                 } else {
-                    phi_932_ = _e779;
+                    phi_859_ = _e706;
                 }
-                let _e822 = phi_932_;
-                phi_933_ = _e822;
+                let _e749 = phi_859_;
+                phi_860_ = _e749;
             } else {
-                phi_933_ = _e779;
+                phi_860_ = _e706;
             }
-            let _e824 = phi_933_;
-            let _e827 = p.member.frame;
-            let _e829 = p.member.refresh;
-            if (_e829 == 0u) {
-                phi_966_ = false;
+            let _e751 = phi_860_;
+            let _e754 = p.member.frame;
+            let _e756 = p.member.refresh;
+            if (_e756 == 0u) {
+                phi_893_ = false;
             } else {
-                if (_e829 == 0u) {
+                if (_e756 == 0u) {
                     return;
                 }
-                let _e838 = ((_e53.x + (_e53.y * (((_e829 * 5u) / 8u) | 1u))) + (_e827 % _e829));
-                if (_e829 == 0u) {
-                    phi_965_ = (_e838 == 0u);
+                let _e765 = ((_e52.x + (_e52.y * (((_e756 * 5u) / 8u) | 1u))) + (_e754 % _e756));
+                if (_e756 == 0u) {
+                    phi_892_ = (_e765 == 0u);
                 } else {
-                    if (_e829 == 0u) {
+                    if (_e756 == 0u) {
                         return;
                     }
-                    phi_965_ = ((_e838 % _e829) == 0u);
+                    phi_892_ = ((_e765 % _e756) == 0u);
                 }
-                let _e845 = phi_965_;
-                phi_966_ = _e845;
+                let _e772 = phi_892_;
+                phi_893_ = _e772;
             }
-            let _e847 = phi_966_;
-            if _e772 {
-                if _e847 {
-                    phi_988_ = bool();
+            let _e774 = phi_893_;
+            if _e699 {
+                if _e774 {
+                    phi_915_ = bool();
                 } else {
-                    phi_988_ = ((0u & 2u) != 0u);
+                    phi_915_ = ((0u & 2u) != 0u);
                 }
-                let _e853 = phi_988_;
-                phi_989_ = _e853;
-                phi_990_ = _e847;
+                let _e780 = phi_915_;
+                phi_916_ = _e780;
+                phi_917_ = _e774;
             } else {
-                phi_989_ = bool();
-                phi_990_ = true;
+                phi_916_ = bool();
+                phi_917_ = true;
             }
-            let _e855 = phi_989_;
-            let _e857 = phi_990_;
-            if _e857 {
-                phi_994_ = false;
+            let _e782 = phi_916_;
+            let _e784 = phi_917_;
+            if _e784 {
+                phi_921_ = false;
             } else {
-                phi_994_ = _e855;
+                phi_921_ = _e782;
             }
-            let _e859 = phi_994_;
-            if _e859 {
-                phi_1045_ = 7u;
+            let _e786 = phi_921_;
+            if _e786 {
+                phi_972_ = 7u;
             } else {
-                if (_e90 != 0.5f) {
-                    if _e772 {
-                        if _e847 {
-                            phi_1042_ = 6u;
+                if (_e89 != 0.5f) {
+                    if _e699 {
+                        if _e774 {
+                            phi_969_ = 6u;
                         } else {
-                            if _e252 {
-                                phi_1017_ = true;
+                            if _e251 {
+                                phi_944_ = true;
                             } else {
-                                if _e824.any_expands {
-                                    phi_1016_ = false;
+                                if _e751.any_expands {
+                                    phi_943_ = false;
                                 } else {
-                                    phi_1016_ = true;
+                                    phi_943_ = true;
                                 }
-                                let _e861 = phi_1016_;
-                                phi_1017_ = _e861;
+                                let _e788 = phi_943_;
+                                phi_944_ = _e788;
                             }
-                            let _e863 = phi_1017_;
-                            if _e863 {
-                                if _e252 {
+                            let _e790 = phi_944_;
+                            if _e790 {
+                                if _e251 {
                                     if false {
-                                        if _e824.all_remove {
-                                            phi_1030_ = false;
+                                        if _e751.all_remove {
+                                            phi_957_ = false;
                                         } else {
-                                            phi_1030_ = true;
+                                            phi_957_ = true;
                                         }
-                                        let _e865 = phi_1030_;
-                                        phi_1031_ = _e865;
+                                        let _e792 = phi_957_;
+                                        phi_958_ = _e792;
                                     } else {
-                                        phi_1031_ = true;
+                                        phi_958_ = true;
                                     }
-                                    let _e867 = phi_1031_;
-                                    phi_1032_ = _e867;
+                                    let _e794 = phi_958_;
+                                    phi_959_ = _e794;
                                 } else {
-                                    phi_1032_ = true;
+                                    phi_959_ = true;
                                 }
-                                let _e869 = phi_1032_;
-                                if _e869 {
-                                    if _e252 {
-                                        phi_1039_ = 1u;
+                                let _e796 = phi_959_;
+                                if _e796 {
+                                    if _e251 {
+                                        phi_966_ = 1u;
                                     } else {
-                                        phi_1039_ = 0u;
+                                        phi_966_ = 0u;
                                     }
-                                    let _e871 = phi_1039_;
-                                    phi_1040_ = _e871;
+                                    let _e798 = phi_966_;
+                                    phi_967_ = _e798;
                                 } else {
-                                    phi_1040_ = 5u;
+                                    phi_967_ = 5u;
                                 }
-                                let _e873 = phi_1040_;
-                                phi_1041_ = _e873;
+                                let _e800 = phi_967_;
+                                phi_968_ = _e800;
                             } else {
-                                phi_1041_ = 4u;
+                                phi_968_ = 4u;
                             }
-                            let _e875 = phi_1041_;
-                            phi_1042_ = _e875;
+                            let _e802 = phi_968_;
+                            phi_969_ = _e802;
                         }
-                        let _e877 = phi_1042_;
-                        phi_1043_ = _e877;
+                        let _e804 = phi_969_;
+                        phi_970_ = _e804;
                     } else {
-                        phi_1043_ = 3u;
+                        phi_970_ = 3u;
                     }
-                    let _e879 = phi_1043_;
-                    phi_1044_ = _e879;
+                    let _e806 = phi_970_;
+                    phi_971_ = _e806;
                 } else {
-                    phi_1044_ = 2u;
+                    phi_971_ = 2u;
                 }
-                let _e881 = phi_1044_;
-                phi_1045_ = _e881;
+                let _e808 = phi_971_;
+                phi_972_ = _e808;
             }
-            let _e883 = phi_1045_;
-            if !((_e883 == 0u)) {
-                if !((_e883 == 5u)) {
-                    phi_1057_ = !(_e859);
-                    phi_1058_ = false;
+            let _e810 = phi_972_;
+            if !((_e810 == 0u)) {
+                if !((_e810 == 5u)) {
+                    phi_984_ = !(_e786);
+                    phi_985_ = false;
                 } else {
-                    phi_1057_ = bool();
-                    phi_1058_ = true;
+                    phi_984_ = bool();
+                    phi_985_ = true;
                 }
-                let _e890 = phi_1057_;
-                let _e892 = phi_1058_;
-                phi_1059_ = _e890;
-                phi_1060_ = _e892;
+                let _e817 = phi_984_;
+                let _e819 = phi_985_;
+                phi_986_ = _e817;
+                phi_987_ = _e819;
             } else {
-                phi_1059_ = bool();
-                phi_1060_ = true;
+                phi_986_ = bool();
+                phi_987_ = true;
             }
-            let _e894 = phi_1059_;
-            let _e896 = phi_1060_;
-            if _e896 {
-                phi_1064_ = false;
+            let _e821 = phi_986_;
+            let _e823 = phi_987_;
+            if _e823 {
+                phi_991_ = false;
             } else {
-                phi_1064_ = _e894;
+                phi_991_ = _e821;
             }
-            let _e898 = phi_1064_;
-            if _e859 {
-                phi_1070_ = ((0u & 4u) != 0u);
+            let _e825 = phi_991_;
+            if _e786 {
+                phi_997_ = ((0u & 4u) != 0u);
             } else {
-                phi_1070_ = _e248;
+                phi_997_ = _e247;
             }
-            let _e902 = phi_1070_;
-            if _e898 {
-                if _e248 {
-                    phi_1078_ = (2u | 1u);
+            let _e829 = phi_997_;
+            if _e825 {
+                if _e247 {
+                    phi_1005_ = (2u | 1u);
                 } else {
-                    phi_1078_ = 2u;
+                    phi_1005_ = 2u;
                 }
-                let _e905 = phi_1078_;
+                let _e832 = phi_1005_;
                 if false {
-                    phi_1083_ = (_e905 | 4u);
+                    phi_1010_ = (_e832 | 4u);
                 } else {
-                    phi_1083_ = _e905;
+                    phi_1010_ = _e832;
                 }
-                let _e908 = phi_1083_;
-                phi_1103_ = _e908;
+                let _e835 = phi_1010_;
+                phi_1030_ = _e835;
             } else {
-                if (_e883 == 7u) {
-                    if _e248 {
-                        phi_1092_ = (2u | 1u);
+                if (_e810 == 7u) {
+                    if _e247 {
+                        phi_1019_ = (2u | 1u);
                     } else {
-                        phi_1092_ = 2u;
+                        phi_1019_ = 2u;
                     }
-                    let _e912 = phi_1092_;
-                    if _e902 {
-                        phi_1097_ = (_e912 | 4u);
+                    let _e839 = phi_1019_;
+                    if _e829 {
+                        phi_1024_ = (_e839 | 4u);
                     } else {
-                        phi_1097_ = _e912;
+                        phi_1024_ = _e839;
                     }
-                    let _e915 = phi_1097_;
-                    phi_1102_ = _e915;
+                    let _e842 = phi_1024_;
+                    phi_1029_ = _e842;
                 } else {
-                    if _e248 {
-                        phi_1101_ = 1u;
+                    if _e247 {
+                        phi_1028_ = 1u;
                     } else {
-                        phi_1101_ = 0u;
+                        phi_1028_ = 0u;
                     }
-                    let _e917 = phi_1101_;
-                    phi_1102_ = _e917;
+                    let _e844 = phi_1028_;
+                    phi_1029_ = _e844;
                 }
-                let _e919 = phi_1102_;
-                phi_1103_ = _e919;
+                let _e846 = phi_1029_;
+                phi_1030_ = _e846;
             }
-            let _e921 = phi_1103_;
-            if _e902 {
-                phi_1107_ = 0f;
+            let _e848 = phi_1030_;
+            if _e829 {
+                phi_1034_ = 0f;
             } else {
-                phi_1107_ = 1f;
+                phi_1034_ = 1f;
             }
-            let _e923 = phi_1107_;
-            phi_1109_ = mask_Masked(_e923, _e921, _e898);
+            let _e850 = phi_1034_;
+            phi_1036_ = mask_Masked(_e850, _e848, _e825);
         }
-        let _e926 = phi_1109_;
-        visibility.member[_e74.first_primitive] = _e926.visibility;
-        let _e931 = p.member.light.number;
-        let _e932 = (_e931 * 3u);
-        let _e934 = (_e932 % 32u);
-        let _e936 = p.member.light.mask_words;
-        let _e938 = ((_e74.first_primitive * _e936) + (_e932 / 32u));
-        let _e940 = bits.member[_e938];
-        bits.member[_e938] = ((_e940 & ~((7u << bitcast<u32>((_e934 & 31u))))) | (_e926.bits << bitcast<u32>((_e934 & 31u))));
-        if (_e934 > 29u) {
-            let _e955 = bits.member[(_e938 + 1u)];
-            let _e957 = (32u - _e934);
-            bits.member[(_e938 + 1u)] = ((_e955 & ~((7u >> bitcast<u32>((_e957 & 31u))))) | (_e926.bits >> bitcast<u32>((_e957 & 31u))));
+        let _e853 = phi_1036_;
+        visibility.member[_e73.first_primitive] = _e853.visibility;
+        let _e858 = p.member.light.number;
+        let _e859 = (_e858 * 3u);
+        let _e861 = (_e859 % 32u);
+        let _e863 = p.member.light.mask_words;
+        let _e865 = ((_e73.first_primitive * _e863) + (_e859 / 32u));
+        let _e867 = bits.member[_e865];
+        bits.member[_e865] = ((_e867 & ~((7u << bitcast<u32>((_e861 & 31u))))) | (_e853.bits << bitcast<u32>((_e861 & 31u))));
+        if (_e861 > 29u) {
+            let _e882 = bits.member[(_e865 + 1u)];
+            let _e884 = (32u - _e861);
+            bits.member[(_e865 + 1u)] = ((_e882 & ~((7u >> bitcast<u32>((_e884 & 31u))))) | (_e853.bits >> bitcast<u32>((_e884 & 31u))));
         }
-        let _e972 = samples.member[_e74.first_primitive].normal[0u];
-        let _e974 = global[0u];
-        if (_e972 == _e974) {
-            let _e977 = samples.member[_e74.first_primitive].normal[1u];
-            let _e979 = global[1u];
-            if (_e977 == _e979) {
-                let _e982 = samples.member[_e74.first_primitive].normal[2u];
-                let _e984 = global[2u];
-                phi_1181_ = (_e982 == _e984);
-                phi_1182_ = false;
+        let _e899 = samples.member[_e73.first_primitive].normal[0u];
+        let _e901 = global[0u];
+        if (_e899 == _e901) {
+            let _e904 = samples.member[_e73.first_primitive].normal[1u];
+            let _e906 = global[1u];
+            if (_e904 == _e906) {
+                let _e909 = samples.member[_e73.first_primitive].normal[2u];
+                let _e911 = global[2u];
+                phi_1108_ = (_e909 == _e911);
+                phi_1109_ = false;
             } else {
-                phi_1181_ = bool();
-                phi_1182_ = true;
+                phi_1108_ = bool();
+                phi_1109_ = true;
             }
-            let _e987 = phi_1181_;
-            let _e989 = phi_1182_;
-            phi_1183_ = _e987;
-            phi_1184_ = _e989;
+            let _e914 = phi_1108_;
+            let _e916 = phi_1109_;
+            phi_1110_ = _e914;
+            phi_1111_ = _e916;
         } else {
-            phi_1183_ = bool();
-            phi_1184_ = true;
+            phi_1110_ = bool();
+            phi_1111_ = true;
         }
-        let _e991 = phi_1183_;
-        let _e993 = phi_1184_;
-        if _e993 {
-            phi_1188_ = false;
+        let _e918 = phi_1110_;
+        let _e920 = phi_1111_;
+        if _e920 {
+            phi_1115_ = false;
         } else {
-            phi_1188_ = _e991;
+            phi_1115_ = _e918;
         }
-        let _e995 = phi_1188_;
-        if !(_e995) {
-            let _e998 = samples.member[_e74.first_primitive].position;
-            let _e1000 = p.member.current.eye;
-            let _e1011 = p.member.current.forward;
-            phi_1216_ = ((((_e998.x - _e1000.x) * _e1011.x) + ((_e998.y - _e1000.y) * _e1011.y)) + ((_e998.z - _e1000.z) * _e1011.z));
+        let _e922 = phi_1115_;
+        if !(_e922) {
+            let _e925 = samples.member[_e73.first_primitive].position;
+            let _e927 = p.member.current.eye;
+            let _e938 = p.member.current.forward;
+            phi_1143_ = ((((_e925.x - _e927.x) * _e938.x) + ((_e925.y - _e927.y) * _e938.y)) + ((_e925.z - _e927.z) * _e938.z));
         } else {
-            phi_1216_ = 0f;
+            phi_1143_ = 0f;
         }
-        let _e1021 = phi_1216_;
-        depths.member[_e74.first_primitive] = _e1021;
-        phi_1219_ = _e926.needs_ray;
-        phi_1220_ = _e74.first_primitive;
+        let _e948 = phi_1143_;
+        depths.member[_e73.first_primitive] = _e948;
+        phi_1146_ = _e853.needs_ray;
+        phi_1147_ = _e73.first_primitive;
     } else {
-        phi_1219_ = false;
-        phi_1220_ = 0u;
+        phi_1146_ = false;
+        phi_1147_ = 0u;
     }
-    let _e1025 = phi_1219_;
-    let _e1027 = phi_1220_;
-    if (_e54 == 0u) {
+    let _e952 = phi_1146_;
+    let _e954 = phi_1147_;
+    if (_e53 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1025 {
-        let _e1031 = atomicAdd((&shared_[0u]), 1u);
-        phi_1231_ = _e1031;
+    if _e952 {
+        let _e958 = atomicAdd((&shared_[0u]), 1u);
+        phi_1158_ = _e958;
     } else {
-        phi_1231_ = 0u;
+        phi_1158_ = 0u;
     }
-    let _e1033 = phi_1231_;
+    let _e960 = phi_1158_;
     workgroupBarrier();
-    if (_e54 == 0u) {
-        let _e1037 = atomicLoad((&shared_[0u]));
-        let _e1038 = atomicAdd((&list.member[3u]), _e1037);
-        atomicStore((&shared_[1u]), _e1038);
+    if (_e53 == 0u) {
+        let _e964 = atomicLoad((&shared_[0u]));
+        let _e965 = atomicAdd((&list.member[3u]), _e964);
+        atomicStore((&shared_[1u]), _e965);
     }
     workgroupBarrier();
-    if _e1025 {
-        let _e1041 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1041) + _e1033)]), _e1027);
+    if _e952 {
+        let _e968 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e968) + _e960)]), _e954);
     }
     return;
 }

@@ -122,850 +122,841 @@ var<workgroup> shared_: array<atomic<u32>, 2>;
 var<storage> past: type_43;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_163_: lt_bvh_traverse_Tree;
-    var phi_164_: bool;
-    var phi_165_: lt_bvh_traverse_Tree;
-    var phi_166_: bool;
-    var phi_171_: lt_bvh_traverse_Tree;
+    var phi_162_: lt_bvh_traverse_Tree;
+    var phi_163_: bool;
+    var phi_164_: lt_bvh_traverse_Tree;
+    var phi_165_: bool;
+    var phi_170_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_163_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_164_ = false;
+            phi_162_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_163_ = false;
         } else {
-            phi_163_ = lt_bvh_traverse_Tree();
-            phi_164_ = true;
+            phi_162_ = lt_bvh_traverse_Tree();
+            phi_163_ = true;
         }
-        let _e62 = phi_163_;
-        let _e64 = phi_164_;
-        phi_165_ = _e62;
-        phi_166_ = _e64;
+        let _e61 = phi_162_;
+        let _e63 = phi_163_;
+        phi_164_ = _e61;
+        phi_165_ = _e63;
     } else {
-        phi_165_ = lt_bvh_traverse_Tree();
-        phi_166_ = true;
+        phi_164_ = lt_bvh_traverse_Tree();
+        phi_165_ = true;
     }
-    let _e66 = phi_165_;
-    let _e68 = phi_166_;
-    if _e68 {
-        phi_171_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e65 = phi_164_;
+    let _e67 = phi_165_;
+    if _e67 {
+        phi_170_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_171_ = _e66;
+        phi_170_ = _e65;
     }
-    let _e73 = phi_171_;
-    return lt_bvh_traverse_Tree(_e73.root, _e73.first_primitive);
+    let _e72 = phi_170_;
+    return lt_bvh_traverse_Tree(_e72.root, _e72.first_primitive);
 }
 
 fn function_() {
-    var phi_217_: u32;
+    var phi_216_: u32;
+    var phi_253_: bool;
     var phi_254_: bool;
     var phi_255_: bool;
     var phi_256_: bool;
-    var phi_257_: bool;
-    var phi_261_: bool;
+    var phi_260_: bool;
+    var phi_330_: bool;
     var phi_331_: bool;
-    var phi_332_: bool;
-    var phi_343_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_344_: bool;
-    var phi_345_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_346_: bool;
-    var phi_353_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_357_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_370_: bool;
+    var phi_342_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_343_: bool;
+    var phi_344_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_345_: bool;
+    var phi_352_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_356_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_369_: bool;
+    var phi_397_: bool;
     var phi_398_: bool;
     var phi_399_: bool;
     var phi_400_: bool;
-    var phi_401_: bool;
+    var phi_404_: bool;
     var phi_405_: bool;
-    var phi_406_: bool;
-    var phi_614_: f32;
-    var phi_619_: f32;
-    var phi_620_: bool;
-    var phi_621_: f32;
-    var phi_622_: bool;
-    var phi_626_: f32;
-    var phi_647_: f32;
-    var phi_652_: f32;
-    var phi_653_: bool;
-    var phi_654_: f32;
-    var phi_655_: bool;
-    var phi_659_: f32;
-    var phi_680_: bool;
-    var phi_699_: vec2<u32>;
-    var phi_700_: bool;
+    var phi_541_: f32;
+    var phi_546_: f32;
+    var phi_547_: bool;
+    var phi_548_: f32;
+    var phi_549_: bool;
+    var phi_553_: f32;
+    var phi_574_: f32;
+    var phi_579_: f32;
+    var phi_580_: bool;
+    var phi_581_: f32;
+    var phi_582_: bool;
+    var phi_586_: f32;
+    var phi_607_: bool;
+    var phi_626_: vec2<u32>;
+    var phi_627_: bool;
+    var phi_628_: bool;
+    var phi_629_: bool;
+    var phi_630_: vec2<u32>;
+    var phi_631_: bool;
+    var phi_632_: bool;
+    var phi_633_: bool;
+    var phi_634_: bool;
+    var phi_635_: bool;
+    var phi_636_: bool;
+    var phi_637_: vec2<u32>;
+    var phi_638_: bool;
+    var phi_639_: bool;
+    var phi_640_: bool;
+    var phi_641_: bool;
+    var phi_642_: bool;
+    var phi_643_: bool;
+    var phi_644_: vec2<u32>;
+    var phi_645_: bool;
+    var phi_646_: bool;
+    var phi_647_: bool;
+    var phi_648_: bool;
+    var phi_657_: bool;
+    var phi_658_: bool;
+    var phi_659_: bool;
+    var phi_660_: bool;
+    var phi_664_: bool;
+    var phi_665_: bool;
+    var phi_666_: vec2<u32>;
     var phi_701_: bool;
-    var phi_702_: bool;
-    var phi_703_: vec2<u32>;
-    var phi_704_: bool;
+    var phi_703_: lt_mask_Reprojection;
+    var phi_704_: lt_mask_Reprojection;
     var phi_705_: bool;
-    var phi_706_: bool;
-    var phi_707_: bool;
-    var phi_708_: bool;
     var phi_709_: bool;
-    var phi_710_: vec2<u32>;
-    var phi_711_: bool;
+    var phi_710_: lt_mask_Reprojection;
+    var phi_711_: lt_mask_Reprojection;
     var phi_712_: bool;
-    var phi_713_: bool;
-    var phi_714_: bool;
-    var phi_715_: bool;
-    var phi_716_: bool;
-    var phi_717_: vec2<u32>;
-    var phi_718_: bool;
-    var phi_719_: bool;
     var phi_720_: bool;
-    var phi_721_: bool;
-    var phi_730_: bool;
-    var phi_731_: bool;
-    var phi_732_: bool;
-    var phi_733_: bool;
-    var phi_737_: bool;
-    var phi_738_: bool;
-    var phi_739_: vec2<u32>;
-    var phi_774_: bool;
-    var phi_776_: lt_mask_Reprojection;
-    var phi_777_: lt_mask_Reprojection;
-    var phi_778_: bool;
-    var phi_782_: bool;
-    var phi_783_: lt_mask_Reprojection;
-    var phi_784_: lt_mask_Reprojection;
-    var phi_785_: bool;
-    var phi_793_: bool;
-    var phi_794_: lt_mask_Reprojection;
-    var phi_800_: bool;
-    var phi_840_: lt_mask_Neighbourhood;
-    var phi_841_: lt_mask_Neighbourhood;
-    var phi_842_: lt_mask_Neighbourhood;
-    var phi_874_: bool;
-    var phi_875_: bool;
-    var phi_897_: bool;
-    var phi_898_: bool;
-    var phi_899_: bool;
-    var phi_903_: bool;
-    var phi_925_: bool;
-    var phi_926_: bool;
-    var phi_939_: bool;
-    var phi_940_: bool;
-    var phi_941_: bool;
-    var phi_948_: u32;
-    var phi_949_: u32;
-    var phi_950_: u32;
-    var phi_951_: u32;
-    var phi_952_: u32;
-    var phi_953_: u32;
-    var phi_954_: u32;
-    var phi_966_: bool;
-    var phi_967_: bool;
-    var phi_968_: bool;
-    var phi_969_: bool;
-    var phi_973_: bool;
-    var phi_979_: bool;
-    var phi_987_: u32;
-    var phi_992_: u32;
-    var phi_1001_: u32;
-    var phi_1006_: u32;
-    var phi_1010_: u32;
-    var phi_1011_: u32;
-    var phi_1012_: u32;
-    var phi_1016_: f32;
-    var phi_1018_: mask_Masked;
-    var phi_1068_: bool;
-    var phi_1069_: u32;
-    var phi_1080_: u32;
+    var phi_721_: lt_mask_Reprojection;
+    var phi_727_: bool;
+    var phi_767_: lt_mask_Neighbourhood;
+    var phi_768_: lt_mask_Neighbourhood;
+    var phi_769_: lt_mask_Neighbourhood;
+    var phi_801_: bool;
+    var phi_802_: bool;
+    var phi_824_: bool;
+    var phi_825_: bool;
+    var phi_826_: bool;
+    var phi_830_: bool;
+    var phi_852_: bool;
+    var phi_853_: bool;
+    var phi_866_: bool;
+    var phi_867_: bool;
+    var phi_868_: bool;
+    var phi_875_: u32;
+    var phi_876_: u32;
+    var phi_877_: u32;
+    var phi_878_: u32;
+    var phi_879_: u32;
+    var phi_880_: u32;
+    var phi_881_: u32;
+    var phi_893_: bool;
+    var phi_894_: bool;
+    var phi_895_: bool;
+    var phi_896_: bool;
+    var phi_900_: bool;
+    var phi_906_: bool;
+    var phi_914_: u32;
+    var phi_919_: u32;
+    var phi_928_: u32;
+    var phi_933_: u32;
+    var phi_937_: u32;
+    var phi_938_: u32;
+    var phi_939_: u32;
+    var phi_943_: f32;
+    var phi_945_: mask_Masked;
+    var phi_995_: bool;
+    var phi_996_: u32;
+    var phi_1007_: u32;
 
-    let _e49 = id_1;
-    let _e50 = local_1;
-    let _e63 = p.member.current.size[0u];
-    let _e65 = p.member.current.size[1u];
-    let _e66 = lt_shaders_entry_pixel_index(_e49, _e63, _e65);
-    if (bitcast<i32>(_e66.root) != 0i) {
-        let _e74 = p.member.current.size[0u];
+    let _e48 = id_1;
+    let _e49 = local_1;
+    let _e62 = p.member.current.size[0u];
+    let _e64 = p.member.current.size[1u];
+    let _e65 = lt_shaders_entry_pixel_index(_e48, _e62, _e64);
+    if (bitcast<i32>(_e65.root) != 0i) {
+        let _e73 = p.member.current.size[0u];
         if (32u == 0u) {
             return;
         }
-        let _e76 = (_e74 / 32u);
+        let _e75 = (_e73 / 32u);
         if (32u == 0u) {
             return;
         }
-        if ((_e74 % 32u) > 0u) {
-            phi_217_ = (_e76 + 1u);
+        if ((_e73 % 32u) > 0u) {
+            phi_216_ = (_e75 + 1u);
         } else {
-            phi_217_ = _e76;
+            phi_216_ = _e75;
         }
-        let _e82 = phi_217_;
-        let _e85 = past.member[_e66.first_primitive];
-        let _e90 = visibility.member[_e66.first_primitive];
-        let _e96 = samples.member[_e66.first_primitive].normal[0u];
-        let _e98 = global[0u];
-        if (_e96 == _e98) {
-            let _e101 = samples.member[_e66.first_primitive].normal[1u];
-            let _e103 = global[1u];
-            if (_e101 == _e103) {
-                let _e106 = samples.member[_e66.first_primitive].normal[2u];
-                let _e108 = global[2u];
-                phi_254_ = (_e106 == _e108);
-                phi_255_ = false;
+        let _e81 = phi_216_;
+        let _e84 = past.member[_e65.first_primitive];
+        let _e89 = visibility.member[_e65.first_primitive];
+        let _e95 = samples.member[_e65.first_primitive].normal[0u];
+        let _e97 = global[0u];
+        if (_e95 == _e97) {
+            let _e100 = samples.member[_e65.first_primitive].normal[1u];
+            let _e102 = global[1u];
+            if (_e100 == _e102) {
+                let _e105 = samples.member[_e65.first_primitive].normal[2u];
+                let _e107 = global[2u];
+                phi_253_ = (_e105 == _e107);
+                phi_254_ = false;
             } else {
-                phi_254_ = bool();
-                phi_255_ = true;
+                phi_253_ = bool();
+                phi_254_ = true;
             }
-            let _e111 = phi_254_;
-            let _e113 = phi_255_;
-            phi_256_ = _e111;
-            phi_257_ = _e113;
+            let _e110 = phi_253_;
+            let _e112 = phi_254_;
+            phi_255_ = _e110;
+            phi_256_ = _e112;
         } else {
-            phi_256_ = bool();
-            phi_257_ = true;
+            phi_255_ = bool();
+            phi_256_ = true;
         }
-        let _e115 = phi_256_;
-        let _e117 = phi_257_;
-        if _e117 {
-            phi_261_ = false;
+        let _e114 = phi_255_;
+        let _e116 = phi_256_;
+        if _e116 {
+            phi_260_ = false;
         } else {
-            phi_261_ = _e115;
+            phi_260_ = _e114;
         }
-        let _e119 = phi_261_;
-        if !(_e119) {
-            let _e122 = samples.member[_e66.first_primitive].position;
-            let _e124 = p.member.light.place;
-            let _e130 = p.member.light.place[3u];
-            let _e137 = (_e124.x - (_e122.x * _e130));
-            let _e138 = (_e124.y - (_e122.y * _e130));
-            let _e139 = (_e124.z - (_e122.z * _e130));
-            let _e141 = samples.member[_e66.first_primitive].normal;
-            if ((((_e141.x * _e137) + (_e141.y * _e138)) + (_e141.z * _e139)) > 0f) {
-                let _e155 = (((_e137 * _e137) + (_e138 * _e138)) + (_e139 * _e139));
-                let _e157 = p.member.light.axis;
-                let _e169 = p.member.light.place[3u];
-                if (_e169 == 0f) {
-                    phi_332_ = true;
+        let _e118 = phi_260_;
+        if !(_e118) {
+            let _e121 = samples.member[_e65.first_primitive].position;
+            let _e123 = p.member.light.place;
+            let _e129 = p.member.light.place[3u];
+            let _e136 = (_e123.x - (_e121.x * _e129));
+            let _e137 = (_e123.y - (_e121.y * _e129));
+            let _e138 = (_e123.z - (_e121.z * _e129));
+            let _e140 = samples.member[_e65.first_primitive].normal;
+            if ((((_e140.x * _e136) + (_e140.y * _e137)) + (_e140.z * _e138)) > 0f) {
+                let _e154 = (((_e136 * _e136) + (_e137 * _e137)) + (_e138 * _e138));
+                let _e156 = p.member.light.axis;
+                let _e168 = p.member.light.place[3u];
+                if (_e168 == 0f) {
+                    phi_331_ = true;
                 } else {
-                    let _e172 = p.member.light.range_squared;
-                    if (_e155 <= _e172) {
-                        let _e175 = p.member.light.cos_outer;
-                        phi_331_ = (-((((_e137 * _e157.x) + (_e138 * _e157.y)) + (_e139 * _e157.z))) >= (_e175 * sqrt(_e155)));
+                    let _e171 = p.member.light.range_squared;
+                    if (_e154 <= _e171) {
+                        let _e174 = p.member.light.cos_outer;
+                        phi_330_ = (-((((_e136 * _e156.x) + (_e137 * _e156.y)) + (_e138 * _e156.z))) >= (_e174 * sqrt(_e154)));
                     } else {
-                        phi_331_ = false;
+                        phi_330_ = false;
                     }
-                    let _e180 = phi_331_;
-                    phi_332_ = _e180;
+                    let _e179 = phi_330_;
+                    phi_331_ = _e179;
                 }
-                let _e182 = phi_332_;
-                if _e182 {
-                    let _e184 = samples.member[_e66.first_primitive].flags;
-                    let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
-                    phi_343_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, ((_e184 & 1u) == 0u));
-                    phi_344_ = false;
+                let _e181 = phi_331_;
+                if _e181 {
+                    let _e183 = samples.member[_e65.first_primitive].flags;
+                    let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e191.unnamed.visibility, false), _e191.unnamed_1);
+                    phi_342_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e197.unnamed, ((_e183 & 1u) == 0u));
+                    phi_343_ = false;
                 } else {
-                    phi_343_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_344_ = true;
+                    phi_342_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_343_ = true;
                 }
-                let _e203 = phi_343_;
-                let _e205 = phi_344_;
-                phi_345_ = _e203;
-                phi_346_ = _e205;
+                let _e202 = phi_342_;
+                let _e204 = phi_343_;
+                phi_344_ = _e202;
+                phi_345_ = _e204;
             } else {
-                phi_345_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_346_ = true;
+                phi_344_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_345_ = true;
             }
-            let _e207 = phi_345_;
-            let _e209 = phi_346_;
-            if _e209 {
-                let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e215.unnamed.visibility, false), _e215.unnamed_1);
-                phi_353_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e221.unnamed, true);
+            let _e206 = phi_344_;
+            let _e208 = phi_345_;
+            if _e208 {
+                let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e220 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e214.unnamed.visibility, false), _e214.unnamed_1);
+                phi_352_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e220.unnamed, true);
             } else {
-                phi_353_ = _e207;
+                phi_352_ = _e206;
             }
-            let _e226 = phi_353_;
-            phi_357_ = _e226;
+            let _e225 = phi_352_;
+            phi_356_ = _e225;
         } else {
-            let _e232 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e238 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e232.unnamed.visibility, false), _e232.unnamed_1);
-            phi_357_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e238.unnamed, true);
+            let _e231 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e237 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e231.unnamed.visibility, false), _e231.unnamed_1);
+            phi_356_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e237.unnamed, true);
         }
-        let _e243 = phi_357_;
-        if _e243.unnamed_1 {
-            phi_1018_ = mask_Masked(_e243.unnamed.visibility, 0u, false);
+        let _e242 = phi_356_;
+        if _e242.unnamed_1 {
+            phi_945_ = mask_Masked(_e242.unnamed.visibility, 0u, false);
         } else {
-            let _e248 = (_e90 < 0.5f);
-            if (_e90 > 0f) {
-                phi_370_ = (_e90 < 1f);
+            let _e247 = (_e89 < 0.5f);
+            if (_e89 > 0f) {
+                phi_369_ = (_e89 < 1f);
             } else {
-                phi_370_ = false;
+                phi_369_ = false;
             }
-            let _e252 = phi_370_;
-            let _e259 = lt_mask_Reprojection(vec2<u32>(_e49.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e266 = lt_mask_Reprojection(vec2<u32>(_e259.pixel.x, _e49.y), _e259.is_valid, _e259.has_moved);
-            let _e270 = lt_mask_Reprojection(_e266.pixel, true, _e266.has_moved);
-            let _e276 = p.member.flags;
-            if ((_e276 & 16u) == 0u) {
-                phi_406_ = false;
+            let _e251 = phi_369_;
+            let _e258 = lt_mask_Reprojection(vec2<u32>(_e48.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e265 = lt_mask_Reprojection(vec2<u32>(_e258.pixel.x, _e48.y), _e258.is_valid, _e258.has_moved);
+            let _e269 = lt_mask_Reprojection(_e265.pixel, true, _e265.has_moved);
+            let _e275 = p.member.flags;
+            if ((_e275 & 16u) == 0u) {
+                phi_405_ = false;
             } else {
-                let _e281 = samples.member[_e66.first_primitive].position[0u];
-                if (_e85.x == _e281) {
-                    let _e284 = samples.member[_e66.first_primitive].position[1u];
-                    if (_e85.y == _e284) {
-                        let _e287 = samples.member[_e66.first_primitive].position[2u];
-                        phi_398_ = (_e85.z == _e287);
-                        phi_399_ = false;
+                let _e280 = samples.member[_e65.first_primitive].position[0u];
+                if (_e84.x == _e280) {
+                    let _e283 = samples.member[_e65.first_primitive].position[1u];
+                    if (_e84.y == _e283) {
+                        let _e286 = samples.member[_e65.first_primitive].position[2u];
+                        phi_397_ = (_e84.z == _e286);
+                        phi_398_ = false;
                     } else {
-                        phi_398_ = bool();
-                        phi_399_ = true;
+                        phi_397_ = bool();
+                        phi_398_ = true;
                     }
-                    let _e290 = phi_398_;
-                    let _e292 = phi_399_;
-                    phi_400_ = _e290;
-                    phi_401_ = _e292;
+                    let _e289 = phi_397_;
+                    let _e291 = phi_398_;
+                    phi_399_ = _e289;
+                    phi_400_ = _e291;
                 } else {
-                    phi_400_ = bool();
-                    phi_401_ = true;
+                    phi_399_ = bool();
+                    phi_400_ = true;
                 }
-                let _e294 = phi_400_;
-                let _e296 = phi_401_;
-                if _e296 {
-                    phi_405_ = false;
+                let _e293 = phi_399_;
+                let _e295 = phi_400_;
+                if _e295 {
+                    phi_404_ = false;
                 } else {
-                    phi_405_ = _e294;
+                    phi_404_ = _e293;
                 }
-                let _e298 = phi_405_;
-                phi_406_ = _e298;
+                let _e297 = phi_404_;
+                phi_405_ = _e297;
             }
-            let _e300 = phi_406_;
-            if _e300 {
-                phi_783_ = lt_mask_Reprojection(_e270.pixel, _e270.is_valid, false);
-                phi_784_ = lt_mask_Reprojection();
-                phi_785_ = true;
+            let _e299 = phi_405_;
+            if _e299 {
+                phi_710_ = lt_mask_Reprojection(_e269.pixel, _e269.is_valid, false);
+                phi_711_ = lt_mask_Reprojection();
+                phi_712_ = true;
             } else {
-                let _e302 = samples.member[_e66.first_primitive].position;
-                let _e306 = p.member.previous.eye;
-                let _e308 = (_e85.x - _e306.x);
-                let _e310 = (_e85.y - _e306.y);
-                let _e312 = (_e85.z - _e306.z);
-                let _e314 = p.member.previous.forward;
-                let _e322 = (((_e308 * _e314.x) + (_e310 * _e314.y)) + (_e312 * _e314.z));
-                let _e324 = p.member.previous.right;
-                let _e334 = p.member.previous.right;
-                let _e349 = p.member.previous.up;
-                let _e359 = p.member.previous.up;
-                let _e374 = p.member.current.eye;
-                let _e377 = (_e302.x - _e374.x);
-                let _e380 = (_e302.y - _e374.y);
-                let _e383 = (_e302.z - _e374.z);
-                let _e385 = p.member.current.forward;
-                let _e393 = (((_e377 * _e385.x) + (_e380 * _e385.y)) + (_e383 * _e385.z));
-                let _e395 = p.member.current.right;
-                let _e405 = p.member.current.right;
-                let _e420 = p.member.current.up;
-                let _e430 = p.member.current.up;
-                let _e449 = p.member.current.size[0u];
-                let _e451 = (((((((_e308 * _e324.x) + (_e310 * _e324.y)) + (_e312 * _e324.z)) / ((((_e334.x * _e334.x) + (_e334.y * _e334.y)) + (_e334.z * _e334.z)) * _e322)) - ((((_e377 * _e395.x) + (_e380 * _e395.y)) + (_e383 * _e395.z)) / ((((_e405.x * _e405.x) + (_e405.y * _e405.y)) + (_e405.z * _e405.z)) * _e393))) * 0.5f) * f32(_e449));
-                let _e455 = p.member.current.size[1u];
-                let _e457 = (((((((_e308 * _e349.x) + (_e310 * _e349.y)) + (_e312 * _e349.z)) / ((((_e359.x * _e359.x) + (_e359.y * _e359.y)) + (_e359.z * _e359.z)) * _e322)) - ((((_e377 * _e420.x) + (_e380 * _e420.y)) + (_e383 * _e420.z)) / ((((_e430.x * _e430.x) + (_e430.y * _e430.y)) + (_e430.z * _e430.z)) * _e393))) * -0.5f) * f32(_e455));
-                let _e461 = p.member.current.grid[0u];
-                let _e463 = p.member.current.grid[1u];
-                let _e483 = p.member.current.size[0u];
-                let _e485 = p.member.current.size[1u];
-                let _e487 = ((f32(_e49.x) + ((f32((_e49.y & (_e463 - 1u))) + 0.5f) / f32(_e463))) + _e451);
-                if (_e487 > -8388608f) {
-                    let _e499 = f32(select(0i, select(select(i32(_e487), i32(-2147483648), (_e487 < bitcast<f32>(3472883712u))), 2147483647i, (_e487 > bitcast<f32>(1325400063u))), (_e487 == _e487)));
-                    if (_e499 > _e487) {
-                        phi_614_ = 1f;
+                let _e303 = p.member.current.grid[0u];
+                let _e305 = p.member.current.grid[1u];
+                let _e319 = (f32(_e48.x) + ((f32((_e48.y & (_e305 - 1u))) + 0.5f) / f32(_e305)));
+                let _e321 = (f32(_e48.y) + ((f32((_e48.x & (_e303 - 1u))) + 0.5f) / f32(_e303)));
+                let _e324 = p.member.previous.eye;
+                let _e326 = (_e84.x - _e324.x);
+                let _e328 = (_e84.y - _e324.y);
+                let _e330 = (_e84.z - _e324.z);
+                let _e332 = p.member.previous.forward;
+                let _e340 = (((_e326 * _e332.x) + (_e328 * _e332.y)) + (_e330 * _e332.z));
+                let _e342 = p.member.previous.right;
+                let _e352 = p.member.previous.right;
+                let _e367 = p.member.previous.up;
+                let _e377 = p.member.previous.up;
+                let _e394 = p.member.previous.size[0u];
+                let _e401 = p.member.previous.size[1u];
+                let _e405 = (((((((_e326 * _e342.x) + (_e328 * _e342.y)) + (_e330 * _e342.z)) / ((((_e352.x * _e352.x) + (_e352.y * _e352.y)) + (_e352.z * _e352.z)) * _e340)) + 1f) * (0.5f * f32(_e394))) - _e319);
+                let _e406 = (((1f - ((((_e326 * _e367.x) + (_e328 * _e367.y)) + (_e330 * _e367.z)) / ((((_e377.x * _e377.x) + (_e377.y * _e377.y)) + (_e377.z * _e377.z)) * _e340))) * (0.5f * f32(_e401))) - _e321);
+                let _e410 = p.member.current.size[0u];
+                let _e412 = p.member.current.size[1u];
+                let _e414 = (_e319 + _e405);
+                if (_e414 > -8388608f) {
+                    let _e426 = f32(select(0i, select(select(i32(_e414), i32(-2147483648), (_e414 < bitcast<f32>(3472883712u))), 2147483647i, (_e414 > bitcast<f32>(1325400063u))), (_e414 == _e414)));
+                    if (_e426 > _e414) {
+                        phi_541_ = 1f;
                     } else {
-                        phi_614_ = 0f;
+                        phi_541_ = 0f;
                     }
-                    let _e502 = phi_614_;
-                    if (_e487 < 8388608f) {
-                        phi_619_ = (_e499 - _e502);
-                        phi_620_ = false;
+                    let _e429 = phi_541_;
+                    if (_e414 < 8388608f) {
+                        phi_546_ = (_e426 - _e429);
+                        phi_547_ = false;
                     } else {
-                        phi_619_ = f32();
-                        phi_620_ = true;
+                        phi_546_ = f32();
+                        phi_547_ = true;
                     }
-                    let _e505 = phi_619_;
-                    let _e507 = phi_620_;
-                    phi_621_ = _e505;
-                    phi_622_ = _e507;
+                    let _e432 = phi_546_;
+                    let _e434 = phi_547_;
+                    phi_548_ = _e432;
+                    phi_549_ = _e434;
                 } else {
-                    phi_621_ = f32();
-                    phi_622_ = true;
+                    phi_548_ = f32();
+                    phi_549_ = true;
                 }
-                let _e509 = phi_621_;
-                let _e511 = phi_622_;
-                if _e511 {
-                    phi_626_ = _e487;
+                let _e436 = phi_548_;
+                let _e438 = phi_549_;
+                if _e438 {
+                    phi_553_ = _e414;
                 } else {
-                    phi_626_ = _e509;
+                    phi_553_ = _e436;
                 }
-                let _e513 = phi_626_;
-                let _e514 = ((f32(_e49.y) + ((f32((_e49.x & (_e461 - 1u))) + 0.5f) / f32(_e461))) + _e457);
-                if (_e514 > -8388608f) {
-                    let _e526 = f32(select(0i, select(select(i32(_e514), i32(-2147483648), (_e514 < bitcast<f32>(3472883712u))), 2147483647i, (_e514 > bitcast<f32>(1325400063u))), (_e514 == _e514)));
-                    if (_e526 > _e514) {
-                        phi_647_ = 1f;
+                let _e440 = phi_553_;
+                let _e441 = (_e321 + _e406);
+                if (_e441 > -8388608f) {
+                    let _e453 = f32(select(0i, select(select(i32(_e441), i32(-2147483648), (_e441 < bitcast<f32>(3472883712u))), 2147483647i, (_e441 > bitcast<f32>(1325400063u))), (_e441 == _e441)));
+                    if (_e453 > _e441) {
+                        phi_574_ = 1f;
                     } else {
-                        phi_647_ = 0f;
+                        phi_574_ = 0f;
                     }
-                    let _e529 = phi_647_;
-                    if (_e514 < 8388608f) {
-                        phi_652_ = (_e526 - _e529);
-                        phi_653_ = false;
+                    let _e456 = phi_574_;
+                    if (_e441 < 8388608f) {
+                        phi_579_ = (_e453 - _e456);
+                        phi_580_ = false;
                     } else {
-                        phi_652_ = f32();
-                        phi_653_ = true;
+                        phi_579_ = f32();
+                        phi_580_ = true;
                     }
-                    let _e532 = phi_652_;
-                    let _e534 = phi_653_;
-                    phi_654_ = _e532;
-                    phi_655_ = _e534;
+                    let _e459 = phi_579_;
+                    let _e461 = phi_580_;
+                    phi_581_ = _e459;
+                    phi_582_ = _e461;
                 } else {
-                    phi_654_ = f32();
-                    phi_655_ = true;
+                    phi_581_ = f32();
+                    phi_582_ = true;
                 }
-                let _e536 = phi_654_;
-                let _e538 = phi_655_;
-                if _e538 {
-                    phi_659_ = _e514;
+                let _e463 = phi_581_;
+                let _e465 = phi_582_;
+                if _e465 {
+                    phi_586_ = _e441;
                 } else {
-                    phi_659_ = _e536;
+                    phi_586_ = _e463;
                 }
-                let _e540 = phi_659_;
-                if (_e513 >= 0f) {
-                    if (_e540 >= 0f) {
-                        if (_e513 < f32(_e483)) {
-                            let _e546 = (_e540 < f32(_e485));
-                            if (_e451 == 0f) {
-                                phi_680_ = (_e457 == 0f);
+                let _e467 = phi_586_;
+                if (_e440 >= 0f) {
+                    if (_e467 >= 0f) {
+                        if (_e440 < f32(_e410)) {
+                            let _e473 = (_e467 < f32(_e412));
+                            if (_e405 == 0f) {
+                                phi_607_ = (_e406 == 0f);
                             } else {
-                                phi_680_ = false;
+                                phi_607_ = false;
                             }
-                            let _e550 = phi_680_;
-                            if _e546 {
-                                phi_699_ = vec2<u32>(select(select(u32(_e513), 0u, (_e513 < bitcast<f32>(0u))), 4294967295u, (_e513 > bitcast<f32>(1333788671u))), select(select(u32(_e540), 0u, (_e540 < bitcast<f32>(0u))), 4294967295u, (_e540 > bitcast<f32>(1333788671u))));
-                                phi_700_ = false;
+                            let _e477 = phi_607_;
+                            if _e473 {
+                                phi_626_ = vec2<u32>(select(select(u32(_e440), 0u, (_e440 < bitcast<f32>(0u))), 4294967295u, (_e440 > bitcast<f32>(1333788671u))), select(select(u32(_e467), 0u, (_e467 < bitcast<f32>(0u))), 4294967295u, (_e467 > bitcast<f32>(1333788671u))));
+                                phi_627_ = false;
                             } else {
-                                phi_699_ = vec2<u32>();
-                                phi_700_ = true;
+                                phi_626_ = vec2<u32>();
+                                phi_627_ = true;
                             }
-                            let _e567 = phi_699_;
-                            let _e569 = phi_700_;
-                            phi_701_ = _e550;
-                            phi_702_ = _e546;
-                            phi_703_ = _e567;
-                            phi_704_ = _e550;
-                            phi_705_ = _e546;
-                            phi_706_ = false;
-                            phi_707_ = _e569;
+                            let _e494 = phi_626_;
+                            let _e496 = phi_627_;
+                            phi_628_ = _e477;
+                            phi_629_ = _e473;
+                            phi_630_ = _e494;
+                            phi_631_ = _e477;
+                            phi_632_ = _e473;
+                            phi_633_ = false;
+                            phi_634_ = _e496;
                         } else {
-                            phi_701_ = bool();
-                            phi_702_ = bool();
-                            phi_703_ = vec2<u32>();
-                            phi_704_ = bool();
-                            phi_705_ = bool();
-                            phi_706_ = true;
-                            phi_707_ = false;
+                            phi_628_ = bool();
+                            phi_629_ = bool();
+                            phi_630_ = vec2<u32>();
+                            phi_631_ = bool();
+                            phi_632_ = bool();
+                            phi_633_ = true;
+                            phi_634_ = false;
                         }
-                        let _e571 = phi_701_;
-                        let _e573 = phi_702_;
-                        let _e575 = phi_703_;
-                        let _e577 = phi_704_;
-                        let _e579 = phi_705_;
-                        let _e581 = phi_706_;
-                        let _e583 = phi_707_;
-                        phi_708_ = _e571;
-                        phi_709_ = _e573;
-                        phi_710_ = _e575;
-                        phi_711_ = _e577;
-                        phi_712_ = _e579;
-                        phi_713_ = _e581;
-                        phi_714_ = _e583;
+                        let _e498 = phi_628_;
+                        let _e500 = phi_629_;
+                        let _e502 = phi_630_;
+                        let _e504 = phi_631_;
+                        let _e506 = phi_632_;
+                        let _e508 = phi_633_;
+                        let _e510 = phi_634_;
+                        phi_635_ = _e498;
+                        phi_636_ = _e500;
+                        phi_637_ = _e502;
+                        phi_638_ = _e504;
+                        phi_639_ = _e506;
+                        phi_640_ = _e508;
+                        phi_641_ = _e510;
                     } else {
-                        phi_708_ = bool();
-                        phi_709_ = bool();
-                        phi_710_ = vec2<u32>();
-                        phi_711_ = bool();
-                        phi_712_ = bool();
-                        phi_713_ = true;
-                        phi_714_ = false;
+                        phi_635_ = bool();
+                        phi_636_ = bool();
+                        phi_637_ = vec2<u32>();
+                        phi_638_ = bool();
+                        phi_639_ = bool();
+                        phi_640_ = true;
+                        phi_641_ = false;
                     }
-                    let _e585 = phi_708_;
-                    let _e587 = phi_709_;
-                    let _e589 = phi_710_;
-                    let _e591 = phi_711_;
-                    let _e593 = phi_712_;
-                    let _e595 = phi_713_;
-                    let _e597 = phi_714_;
-                    phi_715_ = _e585;
-                    phi_716_ = _e587;
-                    phi_717_ = _e589;
-                    phi_718_ = _e591;
-                    phi_719_ = _e593;
-                    phi_720_ = _e595;
-                    phi_721_ = _e597;
+                    let _e512 = phi_635_;
+                    let _e514 = phi_636_;
+                    let _e516 = phi_637_;
+                    let _e518 = phi_638_;
+                    let _e520 = phi_639_;
+                    let _e522 = phi_640_;
+                    let _e524 = phi_641_;
+                    phi_642_ = _e512;
+                    phi_643_ = _e514;
+                    phi_644_ = _e516;
+                    phi_645_ = _e518;
+                    phi_646_ = _e520;
+                    phi_647_ = _e522;
+                    phi_648_ = _e524;
                 } else {
-                    phi_715_ = bool();
-                    phi_716_ = bool();
-                    phi_717_ = vec2<u32>();
-                    phi_718_ = bool();
-                    phi_719_ = bool();
-                    phi_720_ = true;
-                    phi_721_ = false;
+                    phi_642_ = bool();
+                    phi_643_ = bool();
+                    phi_644_ = vec2<u32>();
+                    phi_645_ = bool();
+                    phi_646_ = bool();
+                    phi_647_ = true;
+                    phi_648_ = false;
                 }
-                let _e599 = phi_715_;
-                let _e601 = phi_716_;
-                let _e603 = phi_717_;
-                let _e605 = phi_718_;
-                let _e607 = phi_719_;
-                let _e609 = phi_720_;
-                let _e611 = phi_721_;
-                if _e609 {
-                    if (_e451 == 0f) {
-                        phi_730_ = (_e457 == 0f);
+                let _e526 = phi_642_;
+                let _e528 = phi_643_;
+                let _e530 = phi_644_;
+                let _e532 = phi_645_;
+                let _e534 = phi_646_;
+                let _e536 = phi_647_;
+                let _e538 = phi_648_;
+                if _e536 {
+                    if (_e405 == 0f) {
+                        phi_657_ = (_e406 == 0f);
                     } else {
-                        phi_730_ = false;
+                        phi_657_ = false;
                     }
-                    let _e615 = phi_730_;
-                    phi_731_ = _e615;
-                    phi_732_ = false;
-                    phi_733_ = true;
+                    let _e542 = phi_657_;
+                    phi_658_ = _e542;
+                    phi_659_ = false;
+                    phi_660_ = true;
                 } else {
-                    phi_731_ = _e605;
-                    phi_732_ = _e607;
-                    phi_733_ = _e611;
+                    phi_658_ = _e532;
+                    phi_659_ = _e534;
+                    phi_660_ = _e538;
                 }
-                let _e617 = phi_731_;
-                let _e619 = phi_732_;
-                let _e621 = phi_733_;
-                if _e621 {
-                    phi_737_ = _e617;
-                    phi_738_ = _e619;
-                    phi_739_ = vec2<u32>(_e49.x, _e49.y);
+                let _e544 = phi_658_;
+                let _e546 = phi_659_;
+                let _e548 = phi_660_;
+                if _e548 {
+                    phi_664_ = _e544;
+                    phi_665_ = _e546;
+                    phi_666_ = vec2<u32>(_e48.x, _e48.y);
                 } else {
-                    phi_737_ = _e599;
-                    phi_738_ = _e601;
-                    phi_739_ = _e603;
+                    phi_664_ = _e526;
+                    phi_665_ = _e528;
+                    phi_666_ = _e530;
                 }
-                let _e623 = phi_737_;
-                let _e625 = phi_738_;
-                let _e627 = phi_739_;
-                let _e637 = lt_mask_Reprojection(vec2<u32>(_e627.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e644 = lt_mask_Reprojection(vec2<u32>(_e637.pixel.x, _e627.y), _e637.is_valid, _e637.has_moved);
-                let _e648 = lt_mask_Reprojection(_e644.pixel, _e625, _e644.has_moved);
-                let _e652 = lt_mask_Reprojection(_e648.pixel, _e648.is_valid, !(_e623));
-                if _e625 {
-                    let _e655 = p.member.previous.eye;
-                    let _e663 = p.member.previous.forward;
-                    let _e672 = (((((_e85.x - _e655.x) * _e663.x) + ((_e85.y - _e655.y) * _e663.y)) + ((_e85.z - _e655.z) * _e663.z)) > 0f);
-                    let _e676 = lt_mask_Reprojection(_e652.pixel, _e672, _e652.has_moved);
-                    if _e672 {
-                        phi_774_ = false;
+                let _e550 = phi_664_;
+                let _e552 = phi_665_;
+                let _e554 = phi_666_;
+                let _e564 = lt_mask_Reprojection(vec2<u32>(_e554.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e571 = lt_mask_Reprojection(vec2<u32>(_e564.pixel.x, _e554.y), _e564.is_valid, _e564.has_moved);
+                let _e575 = lt_mask_Reprojection(_e571.pixel, _e552, _e571.has_moved);
+                let _e579 = lt_mask_Reprojection(_e575.pixel, _e575.is_valid, !(_e550));
+                if _e552 {
+                    let _e582 = p.member.previous.eye;
+                    let _e590 = p.member.previous.forward;
+                    let _e599 = (((((_e84.x - _e582.x) * _e590.x) + ((_e84.y - _e582.y) * _e590.y)) + ((_e84.z - _e582.z) * _e590.z)) > 0f);
+                    let _e603 = lt_mask_Reprojection(_e579.pixel, _e599, _e579.has_moved);
+                    if _e599 {
+                        phi_701_ = false;
                     } else {
-                        phi_774_ = true;
+                        phi_701_ = true;
                     }
-                    let _e678 = phi_774_;
-                    phi_776_ = _e676;
-                    phi_777_ = _e676;
-                    phi_778_ = _e678;
+                    let _e605 = phi_701_;
+                    phi_703_ = _e603;
+                    phi_704_ = _e603;
+                    phi_705_ = _e605;
                 } else {
-                    phi_776_ = lt_mask_Reprojection();
-                    phi_777_ = lt_mask_Reprojection(_e652.pixel, false, _e652.has_moved);
-                    phi_778_ = true;
+                    phi_703_ = lt_mask_Reprojection();
+                    phi_704_ = lt_mask_Reprojection(_e579.pixel, false, _e579.has_moved);
+                    phi_705_ = true;
                 }
-                let _e684 = phi_776_;
-                let _e686 = phi_777_;
-                let _e688 = phi_778_;
-                if _e688 {
-                    phi_782_ = false;
+                let _e611 = phi_703_;
+                let _e613 = phi_704_;
+                let _e615 = phi_705_;
+                if _e615 {
+                    phi_709_ = false;
                 } else {
-                    phi_782_ = true;
+                    phi_709_ = true;
                 }
-                let _e690 = phi_782_;
-                phi_783_ = _e684;
-                phi_784_ = _e686;
-                phi_785_ = _e690;
+                let _e617 = phi_709_;
+                phi_710_ = _e611;
+                phi_711_ = _e613;
+                phi_712_ = _e617;
             }
-            let _e692 = phi_783_;
-            let _e694 = phi_784_;
-            let _e696 = phi_785_;
-            if _e696 {
-                let _e698 = p.member.flags;
-                phi_793_ = ((_e698 & 1u) != 0u);
-                phi_794_ = _e692;
+            let _e619 = phi_710_;
+            let _e621 = phi_711_;
+            let _e623 = phi_712_;
+            if _e623 {
+                let _e625 = p.member.flags;
+                phi_720_ = ((_e625 & 1u) != 0u);
+                phi_721_ = _e619;
             } else {
-                phi_793_ = false;
-                phi_794_ = _e694;
+                phi_720_ = false;
+                phi_721_ = _e621;
             }
-            let _e702 = phi_793_;
-            let _e704 = phi_794_;
-            let _e708 = lt_mask_Reprojection(_e704.pixel, _e702, _e704.has_moved);
-            let _e709 = lt_mask_Neighbourhood(false, true);
-            if _e252 {
-                phi_800_ = false;
+            let _e629 = phi_720_;
+            let _e631 = phi_721_;
+            let _e635 = lt_mask_Reprojection(_e631.pixel, _e629, _e631.has_moved);
+            let _e636 = lt_mask_Neighbourhood(false, true);
+            if _e251 {
+                phi_727_ = false;
             } else {
-                phi_800_ = true;
+                phi_727_ = true;
             }
-            let _e711 = phi_800_;
-            if _e711 {
-                if _e702 {
+            let _e638 = phi_727_;
+            if _e638 {
+                if _e629 {
                     if ((0u & 2u) != 0u) {
-                        phi_840_ = _e709;
+                        phi_767_ = _e636;
                     } else {
-                        let _e728 = ((((_e708.pixel.y * _e82) + (_e708.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e248) | (select(0u, 1u, _e708.has_moved) << bitcast<u32>(1i))));
-                        if (_e728 < arrayLength((&heard.member))) {
+                        let _e655 = ((((_e635.pixel.y * _e81) + (_e635.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e247) | (select(0u, 1u, _e635.has_moved) << bitcast<u32>(1i))));
+                        if (_e655 < arrayLength((&heard.member))) {
                         } else {
                             return;
                         }
-                        let _e732 = heard.member[(0u + _e728)];
-                        let _e738 = (((_e732 >> bitcast<u32>(((_e708.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_840_ = lt_mask_Neighbourhood(_e738, !(_e738));
+                        let _e659 = heard.member[(0u + _e655)];
+                        let _e665 = (((_e659 >> bitcast<u32>(((_e635.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_767_ = lt_mask_Neighbourhood(_e665, !(_e665));
                     }
-                    let _e742 = phi_840_;
-                    phi_841_ = _e742;
+                    let _e669 = phi_767_;
+                    phi_768_ = _e669;
                 } else {
-                    phi_841_ = _e709;
+                    phi_768_ = _e636;
                 }
-                let _e744 = phi_841_;
-                phi_842_ = _e744;
+                let _e671 = phi_768_;
+                phi_769_ = _e671;
             } else {
-                phi_842_ = _e709;
+                phi_769_ = _e636;
             }
-            let _e746 = phi_842_;
-            let _e749 = p.member.frame;
-            let _e751 = p.member.refresh;
-            if (_e751 == 0u) {
-                phi_875_ = false;
+            let _e673 = phi_769_;
+            let _e676 = p.member.frame;
+            let _e678 = p.member.refresh;
+            if (_e678 == 0u) {
+                phi_802_ = false;
             } else {
-                if (_e751 == 0u) {
+                if (_e678 == 0u) {
                     return;
                 }
-                let _e760 = ((_e49.x + (_e49.y * (((_e751 * 5u) / 8u) | 1u))) + (_e749 % _e751));
-                if (_e751 == 0u) {
-                    phi_874_ = (_e760 == 0u);
+                let _e687 = ((_e48.x + (_e48.y * (((_e678 * 5u) / 8u) | 1u))) + (_e676 % _e678));
+                if (_e678 == 0u) {
+                    phi_801_ = (_e687 == 0u);
                 } else {
-                    if (_e751 == 0u) {
+                    if (_e678 == 0u) {
                         return;
                     }
-                    phi_874_ = ((_e760 % _e751) == 0u);
+                    phi_801_ = ((_e687 % _e678) == 0u);
                 }
-                let _e767 = phi_874_;
-                phi_875_ = _e767;
+                let _e694 = phi_801_;
+                phi_802_ = _e694;
             }
-            let _e769 = phi_875_;
-            if _e702 {
-                if _e769 {
-                    phi_897_ = bool();
+            let _e696 = phi_802_;
+            if _e629 {
+                if _e696 {
+                    phi_824_ = bool();
                 } else {
-                    phi_897_ = ((0u & 2u) != 0u);
+                    phi_824_ = ((0u & 2u) != 0u);
                 }
-                let _e775 = phi_897_;
-                phi_898_ = _e775;
-                phi_899_ = _e769;
+                let _e702 = phi_824_;
+                phi_825_ = _e702;
+                phi_826_ = _e696;
             } else {
-                phi_898_ = bool();
-                phi_899_ = true;
+                phi_825_ = bool();
+                phi_826_ = true;
             }
-            let _e777 = phi_898_;
-            let _e779 = phi_899_;
-            if _e779 {
-                phi_903_ = false;
+            let _e704 = phi_825_;
+            let _e706 = phi_826_;
+            if _e706 {
+                phi_830_ = false;
             } else {
-                phi_903_ = _e777;
+                phi_830_ = _e704;
             }
-            let _e781 = phi_903_;
-            if _e781 {
-                phi_954_ = 7u;
+            let _e708 = phi_830_;
+            if _e708 {
+                phi_881_ = 7u;
             } else {
-                if (_e90 != 0.5f) {
-                    if _e702 {
-                        if _e769 {
-                            phi_951_ = 6u;
+                if (_e89 != 0.5f) {
+                    if _e629 {
+                        if _e696 {
+                            phi_878_ = 6u;
                         } else {
-                            if _e252 {
-                                phi_926_ = true;
+                            if _e251 {
+                                phi_853_ = true;
                             } else {
-                                if _e746.any_expands {
-                                    phi_925_ = false;
+                                if _e673.any_expands {
+                                    phi_852_ = false;
                                 } else {
-                                    phi_925_ = true;
+                                    phi_852_ = true;
                                 }
-                                let _e783 = phi_925_;
-                                phi_926_ = _e783;
+                                let _e710 = phi_852_;
+                                phi_853_ = _e710;
                             }
-                            let _e785 = phi_926_;
-                            if _e785 {
-                                if _e252 {
+                            let _e712 = phi_853_;
+                            if _e712 {
+                                if _e251 {
                                     if false {
-                                        if _e746.all_remove {
-                                            phi_939_ = false;
+                                        if _e673.all_remove {
+                                            phi_866_ = false;
                                         } else {
-                                            phi_939_ = true;
+                                            phi_866_ = true;
                                         }
-                                        let _e787 = phi_939_;
-                                        phi_940_ = _e787;
+                                        let _e714 = phi_866_;
+                                        phi_867_ = _e714;
                                     } else {
-                                        phi_940_ = true;
+                                        phi_867_ = true;
                                     }
-                                    let _e789 = phi_940_;
-                                    phi_941_ = _e789;
+                                    let _e716 = phi_867_;
+                                    phi_868_ = _e716;
                                 } else {
-                                    phi_941_ = true;
+                                    phi_868_ = true;
                                 }
-                                let _e791 = phi_941_;
-                                if _e791 {
-                                    if _e252 {
-                                        phi_948_ = 1u;
+                                let _e718 = phi_868_;
+                                if _e718 {
+                                    if _e251 {
+                                        phi_875_ = 1u;
                                     } else {
-                                        phi_948_ = 0u;
+                                        phi_875_ = 0u;
                                     }
-                                    let _e793 = phi_948_;
-                                    phi_949_ = _e793;
+                                    let _e720 = phi_875_;
+                                    phi_876_ = _e720;
                                 } else {
-                                    phi_949_ = 5u;
+                                    phi_876_ = 5u;
                                 }
-                                let _e795 = phi_949_;
-                                phi_950_ = _e795;
+                                let _e722 = phi_876_;
+                                phi_877_ = _e722;
                             } else {
-                                phi_950_ = 4u;
+                                phi_877_ = 4u;
                             }
-                            let _e797 = phi_950_;
-                            phi_951_ = _e797;
+                            let _e724 = phi_877_;
+                            phi_878_ = _e724;
                         }
-                        let _e799 = phi_951_;
-                        phi_952_ = _e799;
+                        let _e726 = phi_878_;
+                        phi_879_ = _e726;
                     } else {
-                        phi_952_ = 3u;
+                        phi_879_ = 3u;
                     }
-                    let _e801 = phi_952_;
-                    phi_953_ = _e801;
+                    let _e728 = phi_879_;
+                    phi_880_ = _e728;
                 } else {
-                    phi_953_ = 2u;
+                    phi_880_ = 2u;
                 }
-                let _e803 = phi_953_;
-                phi_954_ = _e803;
+                let _e730 = phi_880_;
+                phi_881_ = _e730;
             }
-            let _e805 = phi_954_;
-            if !((_e805 == 0u)) {
-                if !((_e805 == 5u)) {
-                    phi_966_ = !(_e781);
-                    phi_967_ = false;
+            let _e732 = phi_881_;
+            if !((_e732 == 0u)) {
+                if !((_e732 == 5u)) {
+                    phi_893_ = !(_e708);
+                    phi_894_ = false;
                 } else {
-                    phi_966_ = bool();
-                    phi_967_ = true;
+                    phi_893_ = bool();
+                    phi_894_ = true;
                 }
-                let _e812 = phi_966_;
-                let _e814 = phi_967_;
-                phi_968_ = _e812;
-                phi_969_ = _e814;
+                let _e739 = phi_893_;
+                let _e741 = phi_894_;
+                phi_895_ = _e739;
+                phi_896_ = _e741;
             } else {
-                phi_968_ = bool();
-                phi_969_ = true;
+                phi_895_ = bool();
+                phi_896_ = true;
             }
-            let _e816 = phi_968_;
-            let _e818 = phi_969_;
-            if _e818 {
-                phi_973_ = false;
+            let _e743 = phi_895_;
+            let _e745 = phi_896_;
+            if _e745 {
+                phi_900_ = false;
             } else {
-                phi_973_ = _e816;
+                phi_900_ = _e743;
             }
-            let _e820 = phi_973_;
-            if _e781 {
-                phi_979_ = ((0u & 4u) != 0u);
+            let _e747 = phi_900_;
+            if _e708 {
+                phi_906_ = ((0u & 4u) != 0u);
             } else {
-                phi_979_ = _e248;
+                phi_906_ = _e247;
             }
-            let _e824 = phi_979_;
-            if _e820 {
-                if _e248 {
-                    phi_987_ = (2u | 1u);
+            let _e751 = phi_906_;
+            if _e747 {
+                if _e247 {
+                    phi_914_ = (2u | 1u);
                 } else {
-                    phi_987_ = 2u;
+                    phi_914_ = 2u;
                 }
-                let _e827 = phi_987_;
+                let _e754 = phi_914_;
                 if false {
-                    phi_992_ = (_e827 | 4u);
+                    phi_919_ = (_e754 | 4u);
                 } else {
-                    phi_992_ = _e827;
+                    phi_919_ = _e754;
                 }
-                let _e830 = phi_992_;
-                phi_1012_ = _e830;
+                let _e757 = phi_919_;
+                phi_939_ = _e757;
             } else {
-                if (_e805 == 7u) {
-                    if _e248 {
-                        phi_1001_ = (2u | 1u);
+                if (_e732 == 7u) {
+                    if _e247 {
+                        phi_928_ = (2u | 1u);
                     } else {
-                        phi_1001_ = 2u;
+                        phi_928_ = 2u;
                     }
-                    let _e834 = phi_1001_;
-                    if _e824 {
-                        phi_1006_ = (_e834 | 4u);
+                    let _e761 = phi_928_;
+                    if _e751 {
+                        phi_933_ = (_e761 | 4u);
                     } else {
-                        phi_1006_ = _e834;
+                        phi_933_ = _e761;
                     }
-                    let _e837 = phi_1006_;
-                    phi_1011_ = _e837;
+                    let _e764 = phi_933_;
+                    phi_938_ = _e764;
                 } else {
-                    if _e248 {
-                        phi_1010_ = 1u;
+                    if _e247 {
+                        phi_937_ = 1u;
                     } else {
-                        phi_1010_ = 0u;
+                        phi_937_ = 0u;
                     }
-                    let _e839 = phi_1010_;
-                    phi_1011_ = _e839;
+                    let _e766 = phi_937_;
+                    phi_938_ = _e766;
                 }
-                let _e841 = phi_1011_;
-                phi_1012_ = _e841;
+                let _e768 = phi_938_;
+                phi_939_ = _e768;
             }
-            let _e843 = phi_1012_;
-            if _e824 {
-                phi_1016_ = 0f;
+            let _e770 = phi_939_;
+            if _e751 {
+                phi_943_ = 0f;
             } else {
-                phi_1016_ = 1f;
+                phi_943_ = 1f;
             }
-            let _e845 = phi_1016_;
-            phi_1018_ = mask_Masked(_e845, _e843, _e820);
+            let _e772 = phi_943_;
+            phi_945_ = mask_Masked(_e772, _e770, _e747);
         }
-        let _e848 = phi_1018_;
-        visibility.member[_e66.first_primitive] = _e848.visibility;
-        let _e853 = p.member.light.number;
-        let _e854 = (_e853 * 3u);
-        let _e856 = (_e854 % 32u);
-        let _e858 = p.member.light.mask_words;
-        let _e860 = ((_e66.first_primitive * _e858) + (_e854 / 32u));
-        let _e862 = bits.member[_e860];
-        bits.member[_e860] = ((_e862 & ~((7u << bitcast<u32>((_e856 & 31u))))) | (_e848.bits << bitcast<u32>((_e856 & 31u))));
-        if (_e856 > 29u) {
-            let _e877 = bits.member[(_e860 + 1u)];
-            let _e879 = (32u - _e856);
-            bits.member[(_e860 + 1u)] = ((_e877 & ~((7u >> bitcast<u32>((_e879 & 31u))))) | (_e848.bits >> bitcast<u32>((_e879 & 31u))));
+        let _e775 = phi_945_;
+        visibility.member[_e65.first_primitive] = _e775.visibility;
+        let _e780 = p.member.light.number;
+        let _e781 = (_e780 * 3u);
+        let _e783 = (_e781 % 32u);
+        let _e785 = p.member.light.mask_words;
+        let _e787 = ((_e65.first_primitive * _e785) + (_e781 / 32u));
+        let _e789 = bits.member[_e787];
+        bits.member[_e787] = ((_e789 & ~((7u << bitcast<u32>((_e783 & 31u))))) | (_e775.bits << bitcast<u32>((_e783 & 31u))));
+        if (_e783 > 29u) {
+            let _e804 = bits.member[(_e787 + 1u)];
+            let _e806 = (32u - _e783);
+            bits.member[(_e787 + 1u)] = ((_e804 & ~((7u >> bitcast<u32>((_e806 & 31u))))) | (_e775.bits >> bitcast<u32>((_e806 & 31u))));
         }
-        phi_1068_ = _e848.needs_ray;
-        phi_1069_ = _e66.first_primitive;
+        phi_995_ = _e775.needs_ray;
+        phi_996_ = _e65.first_primitive;
     } else {
-        phi_1068_ = false;
-        phi_1069_ = 0u;
+        phi_995_ = false;
+        phi_996_ = 0u;
     }
-    let _e893 = phi_1068_;
-    let _e895 = phi_1069_;
-    if (_e50 == 0u) {
+    let _e820 = phi_995_;
+    let _e822 = phi_996_;
+    if (_e49 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e893 {
-        let _e899 = atomicAdd((&shared_[0u]), 1u);
-        phi_1080_ = _e899;
+    if _e820 {
+        let _e826 = atomicAdd((&shared_[0u]), 1u);
+        phi_1007_ = _e826;
     } else {
-        phi_1080_ = 0u;
+        phi_1007_ = 0u;
     }
-    let _e901 = phi_1080_;
+    let _e828 = phi_1007_;
     workgroupBarrier();
-    if (_e50 == 0u) {
-        let _e905 = atomicLoad((&shared_[0u]));
-        let _e906 = atomicAdd((&list.member[3u]), _e905);
-        atomicStore((&shared_[1u]), _e906);
+    if (_e49 == 0u) {
+        let _e832 = atomicLoad((&shared_[0u]));
+        let _e833 = atomicAdd((&list.member[3u]), _e832);
+        atomicStore((&shared_[1u]), _e833);
     }
     workgroupBarrier();
-    if _e893 {
-        let _e909 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e909) + _e901)]), _e895);
+    if _e820 {
+        let _e836 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e836) + _e828)]), _e822);
     }
     return;
 }

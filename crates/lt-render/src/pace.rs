@@ -1,8 +1,7 @@
 //! How fast to walk a path, so that the picture moves by a wanted number of pixels per frame.
 
-use lt_math::glam::Vec2;
 use lt_scene::{Camera, CameraPath};
-use lt_shaders::mask::{motion_px, view_depth};
+use lt_shaders::mask::{place_px, view_depth};
 
 use crate::{SampleGrid, Session, Setup, quantile, session::camera_params};
 
@@ -20,8 +19,7 @@ pub fn median_motion_px(session: &Session, camera: &Camera) -> f64 {
     let stride = (session.samples().len() / SAMPLES).max(1);
     let seen = session.samples().iter().step_by(stride).filter(|s| s.is_valid());
     let motions = seen.filter(|s| view_depth(s.position, &next) > 0.0).map(|s| {
-        let motion: Vec2 = motion_px(s.position, s.position, &now, &next);
-        f64::from(motion.length())
+        f64::from((place_px(s.position, &next) - place_px(s.position, &now)).length())
     });
     quantile(motions.filter(|m| m.is_finite()).collect(), 0.5)
 }

@@ -133,32 +133,16 @@ pub fn seen_depth(sample: &Sample, camera: &CameraParams) -> f32 {
     if sample.is_valid() { view_depth(sample.position, camera) } else { 0.0 }
 }
 
-/// Where a world point in front of a camera appears: (−1, 1) at the top left corner of the picture, (1, −1) at the bottom
-/// right.
+/// Where a world point in front of a camera appears, in pixels from the picture's top left corner.
 ///
 /// A point behind the camera or beside its eye gives infinity, NaN or a place that mirrors it: ask [`view_depth`] first.
 #[inline]
-pub fn place_ndc(position: Vec3, camera: &CameraParams) -> Vec2 {
+pub fn place_px(position: Vec3, camera: &CameraParams) -> Vec2 {
     let to = position - camera.eye;
     let depth = to.dot(camera.forward);
     let x = to.dot(camera.right) / (camera.right.length_squared() * depth);
     let y = to.dot(camera.up) / (camera.up.length_squared() * depth);
-    Vec2::new(x, y)
-}
-
-/// The way, in pixels, from where a surface is in this frame to where it was in the last.
-///
-/// Exactly 0 where neither surface nor camera moved: both places come from the same arithmetic. The difference is taken
-/// before it is scaled to pixels, so that it keeps its last digits: they decide which pixel was nearest.
-#[inline]
-pub fn motion_px(
-    position: Vec3,
-    previous_position: Vec3,
-    current: &CameraParams,
-    previous: &CameraParams,
-) -> Vec2 {
-    let way = place_ndc(previous_position, previous) - place_ndc(position, current);
-    Vec2::new(way.x * 0.5 * current.size.x as f32, way.y * -0.5 * current.size.y as f32)
+    Vec2::new((x + 1.0) * (0.5 * camera.size.x as f32), (1.0 - y) * (0.5 * camera.size.y as f32))
 }
 
 /// Finds a pixel in the last frame.
@@ -173,8 +157,9 @@ fn find<H: HistorySource, const MOTION: bool, const DEPTH: bool>(
     let mut place = Reprojection { pixel: px, is_valid: true, has_moved: false };
     let rests = || p.flags & MaskParams::CAMERA_RESTS != 0 && previous_position == sample.position;
     if MOTION && !rests() {
-        let motion = motion_px(sample.position, previous_position, &p.current, &p.previous);
-        place = reproject(px, sample_place(px, p.current.grid), motion, p.current.size);
+        // A surface is seen where its sample lies: no second projection, and its rounding, is needed for that.
+        let from = sample_place(px, p.current.grid);
+        place = reproject(px, from, place_px(previous_position, &p.previous) - from, p.current.size);
         // Behind the last camera a projection is mirrored, and may fall on the screen.
         place.is_valid = place.is_valid && view_depth(previous_position, &p.previous) > 0.0;
     }
@@ -389,9 +374,9 @@ mod tests {
         // The last camera stood one pixel's width (at distance 3) to the left: the wall was one pixel further right.
         let p = params(Vec3::new(-2.0, 0.0, 0.0));
         let sample = wall(AT);
-        let motion = motion_px(sample.position, sample.position, &p.current, &p.previous);
-        assert!((motion - Vec2::new(1.0, 0.0)).length() < 1e-5, "{motion}");
-        assert_eq!(motion_px(sample.position, sample.position, &p.current, &p.current), Vec2::ZERO);
+        let places = [&p.previous, &p.current].map(|camera| place_px(sample.position, camera));
+        assert!((places[0] - Vec2::new(2.5, 1.5)).length() < 1e-5, "{places:?}");
+        assert!((places[1] - Vec2::new(1.5, 1.5)).length() < 1e-5, "{places:?}");
         assert!(
             decide::<true, false>(UVec2::new(3, 1), 1.0, &p, &[0; 12], &[]).needs_ray,
             "came in from outside"

@@ -50,20 +50,18 @@ pub const IN_PIECE: [[u32; PIECE]; 2] = {
 };
 
 impl Places {
-    /// [`lt_mask::reproject`] by [`lt_shaders::mask::motion_px`], and not behind the last camera.
+    /// [`lt_mask::reproject`] to [`lt_shaders::mask::place_px`], and not behind the last camera.
     #[inline(always)]
     pub fn follow(&mut self, position: &Points, before: &Points, p: &MaskParams) {
-        let (now_x, now_y, _) = place_ndc(position, &p.current);
-        let (then_x, then_y, depth) = place_ndc(before, &p.previous);
+        let (then_x, then_y, depth) = place_px(before, &p.previous);
         let (width, height) = (p.current.size.x as f32, p.current.size.y as f32);
         let camera_rests = p.flags & MaskParams::CAMERA_RESTS != 0;
         for i in 0..PIECE {
             let is_same = |axis: usize| position[axis][i] == before[axis][i];
             let rests = camera_rests & is_same(0) & is_same(1) & is_same(2);
-            let x = (then_x[i] - now_x[i]) * 0.5 * width;
-            let y = (then_y[i] - now_y[i]) * -0.5 * height;
-            let place = sample_place(UVec2::new(self.x[i], self.y[i]), p.current.grid);
-            let (to_x, to_y) = (place.x + x, place.y + y);
+            let from = sample_place(UVec2::new(self.x[i], self.y[i]), p.current.grid);
+            let (x, y) = (then_x[i] - from.x, then_y[i] - from.y);
+            let (to_x, to_y) = (from.x + x, from.y + y);
             // The floor of these is on the screen exactly where they are.
             let is_on_screen = (to_x >= 0.0) & (to_y >= 0.0) & (to_x < width) & (to_y < height);
             let whole = |at: f32| float::whole_lane(float::floor_lane(at)) as u32;
@@ -86,19 +84,20 @@ impl Places {
     }
 }
 
-/// [`lt_shaders::mask::place_ndc`] and [`lt_shaders::mask::view_depth`] of a batch.
+/// [`lt_shaders::mask::place_px`] and [`lt_shaders::mask::view_depth`] of a batch.
 #[inline(always)]
-fn place_ndc(position: &Points, camera: &CameraParams) -> (Lanes, Lanes, Lanes) {
+fn place_px(position: &Points, camera: &CameraParams) -> (Lanes, Lanes, Lanes) {
     let eye = camera.eye.to_array();
     let [right, up, forward] = [camera.right, camera.up, camera.forward].map(|v| v.to_array());
     let (width, height) = (camera.right.length_squared(), camera.up.length_squared());
+    let (half_width, half_height) = (0.5 * camera.size.x as f32, 0.5 * camera.size.y as f32);
     let (mut x, mut y, mut depths) = ([0.0; PIECE], [0.0; PIECE], [0.0; PIECE]);
     for i in 0..PIECE {
         let to = [position[0][i] - eye[0], position[1][i] - eye[1], position[2][i] - eye[2]];
         let along = |v: [f32; 3]| to[0] * v[0] + to[1] * v[1] + to[2] * v[2];
         let depth = along(forward);
-        x[i] = along(right) / (width * depth);
-        y[i] = along(up) / (height * depth);
+        x[i] = (along(right) / (width * depth) + 1.0) * half_width;
+        y[i] = (1.0 - along(up) / (height * depth)) * half_height;
         depths[i] = depth;
     }
     (x, y, depths)
