@@ -93,7 +93,7 @@ pub fn run(args: &CompareArgs, opened: &mut Opened, frames: usize) -> anyhow::Re
     if let Way::Keyframes(_) = way {
         opened.session.look(&way.at(0))?;
     }
-    let lamps = Lamps::new(args, opened, frames)?;
+    let lamps = Lamps::new(args, opened);
     let playback = Playback {
         frames,
         is_still: args.still,
@@ -209,17 +209,11 @@ struct Lamps {
 }
 
 impl Lamps {
-    fn new(args: &CompareArgs, opened: &Opened, frames: usize) -> anyhow::Result<Self> {
+    fn new(args: &CompareArgs, opened: &Opened) -> Self {
         let setup = opened.session.setup();
-        let start: Vec<Light> = setup.lights().cloned().collect();
-        let mut is_animated = false;
-        if !args.still && args.scene.lights_are_the_scenes() && matches!(opened.source, Source::Gltf(_)) {
-            for frame in [1, frames / 2, frames - 1] {
-                let scene = args.scene.pose(&opened.source, time_of(args, frame))?;
-                is_animated |= args.scene.lights(&scene)? != start;
-            }
-        }
-        Ok(Self { start, is_animated, center: setup.camera.target })
+        let has_moving = matches!(&opened.source, Source::Gltf(asset) if asset.moves_lights());
+        let is_animated = !args.still && args.scene.lights_are_the_scenes() && has_moving;
+        Self { start: setup.lights().cloned().collect(), is_animated, center: setup.camera.target }
     }
 
     /// The lights of a frame, of the scene's pose then if they are animated.

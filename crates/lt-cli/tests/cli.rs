@@ -167,3 +167,48 @@ fn leftovers(dir: &Path) -> usize {
     let is_temporary = |e: &std::fs::DirEntry| e.file_name().to_string_lossy().ends_with(".tmp");
     std::fs::read_dir(dir).unwrap().filter_map(Result::ok).filter(is_temporary).count()
 }
+
+/// A floor, something above it, and a lamp that is elsewhere for less than two hundredths of a second.
+const FLASH: &str = r#"{
+    "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+    "extensionsUsed": ["KHR_lights_punctual"],
+    "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point"}]}},
+    "nodes": [{"mesh": 0}, {"translation": [0, 4, 0], "extensions": {"KHR_lights_punctual": {"light": 0}}}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "animations": [{"channels": [{"sampler": 0, "target": {"node": 1, "path": "translation"}}],
+        "samplers": [{"input": 1, "output": 2, "interpolation": "STEP"}]}],
+    "buffers": [{"uri": "flash.bin", "byteLength": 136}],
+    "bufferViews": [{"buffer": 0, "byteLength": 72}, {"buffer": 0, "byteOffset": 72, "byteLength": 16},
+        {"buffer": 0, "byteOffset": 88, "byteLength": 48}],
+    "accessors": [
+        {"bufferView": 0, "componentType": 5126, "count": 6, "type": "VEC3", "min": [-9, 0, -9], "max": [9, 1, 9]},
+        {"bufferView": 1, "componentType": 5126, "count": 4, "type": "SCALAR", "min": [0], "max": [9]},
+        {"bufferView": 2, "componentType": 5126, "count": 4, "type": "VEC3"}]
+}"#;
+
+#[test]
+fn a_lamp_that_flashes_between_frames_is_seen_to_move() {
+    let dir = tempfile::tempdir().unwrap();
+    let corners = [-9, 0, -9, 0, 0, 9, 9, 0, -9, -1, 1, -1, 0, 1, 1, 1, 1, -1].map(|x| x as f32);
+    let (times, places) =
+        ([0.0, 0.03, 0.045, 9.0], [0.0, 4.0, 0.0, 3.0, 4.0, 0.0, 0.0, 4.0, 0.0, 0.0, 4.0, 0.0]);
+    let bytes: Vec<u8> =
+        corners.iter().chain(&times).chain(&places).flat_map(|x: &f32| x.to_le_bytes()).collect();
+    std::fs::write(dir.path().join("flash.bin"), bytes).unwrap();
+    let file = dir.path().join("flash.gltf");
+    std::fs::write(&file, FLASH).unwrap();
+    let out = dir.path().join("out");
+    let output = lt(&[
+        &["compare", file.to_str().unwrap(), "--frames", "6", "--techniques", "ray,ltt-vsm"][..],
+        &["--size", "64x48", "--backend", "cpu", "--map-size", "64", "--no-flip"],
+        &["--out", out.to_str().unwrap()],
+    ]
+    .concat());
+    let text = stdout(&output);
+    assert!(text.contains("lights move"), "{text}{}", code_and_stderr(&output).1);
+    let json: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(out.join("results.json")).unwrap()).unwrap();
+    let frames = json["rows"][1]["path"]["frames"].as_array().unwrap();
+    let draws: Vec<u64> = frames.iter().map(|f| f["map_draws"].as_u64().unwrap()).collect();
+    assert!(draws[2] > 0 && draws[3] > 0 && draws[4] == 0, "away for one frame, and back: {draws:?}");
+}

@@ -18,9 +18,9 @@ pub fn median_motion_px(session: &Session, camera: &Camera) -> f64 {
     let next = camera_params(&Setup { camera: camera.clone(), ..in_pixels }, 0);
     let stride = (session.samples().len() / SAMPLES).max(1);
     let seen = session.samples().iter().step_by(stride).filter(|s| s.is_valid());
-    let motions = seen.filter(|s| view_depth(s.position, &next) > 0.0).map(|s| {
-        f64::from((place_px(s.position, &next) - place_px(s.position, &now)).length())
-    });
+    let motions = seen
+        .filter(|s| view_depth(s.position, &next) > 0.0)
+        .map(|s| f64::from((place_px(s.position, &next) - place_px(s.position, &now)).length()));
     quantile(motions.filter(|m| m.is_finite()).collect(), 0.5)
 }
 

@@ -68,6 +68,11 @@ impl GltfAsset {
         self.asset.pose(time_s).map_err(|fault| fault.in_file(&self.path))
     }
 
+    /// Whether the first animation moves a light, or something that carries one.
+    pub fn moves_lights(&self) -> bool {
+        self.asset.moves_lights()
+    }
+
     /// Length of the first animation, seconds; 0 if there is none.
     pub fn animation_duration_s(&self) -> f32 {
         self.asset.animation.as_ref().map_or(0.0, |a| a.duration_s)

@@ -48,6 +48,18 @@ pub(super) struct Asset {
 }
 
 impl Asset {
+    /// Nodes that the animation moves, themselves or with what they hang on, and nodes whose morph weights it changes; empty without one.
+    fn moved(&self) -> (Vec<bool>, Vec<bool>) {
+        let nodes = self.hierarchy.rest.len();
+        let marks = self.animation.as_ref().map(|a| a.moved(nodes));
+        marks.map_or_else(Default::default, |(moved, morphed)| (self.hierarchy.inherit(moved), morphed))
+    }
+
+    /// Whether the animation moves a light.
+    pub(super) fn moves_lights(&self) -> bool {
+        self.moved().0.iter().zip(&self.loads).any(|(&is_moved, load)| is_moved && load.lamp.is_some())
+    }
+
     /// The scene at `time_s`.
     pub(super) fn pose(&self, time_s: f32) -> Result<Scene, Fault> {
         let mut posture = Posture { locals: self.hierarchy.rest.clone(), weights: self.weights.clone() };
@@ -55,10 +67,8 @@ impl Asset {
             animation.apply(time_s, &mut posture);
         }
         let world = self.hierarchy.world(&posture.locals);
-        let nodes = world.len();
-        let (moved, morphed) = self.animation.as_ref().map_or_else(Default::default, |a| a.moved(nodes));
+        let (moved, morphed) = self.moved();
         let at = |marks: &Vec<bool>, node: usize| marks.get(node).copied().unwrap_or(false);
-        let moved = if moved.is_empty() { moved } else { self.hierarchy.inherit(moved) };
         let mut posing = Posing {
             asset: self,
             skins: self

@@ -3,6 +3,7 @@
 use std::f32::consts::FRAC_1_SQRT_2;
 
 use lt_math::glam::{Vec3, vec3};
+use lt_scene::LightKind;
 use serde_json::json;
 
 use crate::{
@@ -51,6 +52,37 @@ fn steps_hold_lines_connect_and_time_wraps() {
     assert!(linear.pose(0.0).instances[0].is_dynamic);
     let scale = animated("scale", "VEC3", &[1.0, 1.0, 1.0, 3.0, 1.0, 1.0, 3.0, 1.0, 1.0], "LINEAR");
     assert_path(&scale, &[(1.5, vec3(2.0, 0.0, 0.0))]);
+}
+
+#[test]
+fn lights_ride_on_what_carries_them() {
+    let keys = [0.0, 0.0, 0.0, 0.0, 4.0, 0.0, 0.0, 8.0, 0.0];
+    let mut doc = animated("translation", "VEC3", &keys, "LINEAR");
+    doc.json["extensions"] =
+        json!({"KHR_lights_punctual": {"lights": [{"type": "spot"}, {"type": "directional"}]}});
+    doc.json["nodes"][0]["children"] = json!([1, 2]);
+    let light = |i: usize| json!({"KHR_lights_punctual": {"light": i}});
+    doc.push("nodes", json!({"translation": [1, 0, 0], "extensions": light(0)}));
+    doc.push("nodes", json!({"extensions": light(1)}));
+    for (time_s, y) in [(0.5, 0.0), (1.5, 2.0), (3.0, 6.0)] {
+        let lights = doc.pose(time_s).lights;
+        let LightKind::Spot { position, direction, .. } = lights[0].kind else { panic!("{lights:?}") };
+        assert!((position - vec3(1.0, y, 0.0)).length() < 1e-5 && direction == Vec3::NEG_Z, "{position}");
+        assert_eq!(lights[1].kind, LightKind::Directional { direction: Vec3::NEG_Z }, "a sun has no place");
+    }
+    assert!(doc.open().unwrap().moves_lights());
+    doc.json["nodes"][0]["children"] = json!([]);
+    assert!(!doc.open().unwrap().moves_lights(), "they hang on nothing that moves");
+    // A quarter turn of the node about x by the first key, none by the second.
+    let turns = [FRAC_1_SQRT_2, 0.0, 0.0, FRAC_1_SQRT_2, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
+    let mut doc = animated("rotation", "VEC4", &turns, "LINEAR");
+    doc.json["extensions"] = json!({"KHR_lights_punctual": {"lights": [{"type": "directional"}]}});
+    doc.json["nodes"][0]["extensions"] = light(0);
+    let half = vec3(0.0, FRAC_1_SQRT_2, -FRAC_1_SQRT_2);
+    for (time_s, expected) in [(0.5, Vec3::Y), (1.5, half), (3.0, Vec3::NEG_Z)] {
+        let LightKind::Directional { direction } = doc.pose(time_s).lights[0].kind else { panic!() };
+        assert!((direction - expected).length() < 1e-5, "at {time_s} s: {direction}");
+    }
 }
 
 #[test]
