@@ -7,6 +7,7 @@ use lt_bvh::lanes::{Chosen, NodeLanes, Work};
 use lt_math::glam::UVec2;
 use lt_shaders::abi::MaskParams;
 use lt_shaders::evaluate::Verdict;
+use lt_shaders::neighbours::asking_word;
 
 use super::asks::Asks;
 use super::places::{IN_PIECE, Places, depth_along, in_this_frame};
@@ -197,9 +198,9 @@ fn ask(frames: Frames<'_>, places: &Places, estimates: &[f32; PIECE]) -> [u32; P
     let mut at = [0; PIECE];
     for i in 0..PIECE {
         let (x, y) = (places.x[i], places.y[i]);
-        let st = u32::from(estimates[i] < lt_mask::SHADOW_TEST_THRESHOLD);
+        let st = lt_mask::is_test_shadowed(estimates[i]);
         let row = ((y / SIDE) * columns + x / SIDE) * SIDE + y % SIDE;
-        at[i] = row * 4 + (st | places.has_moved[i] << 1);
+        at[i] = row * 4 + asking_word(st, places.has_moved[i] != 0);
     }
     let mut asked = at.map(|at| words[at as usize]);
     for (asked, x) in asked.iter_mut().zip(&places.x) {
