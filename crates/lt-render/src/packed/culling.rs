@@ -51,23 +51,26 @@ pub fn visible(
     p: &DepthParams,
 ) -> Vec<DrawRange> {
     let map = Sides::of(p);
-    let mut asked: Vec<(DrawRange, Option<Sides>)> = Vec::new();
+    // The sides that runs are held against, and their number for each run; what needs no test has none.
+    let mut spaces: Vec<Sides> = Vec::new();
+    let mut asked: Vec<(DrawRange, Option<u32>)> = Vec::new();
     for draw in draws {
         let instance = instances.get(draw.instance as usize);
         let sight = instance.map_or(Sight::Part, |i| map.see(i.low_world, i.high_world));
         match sight {
             Sight::Nothing => {}
             Sight::Part if draw.triangles > RUN => {
-                let sides = instance.map_or(map, |i| map.placed(i));
-                asked.extend(runs_of(draw).map(|run| (run, Some(sides))));
+                let space = Some(spaces.len() as u32);
+                spaces.push(instance.map_or(map, |i| map.placed(i)));
+                asked.extend(runs_of(draw).map(|run| (run, space)));
             }
             _ => asked.push((*draw, None)),
         }
     }
-    let may_appear = |(run, sides): &&(DrawRange, Option<Sides>)| {
-        sides.is_none_or(|sides| {
+    let may_appear = |(run, space): &&(DrawRange, Option<u32>)| {
+        space.is_none_or(|space| {
             let bounds = bounds_of(run.first_triangle / RUN);
-            sides.see(bounds.min, bounds.max) != Sight::Nothing
+            spaces[space as usize].see(bounds.min, bounds.max) != Sight::Nothing
         })
     };
     joined(asked.par_iter().with_min_len(SHARE).filter(may_appear).map(|(run, _)| *run).collect())
