@@ -174,7 +174,7 @@ fn prepare(scene: &PackedScene, p: &DepthParams, draw: &DrawRange, index: u32, t
     }
     let has_holes = draw.has_holes && !t.is_opaque();
     let is_perspective = p.near > 0.0;
-    // Most triangles lie beside a fine level; those before the eye are left to the cut.
+    // Up to half of what culling leaves lies beside a fine level; on a lamp's map that is left to the cut.
     let size = p.map_size as f32;
     let is_beside =
         |of: fn(&Vec4) -> f32| corners.iter().all(|c| of(c) < 0.0) || corners.iter().all(|c| of(c) > size);

@@ -1,20 +1,20 @@
 //! Records passes into the caller's encoder.
 
+mod camera;
 mod depth;
+mod shade;
 
 use std::collections::HashMap;
 
 use lt_math::glam::UVec2;
-use lt_shaders::abi::{CameraParams, MaskParams, ShadeParams};
+use lt_shaders::abi::MaskParams;
 use lt_shaders::neighbours::row_words;
 use wgpu::BufferUsages as Usage;
 
-use super::buffers::{
-    Allocator, FrameBuffers, GpuScene, HistoryBuffers, LayerBuffers, MapBuffers, SlotBuffers,
-};
+use super::buffers::{Allocator, FrameBuffers, GpuScene, HistoryBuffers, MapBuffers, SlotBuffers};
 use super::modules::ShaderModule;
 use crate::light_space;
-use crate::{EffectPlan, FrameJob, MapSource, PackedScene, PassKind, RenderError, Resolve};
+use crate::{FrameJob, MapSource, PackedScene, PassKind, RenderError, Resolve};
 
 /// Records shadow passes on a device that the caller owns.
 ///
@@ -86,142 +86,6 @@ impl Recorder {
     /// [`RenderError::Gpu`] when a buffer exceeds the device's limits.
     pub fn frame_buffers(&self, size: UVec2) -> Result<FrameBuffers, RenderError> {
         self.allocator.frame(size)
-    }
-
-    /// Traces primary rays into the frame's samples; where the plan has layers, into those of each, of which the first is shown.
-    ///
-    /// # Errors
-    /// [`RenderError::Gpu`] when a buffer exceeds the device's limits.
-    pub fn camera(
-        &mut self,
-        encoder: &mut wgpu::CommandEncoder,
-        scene: &GpuScene,
-        frame: &mut FrameBuffers,
-        p: &CameraParams,
-        plan: &EffectPlan,
-    ) -> Result<(), RenderError> {
-        if plan.layers > 1 {
-            return self.layers(encoder, scene, frame, p, plan);
-        }
-        frame.past = match (plan.object_motion, frame.past.take()) {
-            (false, _) => None,
-            (true, Some(buffer)) => Some(buffer),
-            (true, None) => Some(self.allocator.past(frame.size)?),
-        };
-        let mut name = "camera".to_owned();
-        let uniform = self.allocator.filled("camera", &[*p], Usage::UNIFORM)?;
-        let mut bindings =
-            vec![&uniform, &scene.nodes, &scene.triangles, &scene.vertices, &scene.materials, &frame.samples];
-        let effects = [
-            (plan.instances, "_instanced", &scene.instances),
-            (plan.alpha_test, "_alpha", &scene.alpha_texels),
-            (plan.color_textures, "_color", &scene.color_texels),
-        ];
-        for (is_on, suffix, buffer) in effects {
-            if let (true, Some(buffer)) = (is_on, buffer) {
-                name += suffix;
-                bindings.push(buffer);
-            }
-        }
-        if let (Some(before), Some(past)) = (&scene.previous_positions, &frame.past) {
-            name += "_motion";
-            bindings.extend([before, past]);
-        }
-        self.dispatch(encoder, &(name + "_cs"), &bindings, grid(frame.size))
-    }
-
-    /// Finds layer after layer of what the camera sees.
-    fn layers(
-        &mut self,
-        encoder: &mut wgpu::CommandEncoder,
-        scene: &GpuScene,
-        frame: &mut FrameBuffers,
-        p: &CameraParams,
-        plan: &EffectPlan,
-    ) -> Result<(), RenderError> {
-        let fits = |layer: &LayerBuffers| layer.past.is_some() == plan.object_motion;
-        if frame.layers.len() != plan.layers as usize || !frame.layers.iter().all(fits) {
-            let made = (0..plan.layers).map(|_| self.allocator.layer(frame.size, plan.object_motion));
-            frame.layers = made.collect::<Result<_, _>>()?;
-        }
-        let sights = self.allocator.sights(frame.size)?;
-        // Surfaces without a texture do not look at the texels; a binding must exist all the same.
-        let no_texels = self.allocator.filled::<u32>("no texels", &[], Usage::STORAGE)?;
-        let alpha_texels = scene.alpha_texels.as_ref().unwrap_or(&no_texels);
-        let color_texels = scene.color_texels.as_ref().unwrap_or(&no_texels);
-        for (i, layer) in frame.layers.iter().enumerate() {
-            let p = CameraParams { layers_behind: plan.layers - 1 - i as u32, ..*p };
-            let uniform = self.allocator.filled("layer", &[p], Usage::UNIFORM)?;
-            encoder.copy_buffer_to_buffer(&sights, 0, &layer.sights, 0, sights.size());
-            let mut bindings = vec![
-                &uniform,
-                &scene.nodes,
-                &scene.triangles,
-                &scene.vertices,
-                &scene.materials,
-                &layer.samples,
-                alpha_texels,
-                color_texels,
-                &sights,
-            ];
-            let mut name = "layer_cs";
-            if let (Some(before), Some(past)) = (&scene.previous_positions, &layer.past) {
-                name = "layer_motion_cs";
-                bindings.extend([before, past]);
-            }
-            self.dispatch(encoder, name, &bindings, grid(frame.size))?;
-        }
-        frame.show_layer(0);
-        Ok(())
-    }
-
-    /// Turns the caller's own G-buffer into the frame's samples: a float texture of world positions (w: largest
-    /// coordinate of the triangle's vertices, or 0) and one of unit geometric normals facing the camera (zero where
-    /// nothing is visible), both of the frame's size.
-    ///
-    /// # Errors
-    /// [`RenderError::Gpu`] when a buffer exceeds the device's limits.
-    pub fn import_gbuffer(
-        &mut self,
-        encoder: &mut wgpu::CommandEncoder,
-        frame: &FrameBuffers,
-        positions: &wgpu::TextureView,
-        normals: &wgpu::TextureView,
-    ) -> Result<(), RenderError> {
-        let uniform = self.size_uniform(frame.size)?;
-        let resources = [
-            uniform.as_entire_binding(),
-            wgpu::BindingResource::TextureView(positions),
-            wgpu::BindingResource::TextureView(normals),
-            frame.samples.as_entire_binding(),
-        ];
-        self.dispatch_resources(encoder, "gbuffer_import_cs", &resources, grid(frame.size))
-    }
-
-    /// Writes the frame's visibility (1 lit, 0 blocked) into the caller's `R32Float` storage texture of the frame's
-    /// size.
-    ///
-    /// # Errors
-    /// [`RenderError::Gpu`] when a buffer exceeds the device's limits.
-    pub fn export_visibility(
-        &mut self,
-        encoder: &mut wgpu::CommandEncoder,
-        frame: &FrameBuffers,
-        target: &wgpu::TextureView,
-    ) -> Result<(), RenderError> {
-        let uniform = self.size_uniform(frame.size)?;
-        let resources = [
-            uniform.as_entire_binding(),
-            frame.visibility.as_entire_binding(),
-            wgpu::BindingResource::TextureView(target),
-        ];
-        self.dispatch_resources(encoder, "visibility_export_cs", &resources, grid(frame.size))
-    }
-
-    /// The export and import kernels read the size alone of their parameters.
-    fn size_uniform(&self, size: UVec2) -> Result<wgpu::Buffer, RenderError> {
-        let p = CameraParams { size, ..bytemuck::Zeroable::zeroed() };
-        self.allocator.filled("size", &[p], Usage::UNIFORM)
     }
 
     /// Makes the map and list that a job needs, keeping those of the last frame where they fit, and drops those that it
@@ -519,78 +383,6 @@ impl Recorder {
             color_texels,
         ];
         self.dispatch(encoder, "tint_cs", &bindings, grid(frame.size))
-    }
-
-    /// Adds a light to what the frame's samples receive: after the passes of its job, when visibility, and tint if there is
-    /// one, are the light's.
-    ///
-    /// # Errors
-    /// [`RenderError::Gpu`] when a buffer cannot be made.
-    pub fn add_light(
-        &mut self,
-        encoder: &mut wgpu::CommandEncoder,
-        frame: &mut FrameBuffers,
-        p: &ShadeParams,
-    ) -> Result<(), RenderError> {
-        let uniform = self.allocator.filled("shade", &[*p], Usage::UNIFORM)?;
-        // New buffers are zero.
-        let light = match frame.light.take() {
-            Some(light) => light,
-            None => self.allocator.light(frame.size)?,
-        };
-        let mut bindings = vec![&uniform, &frame.samples, &frame.visibility, &light];
-        bindings.extend(&frame.tints);
-        let name = if frame.tints.is_some() { "light_tinted_cs" } else { "light_cs" };
-        self.dispatch(encoder, name, &bindings, grid(frame.size))?;
-        frame.light = Some(light);
-        Ok(())
-    }
-
-    /// Adds the layer that is shown, with the lights added so far, to the samples' colours, and forgets the lights.
-    ///
-    /// # Errors
-    /// [`RenderError::Gpu`] when a buffer cannot be made, no light was added, or the camera sees no layers.
-    pub fn add_layer(
-        &mut self,
-        encoder: &mut wgpu::CommandEncoder,
-        frame: &mut FrameBuffers,
-        p: &ShadeParams,
-    ) -> Result<(), RenderError> {
-        let uniform = self.allocator.filled("shade", &[*p], Usage::UNIFORM)?;
-        let light = frame.light.take().ok_or_else(|| self.unprepared())?;
-        // New buffers are zero.
-        let colors = match frame.colors.take() {
-            Some(colors) => colors,
-            None => self.allocator.light(frame.size)?,
-        };
-        let layer = frame.layers.get(frame.layer).ok_or_else(|| self.unprepared())?;
-        let bindings = [&uniform, &layer.samples, &light, &layer.sights, &colors];
-        self.dispatch(encoder, "layer_color_cs", &bindings, grid(frame.size))?;
-        frame.colors = Some(colors);
-        Ok(())
-    }
-
-    /// Shades the frame's samples with the lights, or the layers, added so far into `picture`, one sRGB word per pixel, the mean over its samples,
-    /// and forgets them.
-    ///
-    /// # Errors
-    /// [`RenderError::Gpu`] when a uniform cannot be made, or no light was added.
-    pub fn shade(
-        &mut self,
-        encoder: &mut wgpu::CommandEncoder,
-        frame: &mut FrameBuffers,
-        picture: &wgpu::Buffer,
-        p: &ShadeParams,
-    ) -> Result<(), RenderError> {
-        let uniform = self.allocator.filled("shade", &[*p], Usage::UNIFORM)?;
-        let pixels = p.camera.size / p.camera.grid;
-        if let Some(colors) = frame.colors.take() {
-            return self.dispatch(encoder, "color_mean_cs", &[&uniform, &colors, picture], grid(pixels));
-        }
-        let light = frame.light.take().ok_or_else(|| self.unprepared())?;
-        let bindings = [&uniform, &frame.samples, &light, picture];
-        let name = if p.camera.grid == UVec2::ONE { "shade_cs" } else { "shade_mean_cs" };
-        self.dispatch(encoder, name, &bindings, grid(pixels))
     }
 
     fn dispatch(

@@ -163,6 +163,20 @@ fn slerp(a: [f32; 4], b: [f32; 4], s: f32) -> [f32; 4] {
 }
 
 impl Channel {
+    /// The same with its last key alone where all of them say the same: exporters bake what stands still, too.
+    fn thinned(self) -> Self {
+        let is_spline = self.interpolation == Interpolation::CubicSpline;
+        let per_key = self.values.len() / self.times.len();
+        let first = &self.values[..per_key];
+        let is_level = !is_spline
+            || first[..self.width].iter().chain(&first[2 * self.width..]).all(|tangent| *tangent == 0.0);
+        if !is_level || self.values.chunks_exact(per_key).any(|key| key != first) {
+            return self;
+        }
+        let times = self.times[self.times.len() - 1..].into();
+        Self { times, values: first.into(), ..self }
+    }
+
     /// Values `at..at + N` of a key at `time_s`, held constant outside the keys.
     fn sample<const N: usize>(
         &self,
@@ -240,7 +254,8 @@ impl Reader<'_, '_> {
             let problem = format!("expected {keys} keys of {per_key} numbers, found {found} numbers");
             return Err(Fault::at(place, problem));
         }
-        Ok((!times.is_empty()).then_some(Channel { node, property, interpolation, times, values, width }))
+        let channel = Channel { node, property, interpolation, times, values, width };
+        Ok((!channel.times.is_empty()).then(|| channel.thinned()))
     }
 
     fn times(&mut self, index: usize, place: &str) -> Result<Arc<[f32]>, Fault> {

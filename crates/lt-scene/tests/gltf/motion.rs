@@ -86,6 +86,28 @@ fn lights_ride_on_what_carries_them() {
 }
 
 #[test]
+fn what_is_baked_at_rest_does_not_move() {
+    let rest = |kind: &str| animated("translation", "VEC3", &[2.0, 3.0, 4.0].repeat(3), kind);
+    let rows = [[0.0; 3], [2.0, 3.0, 4.0], [0.0; 3]].concat().repeat(3);
+    let mut bent = rows.clone();
+    bent[8] = 0.5;
+    for (doc, moves) in [
+        (rest("LINEAR"), false),
+        (rest("STEP"), false),
+        (animated("translation", "VEC3", &rows, "CUBICSPLINE"), false),
+        (animated("translation", "VEC3", &bent, "CUBICSPLINE"), true),
+    ] {
+        let mut doc = doc;
+        doc.json["extensions"] = json!({"KHR_lights_punctual": {"lights": [{"type": "point"}]}});
+        doc.json["nodes"][0]["extensions"] = json!({"KHR_lights_punctual": {"light": 0}});
+        let asset = doc.open().unwrap();
+        assert_eq!((asset.moves_lights(), doc.pose(0.0).instances[0].is_dynamic), (moves, moves));
+        assert_eq!(asset.animation_duration_s(), 4.0);
+        assert_path(&doc, &[(0.5, vec3(3.0, 3.0, 4.0)), (2.0, vec3(3.0, 3.0, 4.0))]);
+    }
+}
+
+#[test]
 fn splines_follow_their_tangents() {
     // Between 2 s and 4 s: value 1 with out-tangent 3, value 2 with in-tangent −1. At the middle (appendix C):
     // ½·1 + 2·⅛·3 + ½·2 − 2·⅛·(−1) = 2.5.
