@@ -207,6 +207,40 @@ fn lamps_and_several_lights_have_trees_of_their_own_on_the_gpu() {
     assert!(blocked > 1000, "{blocked} blocked");
 }
 
+/// The tree of the light and of the frame that the rays belong to: with lamps that move, and with several lights at once.
+#[test]
+fn hybrids_ask_the_tree_of_their_own_light_and_frame() {
+    let scene = builtin("square:6");
+    let bounds = scene.bounds();
+    let at = |x: f32, y: f32| bounds.min + (bounds.max - bounds.min) * Vec3::new(x, y, 0.5);
+    let sun = Setup::for_scene(&scene, 200, 112).light;
+    let lamp = |x: f32, y: f32| Light {
+        kind: LightKind::Point { position: at(x, y), range: f32::INFINITY },
+        ..sun.clone()
+    };
+    let setup =
+        Setup { map_size: 256, more_lights: vec![lamp(0.4, 0.7)], ..Setup::for_scene(&scene, 200, 112) };
+    for (rays, by_tree) in [("ltt-evsm", "ltt-evsm:light"), ("lt-evsm", "lt-evsm:light")] {
+        let mut session = Session::new(&scene, setup.clone(), BackendKind::Cpu).expect("session");
+        session.play(Sequence { is_played: true, lights_move: true, ..Sequence::default() });
+        let mut rays_traced = 0;
+        for frame in 0..4usize {
+            let x = 0.4 + 0.1 * frame.div_ceil(2) as f32;
+            session.relight(&[sun.clone(), lamp(x, 0.7)]).expect("lights");
+            let by_tree = session.render(&technique(by_tree)).expect("frame");
+            let by_rays = session.render(&technique(rays)).expect("frame");
+            assert_eq!(
+                count_different(&by_tree.visibility, &by_rays.visibility, 0.0),
+                0,
+                "{rays} frame {frame}"
+            );
+            assert_eq!(by_tree.rays, by_rays.rays, "{rays} frame {frame}");
+            rays_traced += by_rays.rays;
+        }
+        assert!(rays_traced > 1000, "{rays}: {rays_traced}");
+    }
+}
+
 /// Places that are in no scene's box, as an engine's G-buffer may have them, and trees that are kept and replaced.
 #[test]
 fn an_engine_plants_trees_and_may_ask_from_anywhere() {

@@ -337,6 +337,10 @@ impl EffectPlan {
         if self.upkeep != Upkeep::Kept && self.resolve == Resolve::Ray {
             passes.push(PassKind::Build);
         }
+        // Before all passes over pixels: a backend may run these together.
+        if self.resolve == Resolve::Light {
+            passes.push(PassKind::LightTree);
+        }
         if let Some((_, source)) = self.map {
             passes.push(PassKind::DepthMap);
             if source == MapSource::Prefiltered {
@@ -346,9 +350,6 @@ impl EffectPlan {
         }
         if self.mask.is_some() {
             passes.push(PassKind::Mask);
-        }
-        if self.resolve == Resolve::Light {
-            passes.push(PassKind::LightTree);
         }
         if self.doubt_list || self.trace_all {
             passes.push(PassKind::Resolve);
