@@ -1,7 +1,9 @@
 //! Map evaluation in batches gives the verdicts of the shared function, on every built-in scene.
 
 use lt_math::{Esm, Evsm, Levels, MsmHamburger, MsmHausdorff, Pcf, Sm, Vsm};
-use lt_render::cpu::{BatchTest, CpuBackend, SampleRows, evaluate_batch, evaluate_batch_levels};
+use lt_render::cpu::{
+    BatchTest, CpuBackend, SampleRows, evaluate_batch, evaluate_batch_levels, maps_to_rows,
+};
 use lt_render::{Backend, PackedScene, PassKind, Sample};
 use lt_shaders::abi::ShadowParams;
 use lt_shaders::evaluate::{GatheredDepths, evaluate, evaluate_levels};
@@ -22,7 +24,7 @@ fn batches_have_the_bits_of_the_shared_function_on_every_built_in_scene() {
             let job = session.job(&format!("{id}:cascades=1").parse().expect("id"));
             backend.begin(&job).expect("begins");
             backend.pass(PassKind::DepthMap, &job).expect("draws");
-            let (samples, p, depths) = (session.samples(), &job.shadow, backend.depth_map());
+            let (samples, p, depths) = (session.samples(), &job.shadow, backend.depth_maps());
             let different = match id {
                 "vsm" => differences::<Vsm, false>(samples, p, depths),
                 "ltt-vsm" => differences::<Vsm, true>(samples, p, depths),
@@ -40,9 +42,10 @@ fn batches_have_the_bits_of_the_shared_function_on_every_built_in_scene() {
         let projections = job.searched_levels().expect("cascades");
         backend.begin(&job).expect("begins");
         backend.pass(PassKind::DepthMap, &job).expect("draws");
-        let (samples, p, depths) = (session.samples(), &job.shadow, backend.depth_map());
+        let (samples, p, depths) = (session.samples(), &job.shadow, backend.depth_maps());
         let (rows, mut lit, mut doubted) = pieces_of(samples);
         evaluate_batch_levels::<Evsm, true>(&rows, p, &projections, depths, &mut lit, &mut doubted);
+        let depths = &maps_to_rows(depths, p.map_size)[..];
         let levels = Levels { projections: &projections, count: projections.len() as u32 };
         for (i, sample) in samples.iter().enumerate() {
             let v = evaluate_levels::<Evsm, _, _, true>(sample, p, GatheredDepths { depths }, levels);
@@ -61,7 +64,7 @@ fn pieces_of(samples: &[Sample]) -> (Vec<SampleRows>, Vec<f32>, Vec<bool>) {
 fn differences<T: BatchTest, const LTT: bool>(samples: &[Sample], p: &ShadowParams, depths: &[f32]) -> usize {
     let (rows, mut lit, mut doubted) = pieces_of(samples);
     evaluate_batch::<T, LTT>(&rows, p, depths, &mut lit, &mut doubted);
-    let map = GatheredDepths { depths };
+    let map = GatheredDepths { depths: &maps_to_rows(depths, p.map_size) };
     let is_different = |(i, sample): (usize, &Sample)| {
         let v = evaluate::<T, _, LTT>(sample, p, map);
         v.visibility.to_bits() != lit[i].to_bits() || v.is_doubted != doubted[i]

@@ -9,7 +9,9 @@ use std::time::Duration;
 
 use lt_math::glam::UVec2;
 use lt_math::{Esm, Evsm, Levels, LightProjection, MsmHamburger, Vsm};
-use lt_render::cpu::{BatchTest, CpuBackend, SampleRows, evaluate_batch, evaluate_batch_levels};
+use lt_render::cpu::{
+    BatchTest, CpuBackend, SampleRows, evaluate_batch, evaluate_batch_levels, maps_to_rows,
+};
 use lt_render::{Backend, BackendKind, PackedScene, PassKind, Session, Setup};
 use lt_scene::Source;
 use lt_shaders::abi::{Sample, ShadowParams};
@@ -31,7 +33,9 @@ fn main() {
         backend.begin(&job).expect("begins");
         backend.pass(PassKind::DepthMap, &job).expect("draws");
         let levels = job.searched_levels();
-        let maps = Maps { p: &job.shadow, levels: levels.as_deref(), depths: backend.depth_map() };
+        let (p, tiles) = (&job.shadow, backend.depth_maps());
+        let rows = maps_to_rows(tiles, p.map_size);
+        let maps = Maps { p, levels: levels.as_deref(), tiles, rows: &rows };
         match id {
             "vsm" => row::<Vsm, false>(id, &samples, maps),
             "evsm" => row::<Evsm, false>(id, &samples, maps),
@@ -49,11 +53,14 @@ struct Maps<'a> {
     p: &'a ShadowParams,
     /// Several maps, or one by `p`.
     levels: Option<&'a [LightProjection]>,
-    depths: &'a [f32],
+    /// Depths, as batches want them.
+    tiles: &'a [f32],
+    /// The same, as the shared function does.
+    rows: &'a [f32],
 }
 
 fn row<T: BatchTest, const LTT: bool>(id: &str, samples: &[Sample], maps: Maps<'_>) {
-    let Maps { p, levels, depths } = maps;
+    let Maps { p, levels, tiles, .. } = maps;
     let mut cache = vec![1u64; 32 << 20];
     let pieces = SampleRows::of(samples);
     let new = || (vec![0.0f32; samples.len()], vec![false; samples.len()]);
@@ -65,9 +72,9 @@ fn row<T: BatchTest, const LTT: bool>(id: &str, samples: &[Sample], maps: Maps<'
             black_box(&cache);
             let start = thread_time();
             match (way, levels) {
-                (0, None) => evaluate_batch::<T, LTT>(&pieces, p, depths, lit, doubted),
+                (0, None) => evaluate_batch::<T, LTT>(&pieces, p, tiles, lit, doubted),
                 (0, Some(levels)) => {
-                    evaluate_batch_levels::<T, LTT>(&pieces, p, levels, depths, lit, doubted);
+                    evaluate_batch_levels::<T, LTT>(&pieces, p, levels, tiles, lit, doubted);
                 }
                 _ => one_by_one::<T, LTT>(samples, maps, lit, doubted),
             }
@@ -95,11 +102,11 @@ fn row<T: BatchTest, const LTT: bool>(id: &str, samples: &[Sample], maps: Maps<'
 
 fn one_by_one<T: BatchTest, const LTT: bool>(
     samples: &[Sample],
-    Maps { p, levels, depths }: Maps<'_>,
+    Maps { p, levels, rows, .. }: Maps<'_>,
     visibility: &mut [f32],
     is_doubted: &mut [bool],
 ) {
-    let map = GatheredDepths { depths };
+    let map = GatheredDepths { depths: rows };
     for ((sample, visibility), is_doubted) in samples.iter().zip(visibility).zip(is_doubted) {
         let verdict = match levels {
             None => evaluate::<T, _, LTT>(sample, p, map),

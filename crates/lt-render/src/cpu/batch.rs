@@ -20,7 +20,7 @@ use super::tiles::PIECE;
 
 /// Estimate and doubt of many pixels from a map of plain depths.
 ///
-/// `depths` are `p.map_size`² in rows; `visibility` and `is_doubted` have 64 places for each piece of `rows`. Gives the bits of
+/// `depths` are `p.map_size`², in the order of [`maps_to_tiles`](super::maps_to_tiles); `visibility` and `is_doubted` have 64 places for each piece of `rows`. Gives the bits of
 /// [`evaluate`](lt_shaders::evaluate::evaluate) for each sample, in any order of samples; samples in tile order find their texels in the cache.
 ///
 /// # Panics
@@ -38,7 +38,7 @@ pub fn evaluate_batch<T: BatchTest, const LTT: bool>(
 /// [`evaluate_batch`] from the levels of a directional light, finest first, with the bits of
 /// [`evaluate_levels`](lt_shaders::evaluate::evaluate_levels).
 ///
-/// `depths` are `p.map_size`² in rows for each level.
+/// `depths` are `p.map_size`² for each level, in the order of [`maps_to_tiles`](super::maps_to_tiles).
 ///
 /// # Panics
 /// If the lengths disagree.
@@ -128,6 +128,7 @@ impl<T: BatchTest, const LTT: bool> Work for Evaluate<'_, T, LTT> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::map_tiles::maps_to_tiles;
     use super::*;
     use lt_bvh::SimdLevel;
     use lt_math::glam::{UVec2, Vec3, Vec4};
@@ -233,7 +234,7 @@ mod tests {
         }
     }
 
-    /// By depths, and by vectors of them.
+    /// By depths, and by vectors of them, both in rows.
     fn check_maps<T: BatchTest, const LTT: bool>(
         samples: &[Sample],
         p: &ShadowParams,
@@ -250,6 +251,18 @@ mod tests {
     fn check_texels<T: BatchTest, const LTT: bool>(samples: &[Sample], p: &ShadowParams, maps: Maps<'_>) {
         let count = samples.len();
         let expected = shared::<T, LTT>(samples, p, maps);
+        let (depths, vectors);
+        let texels = match maps.texels {
+            Texels::Depths(rows) => {
+                depths = maps_to_tiles(rows, p.map_size);
+                Texels::Depths(&depths)
+            }
+            Texels::Vectors(rows) => {
+                vectors = maps_to_tiles(rows, p.map_size);
+                Texels::Vectors(&vectors)
+            }
+        };
+        let maps = Maps { texels, ..maps };
         let test = T::from_params(p.test);
         for level in SimdLevel::available() {
             let rows = SampleRows::of(samples);

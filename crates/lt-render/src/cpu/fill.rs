@@ -1,9 +1,10 @@
 //! Triangles drawn into a band of a map's rows, by the texel centres that they cover; compiled once per set of instructions.
 
-use lt_bvh::lanes::{NodeLanes, Work};
+use lt_bvh::lanes::{Lanes, NodeLanes, Work};
 use lt_math::glam::{Vec2, Vec4};
 
-use super::surface::{DepthPlane, Perspective, Surface};
+use super::map_tiles::{SIDE, TEXELS};
+use super::surface::{Covered, DepthPlane, Perspective, Surface};
 use crate::packed::MappedCoverage;
 
 /// Steps per texel that corners are snapped to; every Vulkan driver offers at least 4 bits, most have 8.
@@ -82,13 +83,24 @@ pub fn span(at: [i32; 3], size: usize) -> (usize, usize) {
     (clamp(first), clamp(last))
 }
 
-/// Neighbouring rows that are narrowed together.
-const ROWS: usize = 8;
-
-/// Columns of neighbouring rows: the first and one past the last, whole numbers.
+/// Columns of a row of tiles' rows: the first and one past the last, whole numbers.
 struct Columns {
-    low: [f64; ROWS],
-    high: [f64; ROWS],
+    low: [f64; SIDE],
+    high: [f64; SIDE],
+}
+
+impl Columns {
+    /// The texels that they cover.
+    #[inline(always)]
+    fn covered(&self) -> Covered {
+        let (mut low, mut high) = (self.low[0], self.high[0]);
+        for row in 1..SIDE {
+            low = if self.low[row] < low { self.low[row] } else { low };
+            high = if self.high[row] > high { self.high[row] } else { high };
+        }
+        let tiles = if low < high { low as usize / SIDE..(high as usize).div_ceil(SIDE) } else { 0..0 };
+        Covered::new(tiles, self.low.map(|x| x as f32), self.high.map(|x| x as f32))
+    }
 }
 
 /// A line whose left side (≥ 0) is inside: `dx · x + dy · y + at ≥ 0` in texels x, y. All are whole numbers far below 2⁵³, and so exact.
@@ -115,22 +127,22 @@ impl Edge {
     #[inline(always)]
     fn narrow(&self, first: f64, columns: &mut Columns) {
         let Columns { low, high } = columns;
-        let values: [f64; ROWS] = std::array::from_fn(|i| self.dy * (first + i as f64) + self.at);
+        let values: [f64; SIDE] = std::array::from_fn(|i| self.dy * (first + i as f64) + self.at);
         // A quotient of whole numbers below 2⁵³ never rounds up to a whole number.
         if self.dx > 0.0 {
             // dx · x + value ≥ 0 ⇔ x ≥ −value / dx, rounded up.
-            for i in 0..ROWS {
+            for i in 0..SIDE {
                 let least = -floor(values[i] / self.dx);
                 low[i] = if least > low[i] { least } else { low[i] };
             }
         } else if self.dx < 0.0 {
-            for i in 0..ROWS {
+            for i in 0..SIDE {
                 let end = floor(values[i] / -self.dx) + 1.0;
                 high[i] = if end < high[i] { end } else { high[i] };
             }
         } else {
-            for i in 0..ROWS {
-                high[i] = if values[i] < 0.0 { low[i] } else { high[i] };
+            for i in 0..SIDE {
+                high[i] = if values[i] < 0.0 { 0.0 } else { high[i] };
             }
         }
     }
@@ -143,12 +155,12 @@ fn floor(x: f64) -> f64 {
     if nearest > x { nearest - 1.0 } else { nearest }
 }
 
-/// Rows of a map that one thread owns, and what to draw there.
+/// Whole rows of a map's [tiles](super::map_tiles) that one thread owns, and what to draw there.
 pub struct Band<'a> {
     /// The alpha test, where a caster has holes.
     pub coverage: Option<MappedCoverage<'a>>,
     pub first_row: usize,
-    /// Texels to a side of the map, a multiple of [`LANES`](super::surface::LANES).
+    /// Texels to a side of the map.
     pub size: usize,
     pub rows: &'a mut [f32],
     pub triangles: &'a [&'a Prepared],
@@ -157,11 +169,13 @@ pub struct Band<'a> {
 impl Work for Band<'_> {
     type Output = ();
     #[inline(always)]
-    fn run<L: NodeLanes>(mut self, _: L) {
+    fn run<L: NodeLanes>(mut self, lanes: L) {
         for t in self.triangles {
             match t.is_perspective {
-                false => self.fill(t, &DepthPlane::through(&t.corners.map(|c| c.truncate()))),
-                true => self.fill(t, &Perspective(&t.corners)),
+                false => {
+                    self.fill(lanes.rays(), t, &DepthPlane::through(&t.corners.map(|c| c.truncate())));
+                }
+                true => self.fill(lanes.rays(), t, &Perspective(&t.corners)),
             }
         }
     }
@@ -169,62 +183,48 @@ impl Work for Band<'_> {
 
 impl Band<'_> {
     #[inline(always)]
-    fn fill(&mut self, t: &Prepared, surface: &impl Surface) {
+    fn fill<L: Lanes>(&mut self, lanes: L, t: &Prepared, surface: &impl Surface) {
         let s = t.snapped;
         let edges = [Edge::new(s[0], s[1]), Edge::new(s[1], s[2]), Edge::new(s[2], s[0])];
         let (low_row, high_row) = rows_of(t, self.size);
         let (low_column, high_column) = span(s.map(|c| c[0]), self.size);
         let end = self.first_row + self.rows.len() / self.size;
         let holes = t.has_holes.then(|| self.coverage.map(|c| c.of(t.triangle))).flatten();
-        let (mut first, end) = (low_row.max(self.first_row), high_row.min(end));
-        while first < end {
-            let mut columns = Columns { low: [low_column as f64; ROWS], high: [high_column as f64; ROWS] };
+        let tile_rows = low_row.max(self.first_row) / SIDE..high_row.min(end).div_ceil(SIDE);
+        let (tiles, across) = (self.rows.as_chunks_mut::<TEXELS>().0, self.size / SIDE);
+        for tile_row in tile_rows {
+            // Rows of the tiles that the triangle does not reach are narrowed to nothing.
+            let first = tile_row * SIDE;
+            let mut columns = Columns { low: [low_column as f64; SIDE], high: [high_column as f64; SIDE] };
             edges.iter().for_each(|e| e.narrow(first as f64, &mut columns));
-            for (row, i) in (first..end).zip(0..ROWS) {
-                let columns = columns.low[i] as usize..columns.high[i] as usize;
-                let depths = &mut self.rows[(row - self.first_row) * self.size..][..self.size];
-                let y = row as f32 + 0.5;
-                match &holes {
-                    None => surface.draw(depths, columns, y),
-                    Some(holes) => surface.draw_where(depths, columns, y, |first, which| {
-                        holes.blocked(&t.corners, Vec2::new(first, y), which)
-                    }),
-                }
+            let tiles = &mut tiles[(first - self.first_row) / SIDE * across..][..across];
+            let (covered, y) = (columns.covered(), first as f32);
+            match &holes {
+                None => surface.draw(lanes, tiles, &covered, y),
+                Some(holes) => surface.draw_where(lanes, tiles, &covered, y, |x, which| {
+                    holes.blocked(&t.corners, Vec2::new(x, y) + 0.5, which)
+                }),
             }
-            first += ROWS;
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::map_tiles::maps_to_rows;
     use super::*;
+    use lt_bvh::lanes::Chosen;
 
+    /// Which texels of a map are drawn, row by row.
     fn covered(corners: [[f32; 2]; 3], size: usize) -> Vec<bool> {
-        let corners = corners.map(|c| Vec4::new(c[0], c[1], 0.5, 1.0));
-        let mut snapped = corners.map(|c| [snap(c.x), snap(c.y)]);
-        if edge(snapped[0], snapped[1], snapped[2]) < 0 {
-            snapped.swap(1, 2);
-        }
+        let at = corners.map(Vec2::from);
+        let corners = at.map(|c| c.extend(0.5).extend(1.0));
+        let Some(snapped) = placed(at, size) else { return vec![false; size * size] };
         let t = Prepared { corners, snapped, triangle: 0, has_holes: false, is_perspective: false };
-        let edges = [
-            Edge::new(snapped[0], snapped[1]),
-            Edge::new(snapped[1], snapped[2]),
-            Edge::new(snapped[2], snapped[0]),
-        ];
-        let mut out = vec![false; size * size];
-        let (low_row, high_row) = rows_of(&t, size);
-        let (low, high) = span(snapped.map(|c| c[0]), size);
-        for row in low_row..high_row {
-            let mut columns = Columns { low: [low as f64; ROWS], high: [high as f64; ROWS] };
-            // Any of the rows that are narrowed together must do.
-            let i = row % ROWS;
-            edges.iter().for_each(|e| e.narrow(row as f64 - i as f64, &mut columns));
-            for column in columns.low[i] as usize..columns.high[i] as usize {
-                out[row * size + column] = true;
-            }
-        }
-        out
+        let mut map = vec![1.0; size * size];
+        let band = Band { coverage: None, first_row: 0, size, rows: &mut map, triangles: &[&t] };
+        Chosen::best().run(band);
+        maps_to_rows(&map, size as u32).iter().map(|depth| *depth < 1.0).collect()
     }
 
     #[test]
@@ -246,8 +246,12 @@ mod tests {
             state = state.wrapping_mul(1664525).wrapping_add(1013904223);
             (state >> 8) as f32 / 65536.0 / 8.0 - 8.0
         };
-        for _ in 0..2000 {
+        let mut drawn = 0;
+        for round in 0..4000 {
             let c: [[f32; 2]; 3] = std::array::from_fn(|_| [next(), next()]);
+            // Half of them on a coarse grid, whose edges run along axes and through centres.
+            let c = if round % 2 == 0 { c } else { c.map(|p| p.map(|x| (x * 0.5).round() * 2.0 + 0.5)) };
+            drawn += covered(c, 16).iter().filter(|is_in| **is_in).count();
             let mask = covered(c, 16);
             for (i, is_in) in mask.iter().enumerate() {
                 let p = [i as f64 % 16.0 + 0.5, (i / 16) as f64 + 0.5];
@@ -262,5 +266,6 @@ mod tests {
                 assert!(!outside || !*is_in);
             }
         }
+        assert!(drawn > 10_000, "{drawn}");
     }
 }

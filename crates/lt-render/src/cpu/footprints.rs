@@ -7,6 +7,7 @@ use lt_math::{LightPoint, LightProjection, ShadowTest, blend, float, level_margi
 use lt_shaders::abi::ShadowParams;
 use lt_shaders::evaluate::{plane_slope, plane_slope_at};
 
+use super::map_tiles::{column_start, row_start};
 use super::samples::{BLOCKED, Lanes, MAPPED, OUTSIDE, SampleRows};
 use super::tiles::PIECE;
 
@@ -19,7 +20,7 @@ pub(super) struct Maps<'a> {
     pub margin_uv: Option<f32>,
 }
 
-/// What maps hold, row by row and map after map.
+/// What maps hold, map after map, each in [tiles](super::map_tiles).
 #[derive(Clone, Copy)]
 pub(super) enum Texels<'a> {
     Depths(&'a [f32]),
@@ -156,9 +157,8 @@ impl Footprints {
             self.weights[3][i] = fx * fy;
             let (x0, y0) = (float::whole_lane(x0), float::whole_lane(y0));
             let on_map = |t: i32| t.max(0).min(last) as u32;
-            let (left, right) = (on_map(x0), on_map(x0 + 1));
-            let (upper, lower) = (on_map(y0).wrapping_mul(map_size), on_map(y0 + 1).wrapping_mul(map_size));
-            let (upper, lower) = (upper + first_texel, lower + first_texel);
+            let [left, right] = [x0, x0 + 1].map(|x| column_start(on_map(x)));
+            let [upper, lower] = [y0, y0 + 1].map(|y| row_start(on_map(y), map_size) + first_texel);
             self.texels[0][i] = upper + left;
             self.texels[1][i] = upper + right;
             self.texels[2][i] = lower + left;

@@ -14,7 +14,7 @@ use crate::PackedScene;
 #[derive(Default)]
 pub struct StillMap {
     depths: Vec<f32>,
-    /// Rows of the copy in which something moving was drawn.
+    /// Rows of the copy in which something moving was drawn, to whole tiles.
     moving_rows: Range<usize>,
 }
 

@@ -12,6 +12,7 @@ mod footprints;
 mod history;
 mod kept_map;
 mod layers;
+mod map_tiles;
 mod mask_batch;
 mod perspective;
 mod places;
@@ -55,6 +56,7 @@ use crate::{
 
 pub use answers::BatchTest;
 pub use batch::{evaluate_batch, evaluate_batch_levels};
+pub use map_tiles::{maps_to_rows, maps_to_tiles};
 pub use samples::SampleRows;
 
 /// See the [module](self).
@@ -95,8 +97,8 @@ struct Slot {
 }
 
 impl CpuBackend {
-    /// The depth maps of the last frame, in rows, level after level; empty before the first.
-    pub fn depth_map(&self) -> &[f32] {
+    /// The depth maps of the last frame, level after level, each in the order of [`maps_to_tiles`]; empty before the first.
+    pub fn depth_maps(&self) -> &[f32] {
         &self.slots[self.slot].depths
     }
 
@@ -236,7 +238,8 @@ impl Backend for CpuBackend {
             }
             (PassKind::FilterX, Some(map), Some((test, _))) => map.drawn().for_each(|level| {
                 let at = map.texels(level);
-                blur_rows(test, &map.filter, &slot.depths[at.clone()], &mut slot.rows[at]);
+                let depths = maps_to_rows(&slot.depths[at.clone()], map.map_size());
+                blur_rows(test, &map.filter, &depths, &mut slot.rows[at]);
             }),
             (PassKind::FilterY, Some(map), _) => map.drawn().for_each(|level| {
                 let at = map.texels(level);
@@ -311,7 +314,11 @@ impl Backend for CpuBackend {
 
 fn blur_rows(test: MapTest, p: &FilterParams, depths: &[f32], rows: &mut [Vec4]) {
     let each = |kernel: fn(UVec2, &FilterParams, &[f32]) -> Vec4, rows: &mut [Vec4]| {
-        map_texels(p.map_size, rows, |texel| kernel(texel, p, depths));
+        rows.par_chunks_mut(p.map_size as usize).enumerate().for_each(|(y, row)| {
+            for (x, vector) in row.iter_mut().enumerate() {
+                *vector = kernel(UVec2::new(x as u32, y as u32), p, depths);
+            }
+        });
     };
     match test {
         MapTest::Vsm => each(filter_x::<Vsm>, rows),
@@ -324,14 +331,16 @@ fn blur_rows(test: MapTest, p: &FilterParams, depths: &[f32], rows: &mut [Vec4])
     }
 }
 
+/// From rows to [tiles](map_tiles).
 fn blur_columns(p: &FilterParams, rows: &[Vec4], vectors: &mut [Vec4]) {
-    map_texels(p.map_size, vectors, |texel| filter_y(texel, p, rows));
-}
-
-fn map_texels(map_size: u32, out: &mut [Vec4], kernel: impl Fn(UVec2) -> Vec4 + Sync) {
-    out.par_chunks_mut(map_size as usize).enumerate().for_each(|(y, row)| {
-        for (x, texel) in row.iter_mut().enumerate() {
-            *texel = kernel(UVec2::new(x as u32, y as u32));
+    let size = p.map_size as usize;
+    vectors.par_chunks_mut(map_tiles::SIDE * size).enumerate().for_each(|(tile_row, tiles)| {
+        for (tile, vectors) in tiles.as_chunks_mut::<{ map_tiles::TEXELS }>().0.iter_mut().enumerate() {
+            for (i, vector) in vectors.iter_mut().enumerate() {
+                let at = |tile: usize, i: usize| (tile * map_tiles::SIDE + i) as u32;
+                let texel = UVec2::new(at(tile, i % map_tiles::SIDE), at(tile_row, i / map_tiles::SIDE));
+                *vector = filter_y(texel, p, rows);
+            }
         }
     });
 }

@@ -11,10 +11,11 @@ use std::iter;
 use std::ops::Range;
 
 use super::fill::{Band, Prepared, placed, rows_of};
+use super::map_tiles::SIDE;
 use super::perspective::{self, Polygon};
 use crate::{PackedScene, packed::DrawRange};
 
-/// Rows a thread owns.
+/// Rows a thread owns, of whole tiles.
 const BAND: usize = 64;
 /// Triangles sorted into bands at a time, so that the lists stay small however large the scene.
 const BATCH: u32 = 1 << 18;
@@ -32,8 +33,8 @@ pub enum Ground {
     Kept,
 }
 
-/// Draws casters into `map`: `map_size²` depths, row by row, each of which keeps the least that fell on it. Returns the
-/// rows on which any may have fallen.
+/// Draws casters into `map`: `map_size²` depths, in [tiles](super::map_tiles), each of which keeps the least that fell on it. Returns
+/// the rows on which any may have fallen, of whole tiles.
 pub fn draw_depths(
     scene: &PackedScene,
     draws: &[DrawRange],
@@ -107,7 +108,7 @@ impl Work for Prepare<'_> {
                 for band in &mut piece.bands[low / BAND..high.div_ceil(BAND)] {
                     band.push(piece.triangles.len() as u32);
                 }
-                piece.rows = joined(piece.rows, low..high);
+                piece.rows = joined(piece.rows, low / SIDE * SIDE..high.next_multiple_of(SIDE));
                 piece.triangles.push(t);
             }
         }

@@ -49,15 +49,15 @@ pub(crate) struct TriangleCoverage<'a> {
 }
 
 impl TriangleCoverage<'_> {
-    /// Bits of `which` at whose points the triangle, seen on a map, blocks light: `first` is the centre of the texel of bit 0, bit i that of the one
-    /// i to the right. `on_map`: the corners in homogeneous texels.
+    /// Bits of `which` at whose points the triangle, seen on a map, blocks light. Bits are those of four by four texels, row by row; `first` is the
+    /// centre of the first one. `on_map`: the corners in homogeneous texels.
     #[inline(always)]
     pub fn blocked(&self, on_map: &[Vec4; 3], first: Vec2, which: u32) -> u32 {
         let (mut rest, mut blocked) = (which, 0);
         while rest != 0 {
             let i = rest.trailing_zeros();
             rest &= rest - 1;
-            let weights = weights_at(Vec2::new(first.x + i as f32, first.y), on_map);
+            let weights = weights_at(first + of_tile(i), on_map);
             // The map knows points of the triangle only; coverage is that of snapped corners, and may reach beyond.
             let is_within = weights.cmpge(Vec3::ZERO).all();
             let known = match &self.map {
@@ -73,6 +73,12 @@ impl TriangleCoverage<'_> {
     fn blocks(&self, weights: Vec3) -> bool {
         blocks(self.material, &self.corners, weights, self.alpha_texels)
     }
+}
+
+/// How far a texel of four by four is from the first.
+#[inline(always)]
+fn of_tile(texel: u32) -> Vec2 {
+    Vec2::new((texel & 3) as f32, (texel >> 2) as f32)
 }
 
 #[cfg(test)]
@@ -103,7 +109,7 @@ mod tests {
                         (Vec2::new(0.5 + number(30.0).floor(), 0.5 + number(40.0).floor()), 0xbeef);
                     let got = of.blocked(&corners, first, which);
                     for i in 0..16u32 {
-                        let weights = weights_at(Vec2::new(first.x + i as f32, first.y), &corners);
+                        let weights = weights_at(first + of_tile(i), &corners);
                         let truth = which >> i & 1 == 1 && of.blocks(weights);
                         assert_eq!(got >> i & 1 == 1, truth, "{name} {triangle}: {corners:?} {first} {i}");
                         blocked += u32::from(truth);
