@@ -96,12 +96,13 @@ fn _glam_f32_scalar_vec4_Vec4_u0020_as_u0020_spirv_std_vector_VectorTruncateInto
 
 fn function_() {
     var phi_149_: f32;
-    var phi_172_: bool;
-    var phi_173_: bool;
-    var phi_174_: bool;
-    var phi_175_: bool;
+    var phi_159_: u32;
+    var phi_178_: bool;
     var phi_179_: bool;
-    var phi_187_: vec3<f32>;
+    var phi_180_: bool;
+    var phi_181_: bool;
+    var phi_185_: bool;
+    var phi_193_: vec3<f32>;
 
     let _e20 = id_1;
     let _e27 = p.member.size[0u];
@@ -120,44 +121,50 @@ fn function_() {
             phi_149_ = _e53;
         }
         let _e58 = phi_149_;
-        let _e67 = global[0u];
-        if (_e44.x == _e67) {
-            let _e70 = global[1u];
-            if (_e44.y == _e70) {
-                let _e73 = global[2u];
-                phi_172_ = (_e44.z == _e73);
-                phi_173_ = false;
+        if (_e44.w == 0f) {
+            phi_159_ = 1u;
+        } else {
+            phi_159_ = 0u;
+        }
+        let _e66 = phi_159_;
+        let _e71 = global[0u];
+        if (_e44.x == _e71) {
+            let _e74 = global[1u];
+            if (_e44.y == _e74) {
+                let _e77 = global[2u];
+                phi_178_ = (_e44.z == _e77);
+                phi_179_ = false;
             } else {
-                phi_172_ = bool();
-                phi_173_ = true;
+                phi_178_ = bool();
+                phi_179_ = true;
             }
-            let _e76 = phi_172_;
-            let _e78 = phi_173_;
-            phi_174_ = _e76;
-            phi_175_ = _e78;
+            let _e80 = phi_178_;
+            let _e82 = phi_179_;
+            phi_180_ = _e80;
+            phi_181_ = _e82;
         } else {
-            phi_174_ = bool();
-            phi_175_ = true;
+            phi_180_ = bool();
+            phi_181_ = true;
         }
-        let _e80 = phi_174_;
-        let _e82 = phi_175_;
-        if _e82 {
-            phi_179_ = false;
+        let _e84 = phi_180_;
+        let _e86 = phi_181_;
+        if _e86 {
+            phi_185_ = false;
         } else {
-            phi_179_ = _e80;
+            phi_185_ = _e84;
         }
-        let _e84 = phi_179_;
-        if _e84 {
-            phi_187_ = vec3<f32>(0f, 1f, 0f);
+        let _e88 = phi_185_;
+        if _e88 {
+            phi_193_ = vec3<f32>(0f, 1f, 0f);
         } else {
-            phi_187_ = vec3<f32>(_e44.x, _e44.y, _e44.z);
+            phi_193_ = vec3<f32>(_e44.x, _e44.y, _e44.z);
         }
-        let _e90 = phi_187_;
+        let _e94 = phi_193_;
         if (_e30.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        samples.member[(0u + _e30.first_primitive)] = abi_Sample(vec3<f32>(_e39.x, _e39.y, _e39.z), _e58, vec3<f32>(_e44.x, _e44.y, _e44.z), 1u, _e90, 16777215u);
+        samples.member[(0u + _e30.first_primitive)] = abi_Sample(vec3<f32>(_e39.x, _e39.y, _e39.z), _e58, vec3<f32>(_e44.x, _e44.y, _e44.z), _e66, _e94, 16777215u);
     }
     return;
 }

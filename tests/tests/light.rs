@@ -1,7 +1,7 @@
 //! Resolvers in the light's own space give the rays' own bits, for every light, scene and number of threads.
 
 use lt_math::glam::{UVec2, Vec3};
-use lt_render::gpu::GpuScene;
+use lt_render::gpu::{GBuffer, GpuScene};
 use lt_render::{
     BackendKind, Frame, FrameJob, PackedScene, PassKind, RenderError, Resolve, Sequence, Session, Setup,
     Technique, Upkeep,
@@ -278,7 +278,8 @@ fn an_engine_plants_trees_and_may_ask_from_anywhere() {
         let mut frame = recorder.frame_buffers(UVec2::splat(64))?;
         recorder.prepare(&mut frame, job)?;
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        recorder.import_gbuffer(&mut encoder, &frame, &positions, &normals)?;
+        let gbuffer = GBuffer { positions: &positions, normals: &normals, last_positions: None };
+        recorder.import_gbuffer(&mut encoder, &mut frame, gbuffer)?;
         for kind in job.plan.passes() {
             recorder.pass(&mut encoder, gpu_scene, &frame, kind, job)?;
         }

@@ -4,6 +4,7 @@ mod batch;
 mod cascades;
 mod cold;
 mod effects;
+mod engine;
 mod hard;
 mod laws;
 mod layers;

@@ -139,6 +139,33 @@ fn a_picture_sums_up_its_lights_and_errors_are_counted_light_by_light() {
     assert_eq!(ray.lights.iter().map(|l| l.rays).sum::<u64>(), ray.frame.rays);
 }
 
+/// A light's share of the picture is its share of the intensity; what all of them have in common changes nothing.
+#[test]
+fn lights_shade_in_proportion_to_their_intensities() {
+    let scene = builtin("cornell");
+    let picture = |intensities: [f32; 2]| {
+        let mut two = [lights()[1].clone(), lights()[4].clone()];
+        (two[0].color, two[1].color) = (Vec3::X, Vec3::Z);
+        for (light, intensity) in two.iter_mut().zip(intensities) {
+            light.intensity = intensity;
+        }
+        let mut session = Session::new(&scene, setup(&scene, &two), BackendKind::Cpu).expect("CPU session");
+        let truth = session.render(&Technique::RAY).expect("frame");
+        session.shade(&truth).expect("picture")
+    };
+    let sums = |picture: Vec<[u8; 4]>| {
+        picture.iter().fold([0, 0], |[r, b], p| [r + u64::from(p[0]), b + u64::from(p[2])])
+    };
+    let [even, red, blue] = [[1.0, 1.0], [3.0, 1.0], [1.0, 3.0]].map(|of| sums(picture(of)));
+    assert!(
+        red[0] > even[0] && red[1] < even[1] && blue[0] < even[0] && blue[1] > even[1],
+        "{even:?} {red:?} {blue:?}"
+    );
+    assert_eq!(picture([2.0, 2.0]), picture([8.0, 8.0]));
+    let dark = sums(picture([0.0, 0.0]));
+    assert!(dark[0] < blue[0] && dark[1] < red[1], "only what falls in from everywhere: {dark:?}");
+}
+
 #[test]
 fn more_lights_than_a_mask_holds_are_refused() {
     let scene = builtin("cornell");

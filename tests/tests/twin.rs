@@ -1,7 +1,6 @@
 //! CPU and GPU compute the same pictures from the same functions.
 
 use lt_render::{Session, Setup, Technique};
-use lt_tests::textures::{download, upload, visibility_texture};
 use lt_tests::{builtin, count_different, cpu_session, gpu_session, is_on_hardware, ppm, twin_ppm};
 
 /// Scenes that between them have: one flat tree; textures; alpha test; instances; instances with alpha test.
@@ -133,43 +132,4 @@ fn the_cpu_gives_the_same_bits_for_any_number_of_threads() {
     let one = run(1);
     assert_eq!(one, run(2));
     assert_eq!(one, run(7));
-}
-
-/// The recorder on somebody else's device, queue, textures and encoder.
-#[test]
-fn an_engine_can_record_into_its_own_encoder() {
-    use lt_math::glam::UVec2;
-    use lt_render::gpu::{Recorder, open};
-    let Ok((_, device, queue)) = open() else {
-        assert!(std::env::var_os(lt_tests::REQUIRE_GPU).is_none(), "no adapter");
-        eprintln!("skipped: no GPU adapter");
-        return;
-    };
-    let scene = builtin("cornell");
-    let mut session = cpu_session(&scene, 64, 48);
-    let truth = session.render(&Technique::RAY).expect("frame").visibility;
-    let packed = lt_render::PackedScene::new(&scene).expect("packed");
-    let size = UVec2::new(64, 48);
-    let texels =
-        |f: &dyn Fn(&lt_render::Sample) -> [f32; 4]| session.samples().iter().map(f).collect::<Vec<_>>();
-    let positions = texels(&|s| s.position.extend(s.magnitude).to_array());
-    let normals = texels(&|s| s.normal.extend(0.0).to_array());
-    let texture = |data: &[[f32; 4]]| upload(&device, &queue, size, data);
-    let (positions, normals) = (texture(&positions), texture(&normals));
-
-    let mut recorder = Recorder::new(&device);
-    let gpu_scene = recorder.upload(&packed).expect("fits");
-    let mut frame = recorder.frame_buffers(size).expect("fits");
-    let job = session.job(&Technique::RAY);
-    recorder.prepare(&mut frame, &job).expect("fits");
-    let target = visibility_texture(&device, 64, 48);
-    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    recorder.import_gbuffer(&mut encoder, &frame, &positions, &normals).expect("recorded");
-    for kind in job.plan.passes() {
-        recorder.pass(&mut encoder, &gpu_scene, &frame, kind, &job).expect("recorded");
-    }
-    let view = target.create_view(&wgpu::TextureViewDescriptor::default());
-    recorder.export_visibility(&mut encoder, &frame, &view).expect("recorded");
-    let result = download(&device, &queue, encoder, &target);
-    assert_eq!(count_different(&truth, &result, 0.0), 0);
 }

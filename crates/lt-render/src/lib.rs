@@ -41,6 +41,7 @@ pub mod metrics;
 mod pace;
 mod packed;
 mod plan;
+mod planner;
 mod sample_grid;
 mod session;
 mod setup;
@@ -64,6 +65,7 @@ pub use packed::{
     Culling, DrawRange, MappedCoverage, OpacityMaps, PackStats, PackedScene, Packing, Trees, Upkeep,
 };
 pub use plan::{Effect, EffectPlan, MaskEffects, Sequence};
+pub use planner::FramePlanner;
 pub use sample_grid::SampleGrid;
 pub use session::{SceneInfo, Session};
 pub use setup::{MAX_SAMPLES, Setup};

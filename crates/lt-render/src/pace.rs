@@ -3,7 +3,7 @@
 use lt_scene::{Camera, CameraPath};
 use lt_shaders::mask::{place_px, view_depth};
 
-use crate::{SampleGrid, Session, Setup, quantile, session::camera_params};
+use crate::{SampleGrid, Session, Setup, planner::camera_params, quantile};
 
 /// Samples looked at: enough for a median, few enough to ask many cameras.
 const SAMPLES: usize = 20_000;

@@ -2,10 +2,13 @@
 //!
 //! An engine keeps its own device, queue and textures:
 //!
-//! 1. [`Recorder::new`] with its device; [`Recorder::upload`] a [`PackedScene`]; [`Recorder::frame_buffers`].
-//!    For `light` as resolver also [`Recorder::plant_light_tree`], whenever the light has moved.
-//! 2. Per frame [`Recorder::import_gbuffer`] (or [`Recorder::camera`]), [`Recorder::prepare`], then
-//!    [`Recorder::pass`] for every pass of the plan, and [`Recorder::export_visibility`]; all on its own encoder.
+//! 1. [`Recorder::new`] with its device; [`Recorder::upload`] a [`PackedScene`]; [`Recorder::frame_buffers`]; a
+//!    [`crate::FramePlanner`] for the same scene.
+//! 2. Per frame [`Recorder::import_gbuffer`] (or [`Recorder::camera`]), and for each job of [`crate::FramePlanner::next_frame`]
+//!    [`Recorder::prepare`], [`Recorder::plant_light_tree`] for `light` as resolver, [`Recorder::pass`] for every pass of
+//!    [`FrameJob::passes`], and [`Recorder::export_visibility`]; all on its own encoder.
+//!
+//! `examples/engine.rs` of this crate does so.
 //!
 //! Nothing is submitted, waited for or read back by the recorder. [`GpuBackend`] does those for the frame driver.
 
@@ -18,7 +21,7 @@ mod timestamps;
 pub use adapter::{AdapterReport, OPTIONAL_FEATURES, STORAGE_BUFFERS, adapters, has_hardware_adapter, open};
 pub use buffers::{FrameBuffers, GpuScene};
 pub use modules::{MODULES, ShaderModule};
-pub use recorder::Recorder;
+pub use recorder::{GBuffer, Recorder};
 
 use std::time::{Duration, Instant};
 

@@ -4,6 +4,8 @@ mod camera;
 mod depth;
 mod shade;
 
+pub use camera::GBuffer;
+
 use std::collections::HashMap;
 
 use lt_math::glam::UVec2;
@@ -284,6 +286,10 @@ impl Recorder {
             &doubt.list,
         ];
         let past = frame.past.as_ref().filter(|_| job.plan.object_motion);
+        if job.plan.object_motion && past.is_none() && p.flags & MaskParams::HAS_HISTORY != 0 {
+            let problem = "the plan counts on things that move, and the frame does not know where they were: import GBuffer::last_positions";
+            return Err(self.allocator.error(problem.to_owned()));
+        }
         name += match (effects.motion, past) {
             (_, Some(_)) => "_objects",
             (true, None) => "_motion",

@@ -8,6 +8,20 @@ use super::super::buffers::{FrameBuffers, GpuScene, LayerBuffers};
 use super::{Recorder, grid};
 use crate::{EffectPlan, RenderError};
 
+/// What an engine has rasterised: float textures of the frame's size, read texel by texel.
+#[derive(Clone, Copy, Debug)]
+pub struct GBuffer<'a> {
+    /// World positions; w: the largest absolute coordinate of the triangle's vertices, or 0 for the position's own. A position should lie on
+    /// its triangle as exactly as f32 says: rays start some 8 units in the last place of w away from it.
+    pub positions: &'a wgpu::TextureView,
+    /// Unit geometric normals that face the camera, zero where nothing is visible; w: 0 where the surface receives shadows, anything else
+    /// where it does not.
+    pub normals: &'a wgpu::TextureView,
+    /// World positions of the same points of surfaces in the last frame; `None` while nothing in the scene moves. Points that did not move
+    /// have the very bits of `positions`.
+    pub last_positions: Option<&'a wgpu::TextureView>,
+}
+
 impl Recorder {
     /// Traces primary rays into the frame's samples; where the plan has layers, into those of each, of which the first is shown.
     ///
@@ -24,11 +38,7 @@ impl Recorder {
         if plan.layers > 1 {
             return self.layers(encoder, scene, frame, p, plan);
         }
-        frame.past = match (plan.object_motion, frame.past.take()) {
-            (false, _) => None,
-            (true, Some(buffer)) => Some(buffer),
-            (true, None) => Some(self.allocator.past(frame.size)?),
-        };
+        self.keep_past(frame, plan.object_motion)?;
         let mut name = "camera".to_owned();
         let uniform = self.allocator.filled("camera", &[*p], Usage::UNIFORM)?;
         let mut bindings =
@@ -96,9 +106,7 @@ impl Recorder {
         Ok(())
     }
 
-    /// Turns the caller's own G-buffer into the frame's samples: a float texture of world positions (w: largest
-    /// coordinate of the triangle's vertices, or 0) and one of unit geometric normals facing the camera (zero where
-    /// nothing is visible), both of the frame's size.
+    /// Turns the caller's own G-buffer into the frame's samples.
     ///
     /// A temporal mask takes a position to be seen at its pixel's centre by the job's camera. Where an engine shifts its pixels (TAA), its
     /// camera may leave the shift out: places in the last frame are then off by as much, less than a pixel.
@@ -108,18 +116,28 @@ impl Recorder {
     pub fn import_gbuffer(
         &mut self,
         encoder: &mut wgpu::CommandEncoder,
-        frame: &FrameBuffers,
-        positions: &wgpu::TextureView,
-        normals: &wgpu::TextureView,
+        frame: &mut FrameBuffers,
+        gbuffer: GBuffer<'_>,
     ) -> Result<(), RenderError> {
+        self.keep_past(frame, gbuffer.last_positions.is_some())?;
         let uniform = self.size_uniform(frame.size)?;
-        let resources = [
-            uniform.as_entire_binding(),
-            wgpu::BindingResource::TextureView(positions),
-            wgpu::BindingResource::TextureView(normals),
-            frame.samples.as_entire_binding(),
-        ];
-        self.dispatch_resources(encoder, "gbuffer_import_cs", &resources, grid(frame.size))
+        let textures = [Some(gbuffer.positions), Some(gbuffer.normals), gbuffer.last_positions];
+        let mut resources = vec![uniform.as_entire_binding()];
+        resources.extend(textures.into_iter().flatten().map(wgpu::BindingResource::TextureView));
+        resources.push(frame.samples.as_entire_binding());
+        resources.extend(frame.past.iter().map(wgpu::Buffer::as_entire_binding));
+        let name = if frame.past.is_some() { "gbuffer_import_motion_cs" } else { "gbuffer_import_cs" };
+        self.dispatch_resources(encoder, name, &resources, grid(frame.size))
+    }
+
+    /// Makes room for where samples were in the last frame, or gives it back.
+    fn keep_past(&self, frame: &mut FrameBuffers, is_wanted: bool) -> Result<(), RenderError> {
+        frame.past = match (is_wanted, frame.past.take()) {
+            (false, _) => None,
+            (true, Some(buffer)) => Some(buffer),
+            (true, None) => Some(self.allocator.past(frame.size)?),
+        };
+        Ok(())
     }
 
     /// Writes the frame's visibility (1 lit, 0 blocked) into the caller's `R32Float` storage texture of the frame's
