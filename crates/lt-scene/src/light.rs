@@ -66,6 +66,11 @@ impl Light {
         Self { kind, ..self.clone() }
     }
 
+    /// The same, giving no light.
+    pub(crate) fn darkened(self) -> Self {
+        Self { intensity: 0.0, ..self }
+    }
+
     /// A white directional light travelling along `direction` (any finite non-zero length).
     pub fn sun(direction: Vec3) -> Self {
         Self {

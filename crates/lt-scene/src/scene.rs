@@ -51,7 +51,7 @@ pub struct Repairs {
     pub degenerate_triangles: usize,
     /// Primitives skipped because they hold no triangles (points, lines).
     pub non_triangle_primitives: usize,
-    /// Instances dropped because their transform cannot be inverted.
+    /// Instances dropped because their transform cannot be inverted; those that move shrink to a grain meanwhile instead.
     pub singular_instances: usize,
     /// Normals of zero or non-finite length replaced by none.
     pub bad_normals: usize,

@@ -69,6 +69,11 @@ impl Lamp {
         Ok(Self { name, shape, color, intensity, range })
     }
 
+    /// What it is called.
+    pub(super) fn name(&self) -> &str {
+        &self.name
+    }
+
     /// The light at a node; none if the node's transform leaves it no direction or no place.
     pub(super) fn place(&self, world: &Affine3A) -> Option<Light> {
         let position = Some(Vec3::from(world.translation)).filter(|p| p.is_finite())?;

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use lt_math::glam::{Affine3A, Vec3};
+use lt_math::glam::{Affine3A, Quat, Vec3};
 
 use super::{
     animation::{Animation, Posture},
@@ -16,7 +16,7 @@ use super::{
     skin::Skin,
     triangles::drop_degenerate,
 };
-use crate::{Bounds, Instance, Material, Mesh, Repairs, Scene, Texture};
+use crate::{Bounds, Instance, Light, Material, Mesh, Repairs, Scene, Texture};
 
 /// What hangs on a node that is shown.
 #[derive(Clone, Debug, Default)]
@@ -92,7 +92,9 @@ impl Asset {
         let shown = self.hierarchy.order.iter().filter(|&&i| self.hierarchy.is_shown[i]);
         for &node in shown {
             let load = &self.loads[node];
-            posing.scene.lights.extend(load.lamp.as_ref().and_then(|l| l.place(&world[node])));
+            if let Some(lamp) = &load.lamp {
+                posing.place_lamp(lamp, &world[node], at(&moved, node));
+            }
             posing.scene.cameras.extend(load.lens.as_ref().and_then(|l| l.place(&world[node])));
             if let Some(mesh) = load.mesh {
                 let state = NodeState {
@@ -134,7 +136,21 @@ struct Posing<'a> {
 }
 
 impl Posing<'_> {
-    /// Adds one instance for each primitive of a mesh. Which meshes are made, and in which order, does not depend on
+    /// Adds a light. One that moves is there at all times, and dark while its node leaves it no direction or no place; others are dropped
+    /// then, and noted.
+    fn place_lamp(&mut self, lamp: &Lamp, world: &Affine3A, is_moved: bool) {
+        match (lamp.place(world), is_moved) {
+            (Some(light), _) => self.scene.lights.push(light),
+            (None, true) => self.scene.lights.extend(lamp.place(&Affine3A::IDENTITY).map(Light::darkened)),
+            (None, false) => {
+                let note =
+                    format!("light {:?} dropped: its node leaves it no direction or no place", lamp.name());
+                self.scene.repairs.notes.push(note);
+            }
+        }
+    }
+
+    /// Adds one instance for each primitive of a mesh. Which meshes and instances are made, and in which order, does not depend on
     /// the time.
     fn place(&mut self, mesh: usize, skin: Option<usize>, state: &NodeState<'_>) -> Result<(), Fault> {
         let asset = self.asset;
@@ -157,10 +173,14 @@ impl Posing<'_> {
             let is_placeable = is_invertible(&transform)
                 && (bounds.is_empty()
                     || bounds.corners().iter().all(|&c| transform.transform_point3(c).is_finite()));
-            if !is_placeable {
-                self.scene.repairs.singular_instances += 1;
-                continue;
-            }
+            let transform = match (is_placeable, is_moved) {
+                (true, _) => transform,
+                (false, true) => shrunk(&transform, bounds),
+                (false, false) => {
+                    self.scene.repairs.singular_instances += 1;
+                    continue;
+                }
+            };
             let is_dynamic = is_moved || (is_morphed && state.is_morphed);
             self.scene.instances.push(Instance { is_dynamic, ..Instance::new(index, transform) });
         }
@@ -203,6 +223,22 @@ impl Posing<'_> {
         self.scene.meshes.push(mesh);
         Ok((self.scene.meshes.len() as u32 - 1, bounds))
     }
+}
+
+/// World units that something too flat to be placed still measures.
+const SHRUNK: f32 = 1e-9;
+
+/// What is left of a moving instance while its transform cannot be inverted, as files hide things by a scale of 0: a grain where its node is,
+/// so that whatever follows it keeps its number.
+fn shrunk(transform: &Affine3A, bounds: Bounds) -> Affine3A {
+    let place = Vec3::from(transform.translation);
+    let extent = bounds.min.abs().max(bounds.max.abs()).max_element();
+    let scale = if extent.is_finite() { SHRUNK / extent.max(1.0) } else { SHRUNK };
+    Affine3A::from_scale_rotation_translation(
+        Vec3::splat(scale),
+        Quat::IDENTITY,
+        if place.is_finite() { place } else { Vec3::ZERO },
+    )
 }
 
 /// Makes normals unit again, or drops them all, counted, if one has no length left.

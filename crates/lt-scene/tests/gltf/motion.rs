@@ -3,7 +3,7 @@
 use std::f32::consts::FRAC_1_SQRT_2;
 
 use lt_math::glam::{Vec3, vec3};
-use lt_scene::LightKind;
+use lt_scene::{LightKind, Scene};
 use serde_json::json;
 
 use crate::{
@@ -254,16 +254,37 @@ fn animated_weights_may_be_normalized_bytes_and_splines() {
 }
 
 #[test]
-fn meshes_keep_their_order_while_things_vanish() {
+fn things_keep_their_number_while_they_vanish() {
     let keys = [1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0];
     let mut doc = animated("scale", "VEC3", &keys, "STEP");
     let again = doc.json["meshes"][0].clone();
     doc.push("meshes", again);
     doc.push("nodes", json!({"mesh": 1}));
+    doc.json["extensions"] =
+        json!({"KHR_lights_punctual": {"lights": [{"type": "directional"}, {"type": "point"}]}});
+    doc.json["nodes"][0]["extensions"] = json!({"KHR_lights_punctual": {"light": 0}});
+    doc.push("nodes", json!({"extensions": {"KHR_lights_punctual": {"light": 1}}}));
     let (before, during) = (doc.pose(1.0), doc.pose(2.5));
-    assert_eq!((before.instances.len(), during.instances.len()), (2, 1));
-    assert_eq!(during.repairs.singular_instances, 1);
-    assert_eq!(before.instances[1].mesh, during.instances[0].mesh);
+    for scene in [&before, &during] {
+        assert_eq!((scene.instances.len(), scene.lights.len(), scene.repairs.summary()), (2, 2, None));
+        assert_eq!(scene.instances[1].mesh, before.instances[1].mesh);
+        assert!(scene.instances[0].is_dynamic);
+    }
+    let size = |scene: &Scene| scene.instances[0].transform.transform_vector3(Vec3::ONE).length();
+    assert!(size(&before) > 1.0 && size(&during) > 0.0 && size(&during) < 1e-8);
+    assert_eq!([before.lights[0].intensity, during.lights[0].intensity], [1.0, 0.0]);
+    assert_eq!(during.lights[1], before.lights[1]);
+}
+
+#[test]
+fn a_light_that_is_left_no_direction_is_dropped_and_noted() {
+    let mut doc = Doc::triangle();
+    doc.json["extensions"] =
+        json!({"KHR_lights_punctual": {"lights": [{"type": "directional", "name": "sun"}]}});
+    doc.push("nodes", json!({"scale": [0, 0, 0], "extensions": {"KHR_lights_punctual": {"light": 0}}}));
+    let scene = doc.pose(0.0);
+    assert!(scene.lights.is_empty());
+    assert!(scene.repairs.summary().is_some_and(|s| s.contains("\"sun\"")), "{:?}", scene.repairs);
 }
 
 #[test]
