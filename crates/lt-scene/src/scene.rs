@@ -1,6 +1,6 @@
 //! A posed scene.
 
-use lt_math::glam::{Affine3A, Vec3};
+use lt_math::glam::{Affine3A, DVec3, Vec3};
 
 use crate::{Camera, Instance, Light, LightKind, Material, Mesh, Texture};
 
@@ -97,6 +97,9 @@ pub struct Scene {
     pub cameras: Vec<Camera>,
     /// What was mended on import.
     pub repairs: Repairs,
+    /// Where in the file's world the origin of all these places lies; not zero where that is far from the scene, since places in f32 are
+    /// the coarser the farther they lie from 0.
+    pub origin: DVec3,
 }
 
 impl Scene {
@@ -119,6 +122,7 @@ impl Scene {
     /// cameras. Intensities stay as they are.
     pub fn scale(&mut self, factor: f32) {
         let larger = Affine3A::from_scale(Vec3::splat(factor));
+        self.origin *= f64::from(factor);
         for instance in &mut self.instances {
             instance.transform = larger * instance.transform;
         }

@@ -1,6 +1,6 @@
 //! The node hierarchy, flattened to parents-first order without recursion (glTF 2.0 specification, 3.5).
 
-use lt_math::glam::{Affine3A, Mat4, Quat, Vec3};
+use lt_math::glam::{Affine3A, DAffine3, DMat3, DVec3, Mat3A, Mat4, Quat, Vec3};
 
 use super::{
     fault::{Fault, pick},
@@ -25,10 +25,18 @@ pub(super) enum Local {
 }
 
 impl Local {
-    fn to_affine(self) -> Affine3A {
+    fn to_affine(self) -> DAffine3 {
         match self {
-            Self::Matrix(matrix) => matrix,
-            Self::Trs(t) => Affine3A::from_scale_rotation_translation(t.scale, t.rotation, t.translation),
+            Self::Matrix(m) => {
+                let columns = [m.matrix3.x_axis, m.matrix3.y_axis, m.matrix3.z_axis].map(|c| c.as_dvec3());
+                let matrix3 = DMat3::from_cols(columns[0], columns[1], columns[2]);
+                DAffine3 { matrix3, translation: m.translation.as_dvec3() }
+            }
+            Self::Trs(t) => DAffine3::from_scale_rotation_translation(
+                t.scale.as_dvec3(),
+                t.rotation.as_dquat(),
+                t.translation.as_dvec3(),
+            ),
         }
     }
 }
@@ -65,9 +73,10 @@ impl Hierarchy {
         Ok(Self { parents, order, is_shown, rest })
     }
 
-    /// World transform of every node, given every node's transform relative to its parent.
-    pub(super) fn world(&self, locals: &[Local]) -> Vec<Affine3A> {
-        let mut world = vec![Affine3A::IDENTITY; locals.len()];
+    /// World transform of every node, given every node's transform relative to its parent: in f64, since a node far from the origin may hold
+    /// what is small and near together.
+    pub(super) fn world(&self, locals: &[Local]) -> Vec<DAffine3> {
+        let mut world = vec![DAffine3::IDENTITY; locals.len()];
         for &i in &self.order {
             let local = locals[i].to_affine();
             world[i] = self.parents[i].map_or(local, |p| world[p] * local);
@@ -81,6 +90,15 @@ impl Hierarchy {
             marks[i] |= self.parents[i].is_some_and(|p| marks[p]);
         }
         marks
+    }
+}
+
+/// The same transform into a world whose origin is this.
+pub(super) fn relative_to(origin: DVec3, world: &DAffine3) -> Affine3A {
+    let m = &world.matrix3;
+    Affine3A {
+        matrix3: Mat3A::from_cols(m.x_axis.as_vec3a(), m.y_axis.as_vec3a(), m.z_axis.as_vec3a()),
+        translation: (world.translation - origin).as_vec3a(),
     }
 }
 

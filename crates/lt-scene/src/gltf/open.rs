@@ -2,6 +2,8 @@
 
 use std::{collections::HashSet, path::Path};
 
+use lt_math::glam::DVec3;
+
 use super::{
     accessors::Accessors,
     animation::Animation,
@@ -48,7 +50,7 @@ pub(super) fn open(path: &Path) -> Result<Asset, Fault> {
     let textures = images::decode(root, &images, &buffers, &mut files)?;
     let materials = with_default(surfaces, &meshes).into_iter().map(|s| s.material).collect();
     let name = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-    Ok(Asset {
+    let mut asset = Asset {
         name,
         hierarchy,
         loads,
@@ -59,8 +61,18 @@ pub(super) fn open(path: &Path) -> Result<Asset, Fault> {
         materials,
         textures,
         repairs,
+        origin: DVec3::ZERO,
         budget,
-    })
+    };
+    asset.origin = asset.near_origin();
+    if asset.origin != DVec3::ZERO {
+        let note = format!(
+            "far from the file's origin: all places, given ones too, are relative to {}",
+            asset.origin
+        );
+        asset.repairs.notes.push(note);
+    }
+    Ok(asset)
 }
 
 /// What shown nodes carry, every reference checked.

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use lt_math::glam::{Affine3A, Quat, Vec3};
+use lt_math::glam::{Affine3A, DVec3, Quat, Vec3};
 
 use super::{
     animation::{Animation, Posture},
@@ -11,7 +11,7 @@ use super::{
     fault::Fault,
     lights::Lamp,
     morph,
-    nodes::{Hierarchy, is_invertible},
+    nodes::{Hierarchy, is_invertible, relative_to},
     primitives::Primitive,
     skin::Skin,
     triangles::drop_degenerate,
@@ -43,6 +43,8 @@ pub(super) struct Asset {
     pub(super) materials: Vec<Material>,
     pub(super) textures: Vec<Texture>,
     pub(super) repairs: Repairs,
+    /// What places are told relative to.
+    pub(super) origin: DVec3,
     /// Granted to every pose.
     pub(super) budget: Budget,
 }
@@ -53,6 +55,31 @@ impl Asset {
         let nodes = self.hierarchy.rest.len();
         let marks = self.animation.as_ref().map(|a| a.moved(nodes));
         marks.map_or_else(Default::default, |(moved, morphed)| (self.hierarchy.inherit(moved), morphed))
+    }
+
+    /// The middle of what is shown at rest, in whole units, where that lies so far from the file's origin that f32 would tell its parts badly apart;
+    /// else the origin.
+    pub(super) fn near_origin(&self) -> DVec3 {
+        let world = self.hierarchy.world(&self.hierarchy.rest);
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let mut include = |at: DVec3| (low, high) = (low.min(at), high.max(at));
+        for (load, at) in self.loads.iter().zip(&world) {
+            let Some(mesh) = load.mesh else { continue };
+            match load.skin {
+                Some(skin) => {
+                    self.skins[skin].joints.iter().for_each(|&joint| include(world[joint].translation))
+                }
+                None => {
+                    let corners = self.meshes[mesh].iter().map(|p| p.bounds).filter(|b| !b.is_empty());
+                    corners
+                        .flat_map(|b| b.corners())
+                        .for_each(|c| include(at.transform_point3(c.as_dvec3())));
+                }
+            }
+        }
+        let (middle, reach) = ((low + high) * 0.5, (high - low).max_element() * 0.5);
+        let is_far = middle.is_finite() && middle.abs().max_element() > FAR * reach;
+        if is_far { middle.round() } else { DVec3::ZERO }
     }
 
     /// Whether the animation moves a light.
@@ -67,6 +94,7 @@ impl Asset {
             animation.apply(time_s, &mut posture);
         }
         let world = self.hierarchy.world(&posture.locals);
+        let world: Vec<Affine3A> = world.iter().map(|w| relative_to(self.origin, w)).collect();
         let (moved, morphed) = self.moved();
         let at = |marks: &Vec<bool>, node: usize| marks.get(node).copied().unwrap_or(false);
         let mut posing = Posing {
@@ -84,6 +112,7 @@ impl Asset {
                 materials: self.materials.clone(),
                 textures: self.textures.clone(),
                 repairs: self.repairs.clone(),
+                origin: self.origin,
                 ..Scene::default()
             },
             shared: HashMap::new(),
@@ -224,6 +253,9 @@ impl Posing<'_> {
         Ok((self.scene.meshes.len() as u32 - 1, bounds))
     }
 }
+
+/// How many times as far from the file's origin as it is large a scene lies that is told relative to its own middle.
+const FAR: f64 = 64.0;
 
 /// World units that something too flat to be placed still measures.
 const SHRUNK: f32 = 1e-9;

@@ -2,8 +2,8 @@
 
 use std::fs;
 
-use lt_math::glam::{Vec3, vec3};
-use lt_scene::{Scene, gltf::GltfAsset};
+use lt_math::glam::{DVec3, Vec3, vec3};
+use lt_scene::{LightKind, Scene, gltf::GltfAsset};
 use serde_json::json;
 use tempfile::TempDir;
 
@@ -139,6 +139,47 @@ fn degenerate_triangles_points_and_flat_nodes_are_dropped_and_counted() {
     assert_eq!(repairs.notes.len(), 1, "two indices are left over: {:?}", repairs.notes);
 }
 
+/// A scene far from its file's origin is the same scene, in places that f32 holds.
+#[test]
+fn far_scenes_are_told_relative_to_their_own_middle() {
+    let scene_at = |far: [f64; 3]| {
+        let mut doc = Doc::triangle();
+        doc.json["extensions"] = json!({"KHR_lights_punctual": {"lights": [{"type": "point"}]}});
+        let camera = json!({"type": "perspective", "perspective": {"yfov": 1.0, "znear": 0.1}});
+        doc.push("cameras", camera);
+        doc.json["nodes"][0] = json!({"mesh": 0, "translation": [0.25, 0.5, -1.0], "scale": [3, 3, 3]});
+        doc.push(
+            "nodes",
+            json!({"translation": [0.1, 0.2, 0.3], "extensions": {"KHR_lights_punctual": {"light": 0}}}),
+        );
+        doc.push("nodes", json!({"translation": [0.7, 0.2, 4.3], "camera": 0}));
+        doc.push("nodes", json!({"translation": far, "children": [0, 1, 2]}));
+        doc.json["scenes"] = json!([{"nodes": [3]}]);
+        doc.pose(0.0)
+    };
+    let near = scene_at([0.0; 3]);
+    assert_eq!((near.origin, near.repairs.summary()), (DVec3::ZERO, None));
+    for far in [[8000.0, 0.0, -8000.0], [6.0e6, 300.0, 6.0e6], [0.0, 1e9, 0.0]] {
+        let scene = scene_at(far);
+        let shift = DVec3::from(far) - scene.origin;
+        assert!(shift.abs().max_element() < 4.0 && scene.origin == scene.origin.round(), "{shift}");
+        // Whole units, so that places keep their bits up to the shift's own rounding.
+        let is_same = |a: Vec3, b: Vec3| (a - shift.as_vec3()).abs_diff_eq(b, 2e-6);
+        let place = |scene: &Scene| scene.instances[0].transform;
+        assert_eq!(place(&scene).matrix3, place(&near).matrix3);
+        assert!(is_same(place(&scene).translation.into(), place(&near).translation.into()), "{far:?}");
+        let lamp = |scene: &Scene| match scene.lights[0].kind {
+            LightKind::Point { position, .. } => position,
+            _ => Vec3::NAN,
+        };
+        assert!(is_same(lamp(&scene), lamp(&near)), "{far:?}");
+        assert!(is_same(scene.cameras[0].eye, near.cameras[0].eye), "{far:?}");
+        assert!(scene.repairs.summary().is_some_and(|s| s.contains("relative to")));
+    }
+    // Large scenes may lie beside the origin.
+    assert_eq!(scene_at([50.0, 0.0, 0.0]).origin, DVec3::ZERO);
+}
+
 #[test]
 fn vertices_that_no_triangle_uses_are_left_out() {
     let mut doc = Doc::new();
@@ -191,5 +232,6 @@ fn a_hundred_thousand_nested_nodes_load() {
     let last = 100_000;
     let chain = (0..last).map(|i| json!({"children": [i + 1], "translation": [0, 0, 1]}));
     doc.json["nodes"] = chain.chain([json!({"mesh": 0})]).collect();
-    assert_eq!(corners(&doc.pose(0.0))[0].z, last as f32);
+    let scene = doc.pose(0.0);
+    assert_eq!(f64::from(corners(&scene)[0].z) + scene.origin.z, f64::from(last));
 }
