@@ -78,6 +78,14 @@ fn lists_are_printed() {
 }
 
 #[test]
+fn looking_for_a_gpu_where_there_is_no_desktop_prints_no_error() {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lt"));
+    let output = command.arg("doctor").env_remove("XDG_RUNTIME_DIR").env_remove("WGPU_BACKEND").output();
+    let (code, stderr) = code_and_stderr(&output.unwrap());
+    assert_eq!((code, stderr.as_str()), (0, ""));
+}
+
+#[test]
 fn compare_writes_table_results_images_and_report() {
     let dir = tempfile::tempdir().unwrap();
     let out = dir.path().join("a/b");
