@@ -28,6 +28,7 @@
 mod backend;
 mod cascades;
 mod compare;
+mod contradiction;
 pub mod cpu;
 mod error;
 mod frame;
