@@ -55,7 +55,7 @@ pub struct CompareArgs {
     /// Technique ids, separated by commas [default: ray, every map, every leak tracing hybrid]
     #[arg(long, value_name = "ID,…", value_delimiter = ',', value_parser = values::technique, help_heading = "Techniques")]
     pub techniques: Vec<TypedTechnique>,
-    /// Every technique, the pre-filtered variants too
+    /// Every technique that has a map, the pre-filtered variants too, and full ray tracing
     #[arg(long, conflicts_with_all = ["techniques", "all_hybrids"], help_heading = "Techniques")]
     pub all: bool,
     /// Full ray tracing and every leak tracing hybrid, the pre-filtered variants too

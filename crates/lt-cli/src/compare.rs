@@ -106,8 +106,8 @@ fn most_flips(row: &Row) -> u64 {
 
 fn list() -> anyhow::Result<()> {
     let row = |(id, words): (String, String)| vec![id, words];
-    let techniques: Vec<_> =
-        Technique::catalogue().into_iter().map(|(t, words)| row((t.to_string(), words))).collect();
+    let all = Technique::catalogue().into_iter().chain(Technique::in_light_space());
+    let techniques: Vec<_> = all.map(|(t, words)| row((t.to_string(), words))).collect();
     let modifiers: Vec<_> =
         Technique::modifiers().iter().map(|(m, w)| row((format!(":{m}"), (*w).into()))).collect();
     let mut out = std::io::stdout().lock();

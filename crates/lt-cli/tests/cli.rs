@@ -66,7 +66,19 @@ fn a_folder_that_cannot_be_made_exits_with_1_before_any_work() {
 fn lists_are_printed() {
     for (words, expected) in [
         (&["scenes"][..], &["street", "hairball", "random"][..]),
-        (&["compare", "--list"], &["ray", "msm-hausdorff", "ltt-evsm", "prefiltered"]),
+        (
+            &["compare", "--list"],
+            &[
+                "ray",
+                "msm-hausdorff",
+                "ltt-evsm",
+                "prefiltered",
+                "\nalias-free",
+                "\nray:light",
+                "\nray:dac",
+                "\nray:space",
+            ],
+        ),
         (&["doctor"], &["CPU threads"]),
         (&["plan", "cornell", "--size", "16x16", "--backend", "cpu"], &["alpha test", "rays"]),
     ] {

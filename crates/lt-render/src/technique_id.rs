@@ -196,7 +196,9 @@ impl FromStr for Technique {
         let mut parts = id.split(':');
         let base = parts.next().unwrap_or_default();
         let mut technique = base_technique(base).ok_or_else(|| {
-            let known: Vec<String> = Self::catalogue().iter().map(|(t, _)| t.to_string()).collect();
+            let listed = Self::catalogue().into_iter().chain(Self::in_light_space());
+            let known: Vec<String> =
+                listed.map(|(t, _)| t.to_string()).filter(|id| !id.contains(':')).collect();
             fail(format!("no such base `{base}`; known: {}", known.join(", ")))
         })?;
         let mut modifiers: Vec<&str> = parts.collect();
@@ -329,10 +331,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_catalogued_id_parses_back_to_itself() {
-        for (technique, _) in Technique::catalogue() {
+    fn every_listed_id_parses_back_to_itself() {
+        for (technique, _) in Technique::catalogue().into_iter().chain(Technique::in_light_space()) {
             assert_eq!(technique.to_string().parse::<Technique>(), Ok(technique));
         }
+    }
+
+    #[test]
+    fn an_unknown_base_names_those_that_are() {
+        let problem = parse("foo", &[]).unwrap_err();
+        assert!(["ray,", "lt-evsm,", "alias-free"].iter().all(|id| problem.contains(id)), "{problem}");
+        assert!(!problem.contains("ray:"), "modifiers are none: {problem}");
     }
 
     #[test]
