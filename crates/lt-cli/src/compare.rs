@@ -36,7 +36,7 @@ pub fn run(args: &CompareArgs) -> anyhow::Result<()> {
     files::prepare_dir(&args.out)?;
     let mut opened = args.scene.open(&args.techniques(), args.upkeep())?;
     let repeats = args.repeats.unwrap_or(DEFAULT_REPEATS);
-    let (comparison, playback) = match args.frames {
+    let (comparison, playback) = match args.play.frames {
         None => (single_view(args, &mut opened.session, repeats)?, None),
         Some(frames) => {
             let (comparison, playback) = play::run(args, &mut opened, usize::from(frames))?;
@@ -44,7 +44,7 @@ pub fn run(args: &CompareArgs) -> anyhow::Result<()> {
         }
     };
     let session = &mut opened.session;
-    let flips = match args.still {
+    let flips = match args.play.still {
         true => comparison.rows.iter().map(most_flips).collect(),
         false => flips(session, &comparison)?,
     };

@@ -13,6 +13,7 @@ mod failure;
 mod files;
 #[cfg(test)]
 mod fixture;
+mod frame_args;
 mod numbers;
 mod pareto;
 mod picture;

@@ -90,6 +90,31 @@ fn lists_are_printed() {
 }
 
 #[test]
+fn a_plan_for_several_frames_has_what_they_call_for() {
+    let plan = |extra: &[&str]| {
+        let words = [&["plan"], &SMALL[..], &["--technique", "lt-evsm"], extra].concat();
+        let output = lt(&words);
+        assert!(output.status.success(), "{extra:?}: {:?}", code_and_stderr(&output));
+        stdout(&output)
+    };
+    let is_on = |text: &str, effect: &str| {
+        let row = text.lines().find(|line| line.starts_with(effect)).unwrap();
+        row[effect.len()..].trim_start().starts_with("on ")
+    };
+    for (extra, reuse, motion) in [
+        (&[][..], false, false),
+        (&["--frames", "8"], true, true),
+        (&["--frames", "8", "--still"], true, false),
+    ] {
+        let text = plan(extra);
+        assert_eq!(is_on(&text, "static map reuse"), reuse, "{text}");
+        assert_eq!(is_on(&text, "motion vectors"), motion, "{text}");
+        assert!(!is_on(&text, "several lights"), "{text}");
+    }
+    assert!(plan(&["--frames", "8", "--light-spin", "1"]).contains("what moves: the camera, lights"));
+}
+
+#[test]
 fn looking_for_a_gpu_where_there_is_no_desktop_prints_no_error() {
     let mut command = Command::new(env!("CARGO_BIN_EXE_lt"));
     let output = command.arg("doctor").env_remove("XDG_RUNTIME_DIR").env_remove("WGPU_BACKEND").output();
