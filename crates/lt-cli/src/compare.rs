@@ -19,7 +19,7 @@ use crate::{
     play,
     progress::{Steps, spinner},
     report::Report,
-    results::{Results, frontier_of},
+    results::{Results, SETTLED, Statistics, frontier_of, is_settled},
     summary::Summary,
     table::{self, Align},
 };
@@ -52,7 +52,12 @@ pub fn run(args: &CompareArgs) -> anyhow::Result<()> {
     let is_valid = session.valid_samples();
 
     let mut out = std::io::stdout().lock();
-    writeln!(out, "{}\n\n{}", summary.headline(), text_table(&comparison))?;
+    writeln!(
+        out,
+        "{}\n\n{}",
+        summary.headline(),
+        text_table(&comparison, Statistics::of(playback.as_ref()))
+    )?;
     if let Some(playback) = &playback {
         writeln!(
             out,
@@ -134,10 +139,7 @@ fn flips(session: &mut Session, comparison: &Comparison) -> anyhow::Result<Vec<u
     flips
 }
 
-/// What a single view shows of techniques that remember.
-const SETTLED: &str = "techniques with a mask (lt-…) as they have settled: their first frame traces every pixel; --frames N shows a path\n";
-
-fn text_table(comparison: &Comparison) -> String {
+fn text_table(comparison: &Comparison, statistics: Statistics) -> String {
     let [rays, cluster] = per_unit_headings(comparison);
     let columns = [
         ("technique", Align::Left),
@@ -166,14 +168,18 @@ fn text_table(comparison: &Comparison) -> String {
         ]
     };
     let rows: Vec<_> = comparison.rows.iter().zip(frontier_of(comparison)).map(row).collect();
-    let is_settled = comparison.rows.iter().any(|row| row.technique.mask.is_some() && row.frames.is_empty());
-    format!(
-        "{}\n* no other row is both faster and more right; ppm of {} {}s with geometry; medians\n{}",
+    let mut text = format!(
+        "{}\n* no other row is both faster and more right; ppm of {} {}s with geometry\n{}\n",
         table::render(&columns, &rows),
         grouped(comparison.valid_pixels),
         comparison.unit(),
-        if is_settled { SETTLED } else { "" }
-    )
+        statistics.sentence()
+    );
+    if comparison.rows.iter().any(is_settled) {
+        text += SETTLED;
+        text.push('\n');
+    }
+    text
 }
 
 /// Headings of what counts pixels, or samples.
@@ -247,7 +253,7 @@ mod tests {
 
     #[test]
     fn the_table_names_every_technique_and_the_frontier() {
-        let text = text_table(&fixture::comparison());
+        let text = text_table(&fixture::comparison(), Statistics::of(None));
         assert!(text.contains("\nray *") && text.contains("\nsm *"), "{text}");
         assert!(text.contains("125 000"), "{text}");
     }

@@ -134,6 +134,7 @@ fn row(id: &str, frame: &Frame, ms: f64, rays: u64) -> Row {
             effects: vec![effect],
         },
         rays_per_pixel: rays as f64 / 8.0,
+        rays,
         errors: metrics::errors([4, 2], &[true; 8], &truth, &frame.visibility),
         lights: Vec::new(),
         flip_mean: Some(0.25),

@@ -36,13 +36,16 @@ pub struct Row {
     pub technique: Technique,
     /// The effects it called for.
     pub plan: EffectPlan,
-    /// Shadow rays per valid pixel (a pixel with geometry).
+    /// Shadow rays per valid pixel (a pixel with geometry). Of several frames this, [`Row::rays`], [`Row::errors`] and [`Row::lights`] are
+    /// medians, or the last one's where nothing moves.
     pub rays_per_pixel: f64,
+    /// Shadow rays for all lights.
+    pub rays: u64,
     /// Wrong pixels against `ray`, those of several lights together.
     pub errors: metrics::Errors,
     /// Each light's share, where several shine; else empty.
     pub lights: Vec<LightStats>,
-    /// Mean FLIP of the shaded picture against the reference's, in [0, 1]; `None` if not asked for.
+    /// Mean FLIP of [`Row::picture`] against the reference's, in [0, 1]; `None` if not asked for.
     pub flip_mean: Option<f64>,
     /// Every pass, median and p95 over the repeats.
     pub passes: Vec<PassTime>,
@@ -269,6 +272,7 @@ pub fn compare_frames(
                 light.rays = median(row.frames.iter().map(|f| f.lights[i].rays as f64)) as u64;
             }
             row.rays_per_pixel = median(row.frames.iter().map(FrameStats::rays_per_pixel));
+            row.rays = median(row.frames.iter().map(|f| f.rays as f64)).round() as u64;
         }
     }
     Ok(comparison)
@@ -340,6 +344,7 @@ fn judge(
             technique: jobs[i],
             plan: session.plan(&jobs[i]).among_lights(session.setup().lights().count()),
             rays_per_pixel: frame.rays as f64 / valid_pixels.max(1) as f64,
+            rays: frame.rays,
             errors: metrics::Errors::sum(lights.iter().map(|l| l.errors)),
             lights: if lights.len() > 1 { lights } else { Vec::new() },
             flip_mean: flips[i],
