@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use crate::{
     args::CompareArgs,
-    numbers::{decimals, grouped, ms, ppm},
+    numbers::{decimals, factor, grouped, ms, ppm},
     progress::Steps,
     scene_args::Opened,
     table::{self, Align},
@@ -248,6 +248,9 @@ pub fn text_table(comparison: &Comparison, flips: &[u64], is_still: bool) -> Str
         ("flips\nstill", Align::Right),
         ("total ms\nmedian", Align::Right),
         ("\nmax", Align::Right),
+        ("\nfirst", Align::Right),
+        ("\nlater, mean", Align::Right),
+        ("speed-up\nby means", Align::Right),
     ];
     if is_still {
         columns.extend([("settled\nafter", Align::Right), (&left[..], Align::Right)]);
@@ -261,8 +264,12 @@ pub fn text_table(comparison: &Comparison, flips: &[u64], is_still: bool) -> Str
         cells
     };
     let rows: Vec<_> = comparison.rows.iter().zip(flips).map(row).collect();
-    table::render(&columns, &rows)
+    format!("{}\n{MEANS}\n", table::render(&columns, &rows))
 }
+
+/// Why means are told beside medians.
+pub const MEANS: &str = "means are over the frames after the first and have what few frames do, such as drawing a map that is then kept; \
+    medians leave that out";
 
 fn text_row(row: &Row, flips: u64) -> Vec<String> {
     let frames = &row.frames;
@@ -285,6 +292,9 @@ fn text_row(row: &Row, flips: u64) -> Vec<String> {
         grouped(flips),
         ms(times.map(|t| t.median)),
         ms(times.map(|t| t.max)),
+        ms(row.means.map(|m| m.first_ms)),
+        ms(row.means.map(|m| m.later_ms)),
+        factor(row.speedup_by_means),
     ]
 }
 
@@ -299,6 +309,13 @@ mod tests {
         let many = pictured(64);
         assert_eq!((many.len(), many[0], many[7]), (8, 0, 63));
         assert!(many.windows(2).all(|w| w[0] < w[1]));
+    }
+
+    #[test]
+    fn the_table_tells_the_first_frame_and_the_mean_of_the_others() {
+        let text = text_table(&crate::fixture::played().0, &[0, 0], false);
+        assert!(text.contains("later, mean") && text.contains("31.25  "), "{text}");
+        assert!(text.contains("4.50") && text.contains("1.50×"), "{text}");
     }
 
     #[test]

@@ -110,6 +110,14 @@ struct PathRow {
     false_shadowed_ppm: Spread,
     rays_per_pixel: Spread,
     total_ms: Option<Spread>,
+    /// The first frame, which draws every map and has no history.
+    first_ms: Option<f64>,
+    /// Mean over the frames after the first: with what few of them do, such as drawing a map that is then kept.
+    later_mean_ms: Option<f64>,
+    /// Mean over all frames.
+    mean_ms: Option<f64>,
+    /// `ray`'s mean over the frames after the first, over this one's.
+    speedup_by_means: Option<f64>,
     map_draws: u32,
     /// Frames until as many pixels were wrong as in the last one; null where things move.
     frames_to_settle: Option<usize>,
@@ -231,6 +239,10 @@ fn path_row(row: &Row, is_still: bool) -> Option<PathRow> {
         false_shadowed_ppm: spread(frames.iter().map(|f| f.errors.false_shadowed_ppm())),
         rays_per_pixel: spread(frames.iter().map(FrameStats::rays_per_pixel)),
         total_ms: times.map(|t| spread(t.into_iter())),
+        first_ms: row.means.map(|m| m.first_ms),
+        later_mean_ms: row.means.map(|m| m.later_ms),
+        mean_ms: row.means.map(|m| m.all_ms),
+        speedup_by_means: row.speedup_by_means,
         map_draws: frames.iter().map(|f| f.map_draws).sum(),
         frames_to_settle: is_still.then(|| frames_to_settle(frames)),
         frames: frames.iter().map(frame_row).collect(),
@@ -311,6 +323,20 @@ mod tests {
         assert_eq!(counts(Some(&playback)), "medians over the frames");
         playback.is_still = true;
         assert_eq!(counts(Some(&playback)), "of the last frame");
+    }
+
+    #[test]
+    fn means_stand_beside_medians_and_the_first_frame_apart() {
+        let (comparison, playback) = fixture::played();
+        let summary = fixture::summary();
+        let results = Results::new(&summary, &comparison, &[0, 0], 1, Some(&playback));
+        let path = &serde_json::to_value(results).unwrap()["rows"][1]["path"];
+        let of = |key: &str| path[key].as_f64();
+        assert_eq!(
+            (of("first_ms"), of("later_mean_ms"), of("mean_ms")),
+            (Some(31.25), Some(4.5), Some(17.875))
+        );
+        assert_eq!(of("speedup_by_means"), Some(1.5));
     }
 
     #[test]

@@ -7,7 +7,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use rayon::prelude::*;
 
-use crate::{EffectPlan, Frame, MaskBits, PassKind, RenderError, SampleGrid, Session, Technique, metrics};
+use crate::{
+    EffectPlan, Frame, MaskBits, MeanTimes, PassKind, RenderError, SampleGrid, Session, Technique, metrics,
+};
 
 /// How to measure.
 #[derive(Clone, Debug)]
@@ -57,6 +59,10 @@ pub struct Row {
     pub total_ms: Option<f64>,
     /// Median total of `ray` over this median total.
     pub speedup_over_ray: Option<f64>,
+    /// Mean times over the frames; `None` for a single view, or without timestamps.
+    pub means: Option<MeanTimes>,
+    /// The same ratio of those means.
+    pub speedup_by_means: Option<f64>,
     /// Bytes of map storage.
     pub map_bytes: u64,
     /// The last frame.
@@ -262,9 +268,12 @@ pub fn compare_frames(
         played.iter().map(|p| p.iter().map(|f| f.passes.clone()).collect()).collect();
     let single = CompareOptions { repeats: 1, with_flip: options.with_flip };
     let mut comparison = judge(session, &jobs, techniques, last, &runs, &single)?;
+    let ray_means = MeanTimes::of(&played[0]);
     for row in &mut comparison.rows {
         let Some(at) = jobs.iter().position(|j| *j == row.technique) else { continue };
         row.frames = std::mem::take(&mut played[at]);
+        row.means = MeanTimes::of(&row.frames);
+        row.speedup_by_means = row.means.zip(ray_means).map(|(own, ray)| own.speedup_over(&ray));
         if !options.is_still {
             row.errors = median_errors(row.frames.iter().map(|f| f.errors));
             for (i, light) in row.lights.iter_mut().enumerate() {
@@ -353,6 +362,8 @@ fn judge(
             shadow_ms: median_of(&runs[i], |k| !k.makes_map()),
             total_ms,
             speedup_over_ray: ray_ms.zip(total_ms).map(|(ray, own)| ray / own.max(1e-9)),
+            means: None,
+            speedup_by_means: None,
             map_bytes: frame.map_bytes,
             frame,
             picture,
