@@ -127,6 +127,9 @@ impl SceneArgs {
         work.set_message(format!("building the BVH of {} triangles", grouped(scene.triangle_count() as u64)));
         let session = Session::new(&scene, setup, self.backend).map_err(|e| self.explain(e))?;
         work.finish_and_clear();
+        if let Some(problem) = nothing_seen(&scene, &session) {
+            eprintln!("warning: {}: {problem}", self.scene);
+        }
         Ok(Opened { session, name: scene.name.clone(), source, scene })
     }
 
@@ -243,6 +246,31 @@ fn pick<T: Clone>(option: &str, index: usize, from: &[T]) -> Result<T, Usage> {
             n => format!("{option} {index}: the scene has numbers 0 to {}", n - 1),
         })
     })
+}
+
+/// Why the picture is empty, if it is, and what to do about it.
+fn nothing_seen(scene: &Scene, session: &Session) -> Option<String> {
+    if scene.triangle_count() == 0 {
+        let problem = "no triangles: no node of the scene that the file shows has a mesh of them (points and lines are not drawn); export \
+                       meshes, or add --ground 0";
+        return Some(problem.to_owned());
+    }
+    let sees = session.valid_samples().iter().flatten().any(|is_valid| *is_valid);
+    let (camera, bounds) = (&session.setup().camera, scene.bounds());
+    (!sees).then(|| {
+        format!(
+            "the camera at {} looking at {} sees none of it: it lies from {} to {}; aim with --eye and --target",
+            words(camera.eye),
+            words(camera.target),
+            words(bounds.min),
+            words(bounds.max)
+        )
+    })
+}
+
+/// A point as options take it.
+fn words(p: Vec3) -> String {
+    format!("{},{},{}", p.x, p.y, p.z)
 }
 
 /// Twice the scene's largest extent: shadows of a low sun still fall on it.

@@ -208,6 +208,32 @@ fn options_reach_the_picture() {
     assert_ne!(plain, draw("lit.png", &["--light-dir", "-0.2,-1,-0.1"]));
 }
 
+/// What there is to see of it is one node without a mesh.
+const EMPTY: &str = r#"{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"name": "nothing"}]}"#;
+
+#[test]
+fn a_picture_of_nothing_is_warned_of_with_a_remedy() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("empty.gltf");
+    std::fs::write(&file, EMPTY).unwrap();
+    let out = dir.path().join("out");
+    let run = |scene: &str, extra: &[&str]| {
+        let words = [
+            &["compare", scene, "--techniques", "ray,sm", "--no-flip", "--brief", "--repeats", "1"],
+            &SMALL[1..],
+            extra,
+            &["--out", out.to_str().unwrap()],
+        ];
+        code_and_stderr(&lt(&words.concat()))
+    };
+    let (code, stderr) = run(file.to_str().unwrap(), &[]);
+    assert!(code == 0 && stderr.contains("warning") && stderr.contains("no triangles"), "{code} {stderr}");
+    assert!(stderr.contains("--ground"), "{stderr}");
+    let (code, stderr) = run("cornell", &["--eye", "0,90,0", "--target", "0,99,-9"]);
+    assert!(code == 0 && stderr.contains("sees none of it") && stderr.contains("--eye"), "{code} {stderr}");
+    assert_eq!(run("cornell", &[]), (0, String::new()));
+}
+
 fn leftovers(dir: &Path) -> usize {
     let is_temporary = |e: &std::fs::DirEntry| e.file_name().to_string_lossy().ends_with(".tmp");
     std::fs::read_dir(dir).unwrap().filter_map(Result::ok).filter(is_temporary).count()
