@@ -6,6 +6,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum, value_parser};
 use lt_render::{MapSource, Technique, Upkeep};
 
 use crate::{
+    frame_args::FrameArgs,
     scene_args::SceneArgs,
     values::{self, TypedTechnique},
 };
@@ -55,7 +56,7 @@ pub struct CompareArgs {
     /// Technique ids, separated by commas [default: ray, every map, every leak tracing hybrid]
     #[arg(long, value_name = "ID,…", value_delimiter = ',', value_parser = values::technique, help_heading = "Techniques")]
     pub techniques: Vec<TypedTechnique>,
-    /// Every technique, the pre-filtered variants too
+    /// Every technique that has a map, the pre-filtered variants too, and full ray tracing
     #[arg(long, conflicts_with_all = ["techniques", "all_hybrids"], help_heading = "Techniques")]
     pub all: bool,
     /// Full ray tracing and every leak tracing hybrid, the pre-filtered variants too
@@ -67,22 +68,16 @@ pub struct CompareArgs {
     /// Timed repeats of every technique, after one to warm up [default: 5]
     #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(1..=1000), conflicts_with = "frames")]
     pub repeats: Option<u16>,
-    /// Play this many frames along a camera path, node animations running at 60 per second
-    #[arg(long, value_name = "N", value_parser = value_parser!(u16).range(2..=10_000), help_heading = "Frames")]
-    pub frames: Option<u16>,
-    /// Play the frames with nothing moving: errors are the last frame's, and every flip is counted
-    #[arg(long, requires = "frames", conflicts_with = "motion", help_heading = "Frames")]
-    pub still: bool,
+    /// Frames and what moves in them.
+    #[command(flatten)]
+    pub play: FrameArgs,
     /// How fast the camera moves: median motion per frame, in pixels of a picture 1920 wide [default: 2]
-    #[arg(long, value_name = "PX", requires = "frames", value_parser = values::motion, help_heading = "Frames")]
+    #[arg(long, value_name = "PX", requires = "frames", conflicts_with = "still", value_parser = values::motion, help_heading = "Frames")]
     pub motion: Option<f32>,
     /// Take the camera along the keyframes of this text file instead of the scene's own way: lines of seconds, eye x y z, target
     /// x y z and degrees of field of view if wanted; 60 frames per second
     #[arg(long, value_name = "FILE", requires = "frames", conflicts_with_all = ["still", "motion"], help_heading = "Frames")]
     pub path: Option<PathBuf>,
-    /// Turn the lights by this many degrees per frame around the vertical through what the camera looks at first
-    #[arg(long, value_name = "DEG", requires = "frames", conflicts_with = "still", allow_hyphen_values = true, value_parser = values::finite, help_heading = "Frames")]
-    pub light_spin: Option<f32>,
     /// Start techniques with a temporal mask from a cleared one instead of tracing their first frame whole: a diagnostic, which
     /// shows with --still how many frames they take to converge
     #[arg(long, requires = "frames", help_heading = "Frames")]
@@ -187,6 +182,9 @@ pub struct PlanArgs {
     /// Scene, view, light and machine.
     #[command(flatten)]
     pub scene: SceneArgs,
+    /// Frames and what moves in them.
+    #[command(flatten)]
+    pub play: FrameArgs,
     /// Technique id (see `lt compare --list`)
     #[arg(long, value_name = "ID", default_value = "ltt-evsm", value_parser = values::technique, help_heading = "Techniques")]
     pub technique: TypedTechnique,
@@ -266,6 +264,8 @@ mod tests {
             &["compare", "--frames", "8", "--still", "--light-spin", "3"],
             &["compare", "--frames", "8", "--motion", "3", "--path", "walk.txt"],
             &["compare", "--cold"],
+            &["plan", "--still"],
+            &["plan", "--light-spin", "2"],
             &["compare", "--frames", "8", "--motion", "0"],
             &["render", "street", "--out", "shadow.jpg"],
             &["frobnicate"],

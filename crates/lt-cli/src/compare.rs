@@ -19,7 +19,7 @@ use crate::{
     play,
     progress::{Steps, spinner},
     report::Report,
-    results::{Results, frontier_of},
+    results::{Results, SETTLED, Statistics, frontier_of, is_settled},
     summary::Summary,
     table::{self, Align},
 };
@@ -36,7 +36,7 @@ pub fn run(args: &CompareArgs) -> anyhow::Result<()> {
     files::prepare_dir(&args.out)?;
     let mut opened = args.scene.open(&args.techniques(), args.upkeep())?;
     let repeats = args.repeats.unwrap_or(DEFAULT_REPEATS);
-    let (comparison, playback) = match args.frames {
+    let (comparison, playback) = match args.play.frames {
         None => (single_view(args, &mut opened.session, repeats)?, None),
         Some(frames) => {
             let (comparison, playback) = play::run(args, &mut opened, usize::from(frames))?;
@@ -44,7 +44,7 @@ pub fn run(args: &CompareArgs) -> anyhow::Result<()> {
         }
     };
     let session = &mut opened.session;
-    let flips = match args.still {
+    let flips = match args.play.still {
         true => comparison.rows.iter().map(most_flips).collect(),
         false => flips(session, &comparison)?,
     };
@@ -52,7 +52,12 @@ pub fn run(args: &CompareArgs) -> anyhow::Result<()> {
     let is_valid = session.valid_samples();
 
     let mut out = std::io::stdout().lock();
-    writeln!(out, "{}\n\n{}", summary.headline(), text_table(&comparison))?;
+    writeln!(
+        out,
+        "{}\n\n{}",
+        summary.headline(),
+        text_table(&comparison, Statistics::of(playback.as_ref()))
+    )?;
     if let Some(playback) = &playback {
         writeln!(
             out,
@@ -106,8 +111,8 @@ fn most_flips(row: &Row) -> u64 {
 
 fn list() -> anyhow::Result<()> {
     let row = |(id, words): (String, String)| vec![id, words];
-    let techniques: Vec<_> =
-        Technique::catalogue().into_iter().map(|(t, words)| row((t.to_string(), words))).collect();
+    let all = Technique::catalogue().into_iter().chain(Technique::in_light_space());
+    let techniques: Vec<_> = all.map(|(t, words)| row((t.to_string(), words))).collect();
     let modifiers: Vec<_> =
         Technique::modifiers().iter().map(|(m, w)| row((format!(":{m}"), (*w).into()))).collect();
     let mut out = std::io::stdout().lock();
@@ -134,10 +139,7 @@ fn flips(session: &mut Session, comparison: &Comparison) -> anyhow::Result<Vec<u
     flips
 }
 
-/// What a single view shows of techniques that remember.
-const SETTLED: &str = "techniques with a mask (lt-…) as they have settled: their first frame traces every pixel; --frames N shows a path\n";
-
-fn text_table(comparison: &Comparison) -> String {
+fn text_table(comparison: &Comparison, statistics: Statistics) -> String {
     let [rays, cluster] = per_unit_headings(comparison);
     let columns = [
         ("technique", Align::Left),
@@ -166,14 +168,18 @@ fn text_table(comparison: &Comparison) -> String {
         ]
     };
     let rows: Vec<_> = comparison.rows.iter().zip(frontier_of(comparison)).map(row).collect();
-    let is_settled = comparison.rows.iter().any(|row| row.technique.mask.is_some() && row.frames.is_empty());
-    format!(
-        "{}\n* no other row is both faster and more right; ppm of {} {}s with geometry; medians\n{}",
+    let mut text = format!(
+        "{}\n* no other row is both faster and more right; ppm of {} {}s with geometry\n{}\n",
         table::render(&columns, &rows),
         grouped(comparison.valid_pixels),
         comparison.unit(),
-        if is_settled { SETTLED } else { "" }
-    )
+        statistics.sentence()
+    );
+    if comparison.rows.iter().any(is_settled) {
+        text += SETTLED;
+        text.push('\n');
+    }
+    text
 }
 
 /// Headings of what counts pixels, or samples.
@@ -247,7 +253,7 @@ mod tests {
 
     #[test]
     fn the_table_names_every_technique_and_the_frontier() {
-        let text = text_table(&fixture::comparison());
+        let text = text_table(&fixture::comparison(), Statistics::of(None));
         assert!(text.contains("\nray *") && text.contains("\nsm *"), "{text}");
         assert!(text.contains("125 000"), "{text}");
     }

@@ -5,6 +5,7 @@
 mod args;
 mod command_line;
 mod compare;
+mod desktop;
 mod doctor;
 mod error_map;
 mod exr_file;
@@ -12,6 +13,7 @@ mod failure;
 mod files;
 #[cfg(test)]
 mod fixture;
+mod frame_args;
 mod numbers;
 mod pareto;
 mod picture;
@@ -36,6 +38,7 @@ use tracing_subscriber::EnvFilter;
 use crate::args::{Cli, Command};
 
 fn main() -> ExitCode {
+    desktop::is_not_asked_where_there_is_none();
     let cli = Cli::parse();
     let filter = EnvFilter::try_from_default_env().unwrap_or_else(|_| EnvFilter::new("error"));
     tracing_subscriber::fmt().with_env_filter(filter).with_writer(std::io::stderr).init();

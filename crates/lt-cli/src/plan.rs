@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use lt_render::{EffectPlan, Upkeep};
+use lt_render::{EffectPlan, Sequence, Upkeep};
 
 use crate::{
     args::PlanArgs,
@@ -15,10 +15,36 @@ use crate::{
 /// A bad request or a scene that cannot be read.
 pub fn run(args: &PlanArgs) -> anyhow::Result<()> {
     let technique = args.technique.with(args.scene.technique_defaults());
-    let opened = args.scene.open(&[technique], Upkeep::Kept)?;
-    let plan = opened.session.plan(&technique);
-    writeln!(std::io::stdout(), "{} by {technique}\n\n{}", opened.name, text(&plan))?;
+    let mut opened = args.scene.open(&[technique], Upkeep::Kept)?;
+    let sequence = args.play.sequence(&args.scene, &opened);
+    opened.session.play(sequence);
+    let lights = opened.session.setup().lights().count();
+    let plan = opened.session.plan(&technique).among_lights(lights);
+    writeln!(
+        std::io::stdout(),
+        "{} by {technique}, {}\n\n{}",
+        opened.name,
+        headline(args.play.frames, sequence),
+        text(&plan)
+    )?;
     Ok(())
+}
+
+/// What was planned for; a single view says how to plan for more.
+fn headline(frames: Option<u16>, sequence: Sequence) -> String {
+    let Some(frames) = frames else {
+        return "a single view (several frames: --frames N)".to_owned();
+    };
+    let moving = [
+        (sequence.camera_moves, "the camera"),
+        (sequence.objects_move, "things"),
+        (sequence.lights_move, "lights"),
+    ];
+    let moving: Vec<&str> = moving.into_iter().filter(|m| m.0).map(|m| m.1).collect();
+    match moving.is_empty() {
+        true => format!("{frames} frames in which nothing moves"),
+        false => format!("{frames} frames; what moves: {}", moving.join(", ")),
+    }
 }
 
 fn text(plan: &EffectPlan) -> String {
@@ -37,6 +63,17 @@ fn text(plan: &EffectPlan) -> String {
 
 #[cfg(test)]
 mod tests {
+    use lt_render::Sequence;
+
+    #[test]
+    fn what_moves_is_named() {
+        let still = Sequence { is_played: true, ..Sequence::default() };
+        assert_eq!(super::headline(Some(4), still), "4 frames in which nothing moves");
+        let moving = Sequence { camera_moves: true, lights_move: true, ..still };
+        assert_eq!(super::headline(Some(4), moving), "4 frames; what moves: the camera, lights");
+        assert!(super::headline(None, Sequence::default()).contains("--frames"));
+    }
+
     #[test]
     fn effects_are_told_on_from_off() {
         let rows = crate::fixture::comparison().rows;

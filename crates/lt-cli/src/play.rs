@@ -7,12 +7,12 @@ use lt_render::{
     Comparison, FrameStats, PlayOptions, RenderError, Row, Sequence, compare_frames, frames_to_settle,
     quantile,
 };
-use lt_scene::{Camera, CameraPath, Keyframes, Light, Scene, Source};
+use lt_scene::{Camera, CameraPath, Keyframes, Light, Scene};
 use serde::Serialize;
 
 use crate::{
     args::CompareArgs,
-    numbers::{decimals, grouped, ms, ppm},
+    numbers::{decimals, factor, grouped, ms, ppm},
     progress::Steps,
     scene_args::Opened,
     table::{self, Align},
@@ -94,25 +94,20 @@ pub fn run(args: &CompareArgs, opened: &mut Opened, frames: usize) -> anyhow::Re
         opened.session.look(&way.at(0))?;
     }
     let lamps = Lamps::new(args, opened);
+    let sequence = Sequence { starts_cold: args.cold, ..args.play.sequence(&args.scene, opened) };
     let playback = Playback {
         frames,
-        is_still: args.still,
+        is_still: args.play.still,
         motion_px: lt_render::median_motion_px(&opened.session, &way.at(1)),
-        objects_move: !args.still && opened.scene.instances.iter().any(|i| i.is_dynamic),
-        lights_move: lamps.is_animated || args.light_spin.is_some(),
+        objects_move: sequence.objects_move,
+        lights_move: sequence.lights_move,
         is_cold: args.cold,
         mask_frames: pictured(frames),
     };
-    opened.session.play(Sequence {
-        is_played: true,
-        camera_moves: !args.still,
-        objects_move: playback.objects_move,
-        lights_move: playback.lights_move,
-        starts_cold: args.cold,
-    });
+    opened.session.play(sequence);
     let options = PlayOptions {
         frames,
-        is_still: args.still,
+        is_still: args.play.still,
         with_flip: !args.no_flip,
         mask_frames: playback.mask_frames.clone(),
     };
@@ -124,7 +119,7 @@ pub fn run(args: &CompareArgs, opened: &mut Opened, frames: usize) -> anyhow::Re
         &args.techniques(),
         &options,
         |session, frame| {
-            if args.still {
+            if args.play.still {
                 return Ok(());
             }
             let camera = way.at(frame);
@@ -178,7 +173,7 @@ enum Way {
 impl Way {
     fn new(args: &CompareArgs, opened: &Opened) -> anyhow::Result<Self> {
         let start = opened.session.setup().camera.clone();
-        if args.still {
+        if args.play.still {
             return Ok(Self::Still(start));
         }
         if let Some(file) = &args.path {
@@ -211,8 +206,7 @@ struct Lamps {
 impl Lamps {
     fn new(args: &CompareArgs, opened: &Opened) -> Self {
         let setup = opened.session.setup();
-        let has_moving = matches!(&opened.source, Source::Gltf(asset) if asset.moves_lights());
-        let is_animated = !args.still && args.scene.lights_are_the_scenes() && has_moving;
+        let is_animated = args.play.animates_lights(&args.scene, opened);
         Self { start: setup.lights().cloned().collect(), is_animated, center: setup.camera.target }
     }
 
@@ -222,7 +216,7 @@ impl Lamps {
             Some(scene) => args.scene.lights(scene)?,
             None => self.start.clone(),
         };
-        let angle = args.light_spin.unwrap_or(0.0).to_radians() * frame as f32;
+        let angle = args.play.light_spin.unwrap_or(0.0).to_radians() * frame as f32;
         Ok(lights.iter().map(|light| light.turned(self.center, angle)).collect())
     }
 }
@@ -254,6 +248,9 @@ pub fn text_table(comparison: &Comparison, flips: &[u64], is_still: bool) -> Str
         ("flips\nstill", Align::Right),
         ("total ms\nmedian", Align::Right),
         ("\nmax", Align::Right),
+        ("\nfirst", Align::Right),
+        ("\nlater, mean", Align::Right),
+        ("speed-up\nby means", Align::Right),
     ];
     if is_still {
         columns.extend([("settled\nafter", Align::Right), (&left[..], Align::Right)]);
@@ -267,8 +264,12 @@ pub fn text_table(comparison: &Comparison, flips: &[u64], is_still: bool) -> Str
         cells
     };
     let rows: Vec<_> = comparison.rows.iter().zip(flips).map(row).collect();
-    table::render(&columns, &rows)
+    format!("{}\n{MEANS}\n", table::render(&columns, &rows))
 }
+
+/// Why means are told beside medians.
+pub const MEANS: &str = "means are over the frames after the first and have what few frames do, such as drawing a map that is then kept; \
+    medians leave that out";
 
 fn text_row(row: &Row, flips: u64) -> Vec<String> {
     let frames = &row.frames;
@@ -291,6 +292,9 @@ fn text_row(row: &Row, flips: u64) -> Vec<String> {
         grouped(flips),
         ms(times.map(|t| t.median)),
         ms(times.map(|t| t.max)),
+        ms(row.means.map(|m| m.first_ms)),
+        ms(row.means.map(|m| m.later_ms)),
+        factor(row.speedup_by_means),
     ]
 }
 
@@ -305,6 +309,13 @@ mod tests {
         let many = pictured(64);
         assert_eq!((many.len(), many[0], many[7]), (8, 0, 63));
         assert!(many.windows(2).all(|w| w[0] < w[1]));
+    }
+
+    #[test]
+    fn the_table_tells_the_first_frame_and_the_mean_of_the_others() {
+        let text = text_table(&crate::fixture::played().0, &[0, 0], false);
+        assert!(text.contains("later, mean") && text.contains("31.25  "), "{text}");
+        assert!(text.contains("4.50") && text.contains("1.50×"), "{text}");
     }
 
     #[test]

@@ -1,4 +1,5 @@
-//! `results.json`, schema 1: fields may be added, never renamed.
+//! `results.json`, schema 1: fields may be added, never renamed. What its numbers are of, where several frames were played, stands in
+//! the field `statistics`.
 
 use lt_render::{Comparison, Doubt, FrameStats, LightStats, PassKind, PassTime, Row, frames_to_settle};
 use serde::Serialize;
@@ -16,6 +17,7 @@ pub struct Results<'a> {
     #[serde(flatten)]
     summary: &'a Summary,
     frames: usize,
+    statistics: Statistics,
     /// Null for a single view.
     playback: Option<&'a Playback>,
     repeats: u16,
@@ -24,10 +26,52 @@ pub struct Results<'a> {
     rows: Vec<ResultRow>,
 }
 
+/// What the numbers of a row are of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Statistics {
+    /// Whatever counts rays or pixels, and rates of those.
+    pub counts: &'static str,
+    /// Whatever is in milliseconds, and speed-ups.
+    pub times: &'static str,
+    /// Pictures and `flip_mean`; also `valid_pixels` and `map_bytes`.
+    pub pictures: &'static str,
+}
+
+impl Statistics {
+    /// Of a run; `None` for a single view.
+    pub fn of(playback: Option<&Playback>) -> Self {
+        let (frames, last) = ("medians over the frames", "of the last frame");
+        match playback {
+            None => {
+                Self { counts: "of the view", times: "medians over the repeats", pictures: "of the view" }
+            }
+            Some(p) if p.is_still => Self { counts: last, times: frames, pictures: last },
+            Some(_) => Self { counts: frames, times: frames, pictures: last },
+        }
+    }
+
+    /// The same for people.
+    pub fn sentence(&self) -> String {
+        format!(
+            "rates and rays: {}; times: {}; FLIP and pictures: {}",
+            self.counts, self.times, self.pictures
+        )
+    }
+}
+
+/// What a single view shows of techniques that remember.
+pub const SETTLED: &str = "techniques with a mask (lt-…) as they have settled: their first frame traces every pixel; --frames N shows a path";
+
+/// Whether a row was timed on a still view after its first frame, of which a temporal mask keeps the answers: it traces next to nothing.
+pub fn is_settled(row: &Row) -> bool {
+    row.technique.mask.is_some() && row.frames.is_empty()
+}
+
 /// One technique.
 #[derive(Debug, Serialize)]
 struct ResultRow {
     technique: String,
+    is_settled: bool,
     rays_per_pixel: f64,
     false_lit_ppm: f64,
     false_shadowed_ppm: f64,
@@ -66,6 +110,14 @@ struct PathRow {
     false_shadowed_ppm: Spread,
     rays_per_pixel: Spread,
     total_ms: Option<Spread>,
+    /// The first frame, which draws every map and has no history.
+    first_ms: Option<f64>,
+    /// Mean over the frames after the first: with what few of them do, such as drawing a map that is then kept.
+    later_mean_ms: Option<f64>,
+    /// Mean over all frames.
+    mean_ms: Option<f64>,
+    /// `ray`'s mean over the frames after the first, over this one's.
+    speedup_by_means: Option<f64>,
     map_draws: u32,
     /// Frames until as many pixels were wrong as in the last one; null where things move.
     frames_to_settle: Option<usize>,
@@ -118,6 +170,7 @@ impl<'a> Results<'a> {
             schema: 1,
             summary,
             frames: playback.map_or(1, |p| p.frames),
+            statistics: Statistics::of(playback),
             playback,
             repeats: if playback.is_some() { 1 } else { repeats },
             valid_pixels: comparison.valid_pixels,
@@ -144,6 +197,7 @@ fn result_row(
     let technique = row.technique;
     ResultRow {
         technique: technique.to_string(),
+        is_settled: is_settled(row),
         rays_per_pixel: row.rays_per_pixel,
         false_lit_ppm: row.errors.false_lit_ppm(),
         false_shadowed_ppm: row.errors.false_shadowed_ppm(),
@@ -155,7 +209,7 @@ fn result_row(
         map_bytes: row.map_bytes,
         epsilon: (technique.doubt == Doubt::Ltt).then_some(technique.epsilon),
         map_size: technique.map_test().map(|_| technique.map_size.unwrap_or(summary.map_size)),
-        rays: row.frame.rays,
+        rays: row.rays,
         false_lit_px: row.errors.false_lit,
         false_shadowed_px: row.errors.false_shadowed,
         is_on_frontier,
@@ -185,6 +239,10 @@ fn path_row(row: &Row, is_still: bool) -> Option<PathRow> {
         false_shadowed_ppm: spread(frames.iter().map(|f| f.errors.false_shadowed_ppm())),
         rays_per_pixel: spread(frames.iter().map(FrameStats::rays_per_pixel)),
         total_ms: times.map(|t| spread(t.into_iter())),
+        first_ms: row.means.map(|m| m.first_ms),
+        later_mean_ms: row.means.map(|m| m.later_ms),
+        mean_ms: row.means.map(|m| m.all_ms),
+        speedup_by_means: row.speedup_by_means,
         map_draws: frames.iter().map(|f| f.map_draws).sum(),
         frames_to_settle: is_still.then(|| frames_to_settle(frames)),
         frames: frames.iter().map(frame_row).collect(),
@@ -251,6 +309,43 @@ mod tests {
         assert!(
             row["ms"]["map"].is_number() && row["ms"]["shadow"].is_number() && row["ms"]["total"].is_number()
         );
+    }
+
+    #[test]
+    fn what_numbers_are_of_is_named() {
+        let (comparison, mut playback) = fixture::played();
+        let summary = fixture::summary();
+        let counts = |playback: Option<&Playback>| {
+            let results = Results::new(&summary, &comparison, &[0, 0], 1, playback);
+            serde_json::to_value(results).unwrap()["statistics"]["counts"].clone()
+        };
+        assert_eq!(counts(None), "of the view");
+        assert_eq!(counts(Some(&playback)), "medians over the frames");
+        playback.is_still = true;
+        assert_eq!(counts(Some(&playback)), "of the last frame");
+    }
+
+    #[test]
+    fn means_stand_beside_medians_and_the_first_frame_apart() {
+        let (comparison, playback) = fixture::played();
+        let summary = fixture::summary();
+        let results = Results::new(&summary, &comparison, &[0, 0], 1, Some(&playback));
+        let path = &serde_json::to_value(results).unwrap()["rows"][1]["path"];
+        let of = |key: &str| path[key].as_f64();
+        assert_eq!(
+            (of("first_ms"), of("later_mean_ms"), of("mean_ms")),
+            (Some(31.25), Some(4.5), Some(17.875))
+        );
+        assert_eq!(of("speedup_by_means"), Some(1.5));
+    }
+
+    #[test]
+    fn a_technique_that_remembers_has_settled_in_a_single_view_alone() {
+        let mut comparison = fixture::comparison();
+        comparison.rows[1].technique = "lt-vsm".parse().unwrap();
+        assert!(is_settled(&comparison.rows[1]) && !is_settled(&comparison.rows[0]));
+        comparison.rows[1].frames = fixture::played().0.rows.remove(1).frames;
+        assert!(!is_settled(&comparison.rows[1]));
     }
 
     #[test]

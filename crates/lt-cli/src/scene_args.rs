@@ -46,16 +46,17 @@ pub struct SceneArgs {
     /// Indices of the scene's lights to draw shadows for, all at once: 0,2 or all
     #[arg(long, value_name = "N,…|all", conflicts_with_all = ["light", "light_dir", "light_pos"], value_parser = values::lights, help_heading = "View and light")]
     pub lights: Option<Lights>,
-    /// Position of a point light; of a spot light with --light-dir
+    /// Position of a point light; give it again for each further one, all at once. With --light-dir they are spot lights that all
+    /// shine that way; --cone and --light-range hold for each
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::point, help_heading = "View and light")]
-    pub light_pos: Option<Vec3>,
-    /// Half-angles in degrees past which a spot light does not shine, and up to which it shines fully [default: 30]
+    pub light_pos: Vec<Vec3>,
+    /// Half-angles in degrees past which spot lights do not shine, and up to which they shine fully [default: 30]
     #[arg(long, value_name = "OUTER[,INNER]", requires = "light_pos", requires = "light_dir", value_parser = values::cone, help_heading = "View and light")]
     pub cone: Option<Cone>,
-    /// Distance past which a spot or point light has no effect [default: unlimited]
+    /// Distance past which spot or point lights have no effect [default: unlimited]
     #[arg(long, value_name = "X", requires = "light_pos", value_parser = values::range, help_heading = "View and light")]
     pub light_range: Option<f32>,
-    /// Direction in which the light travels
+    /// Direction in which the light travels: a sun's, or with --light-pos the spot lights'
     #[arg(long, value_name = "x,y,z", allow_hyphen_values = true, value_parser = values::direction, help_heading = "View and light")]
     pub light_dir: Option<Vec3>,
     /// Add a ground square at this height, half its side optional
@@ -126,6 +127,9 @@ impl SceneArgs {
         work.set_message(format!("building the BVH of {} triangles", grouped(scene.triangle_count() as u64)));
         let session = Session::new(&scene, setup, self.backend).map_err(|e| self.explain(e))?;
         work.finish_and_clear();
+        if let Some(problem) = nothing_seen(&scene, &session) {
+            eprintln!("warning: {}: {problem}", self.scene);
+        }
         Ok(Opened { session, name: scene.name.clone(), source, scene })
     }
 
@@ -179,8 +183,10 @@ impl SceneArgs {
     /// # Errors
     /// [`Usage`] for an index that the scene does not have.
     pub fn lights(&self, scene: &Scene) -> Result<Vec<Light>, Usage> {
-        if let Some(kind) = self.light_kind() {
-            return Ok(vec![Light { kind, ..Light::sun(Vec3::NEG_Y) }]);
+        let described = self.light_kinds();
+        if !described.is_empty() {
+            let of = |kind| Light { kind, ..Light::sun(Vec3::NEG_Y) };
+            return Ok(described.into_iter().map(of).collect());
         }
         match (self.light, &self.lights) {
             (Some(index), _) => Ok(vec![pick("--light", index, &scene.lights)?]),
@@ -197,27 +203,28 @@ impl SceneArgs {
 
     /// Whether the lights are the scene's own, which its animation may move.
     pub fn lights_are_the_scenes(&self) -> bool {
-        self.light_kind().is_none()
+        self.light_kinds().is_empty()
     }
 
-    /// The light that the options describe, if they do.
-    fn light_kind(&self) -> Option<LightKind> {
+    /// The lights that the options describe: a sun, or spot or point lights, or none.
+    fn light_kinds(&self) -> Vec<LightKind> {
         let range = self.light_range.unwrap_or(f32::INFINITY);
-        Some(match (self.light_pos, self.light_dir.map(Vec3::normalize)) {
-            (None, None) => return None,
-            (None, Some(direction)) => LightKind::Directional { direction },
-            (Some(position), None) => LightKind::Point { position, range },
-            (Some(position), Some(direction)) => {
-                let cone = self.cone.unwrap_or(DEFAULT_CONE);
-                LightKind::Spot {
-                    position,
-                    direction,
-                    inner_cone_rad: cone.inner_deg.to_radians(),
-                    outer_cone_rad: cone.outer_deg.to_radians(),
-                    range,
-                }
-            }
-        })
+        let direction = self.light_dir.map(Vec3::normalize);
+        let cone = self.cone.unwrap_or(DEFAULT_CONE);
+        let lamp = |&position: &Vec3| match direction {
+            None => LightKind::Point { position, range },
+            Some(direction) => LightKind::Spot {
+                position,
+                direction,
+                inner_cone_rad: cone.inner_deg.to_radians(),
+                outer_cone_rad: cone.outer_deg.to_radians(),
+                range,
+            },
+        };
+        match direction.filter(|_| self.light_pos.is_empty()) {
+            Some(direction) => vec![LightKind::Directional { direction }],
+            None => self.light_pos.iter().map(lamp).collect(),
+        }
     }
 
     fn aim(&self, camera: &mut Camera) -> Result<(), Usage> {
@@ -239,6 +246,31 @@ fn pick<T: Clone>(option: &str, index: usize, from: &[T]) -> Result<T, Usage> {
             n => format!("{option} {index}: the scene has numbers 0 to {}", n - 1),
         })
     })
+}
+
+/// Why the picture is empty, if it is, and what to do about it.
+fn nothing_seen(scene: &Scene, session: &Session) -> Option<String> {
+    if scene.triangle_count() == 0 {
+        let problem = "no triangles: no node of the scene that the file shows has a mesh of them (points and lines are not drawn); export \
+                       meshes, or add --ground 0";
+        return Some(problem.to_owned());
+    }
+    let sees = session.valid_samples().iter().flatten().any(|is_valid| *is_valid);
+    let (camera, bounds) = (&session.setup().camera, scene.bounds());
+    (!sees).then(|| {
+        format!(
+            "the camera at {} looking at {} sees none of it: it lies from {} to {}; aim with --eye and --target",
+            words(camera.eye),
+            words(camera.target),
+            words(bounds.min),
+            words(bounds.max)
+        )
+    })
+}
+
+/// A point as options take it.
+fn words(p: Vec3) -> String {
+    format!("{},{},{}", p.x, p.y, p.z)
 }
 
 /// Twice the scene's largest extent: shadows of a low sun still fall on it.
@@ -332,21 +364,27 @@ mod tests {
     }
 
     #[test]
-    fn place_and_direction_make_the_light() {
-        let kind = |words: &[&str]| parse(words).unwrap().light_kind();
-        assert_eq!(kind(&[]), None);
-        assert!(matches!(
-            kind(&["--light-dir", "0,-2,0"]),
-            Some(LightKind::Directional { direction: Vec3::NEG_Y })
-        ));
-        let point = kind(&["--light-pos", "1,2,3", "--light-range", "7"]);
-        assert_eq!(point, Some(LightKind::Point { position: Vec3::new(1.0, 2.0, 3.0), range: 7.0 }));
-        let spot = kind(&["--light-pos", "1,2,3", "--light-dir", "0,-1,0", "--cone", "60,45"]);
-        let Some(LightKind::Spot { inner_cone_rad, outer_cone_rad, range, .. }) = spot else {
-            panic!("{spot:?}")
-        };
-        assert_eq!((inner_cone_rad.to_degrees().round(), outer_cone_rad.to_degrees().round()), (45.0, 60.0));
-        assert_eq!(range, f32::INFINITY);
+    fn places_and_direction_make_the_lights() {
+        let kinds = |words: &[&str]| parse(words).unwrap().light_kinds();
+        assert!(kinds(&[]).is_empty());
+        assert_eq!(kinds(&["--light-dir", "0,-2,0"]), [LightKind::Directional { direction: Vec3::NEG_Y }]);
+        let point = |x: f32| LightKind::Point { position: Vec3::new(x, 2.0, 3.0), range: 7.0 };
+        let words = ["--light-pos", "1,2,3", "--light-range", "7", "--light-pos", "-4,2,3"];
+        assert_eq!(kinds(&words[..4]), [point(1.0)]);
+        assert_eq!(kinds(&words), [point(1.0), point(-4.0)]);
+        let setup = parse(&words).unwrap().setup(&Scene::default()).unwrap();
+        assert_eq!((setup.light.kind, setup.more_lights[0].kind), (point(1.0), point(-4.0)));
+        let words =
+            ["--light-pos", "1,2,3", "--light-dir", "0,-1,0", "--cone", "60,45", "--light-pos", "0,2,0"];
+        let spots = kinds(&words);
+        assert_eq!(spots.len(), 2);
+        for spot in spots {
+            let LightKind::Spot { direction, inner_cone_rad, outer_cone_rad, range, .. } = spot else {
+                panic!("{spot:?}")
+            };
+            let cone_deg = (inner_cone_rad.to_degrees().round(), outer_cone_rad.to_degrees().round());
+            assert_eq!((direction, cone_deg, range), (Vec3::NEG_Y, (45.0, 60.0), f32::INFINITY));
+        }
     }
 
     #[test]

@@ -66,7 +66,19 @@ fn a_folder_that_cannot_be_made_exits_with_1_before_any_work() {
 fn lists_are_printed() {
     for (words, expected) in [
         (&["scenes"][..], &["street", "hairball", "random"][..]),
-        (&["compare", "--list"], &["ray", "msm-hausdorff", "ltt-evsm", "prefiltered"]),
+        (
+            &["compare", "--list"],
+            &[
+                "ray",
+                "msm-hausdorff",
+                "ltt-evsm",
+                "prefiltered",
+                "\nalias-free",
+                "\nray:light",
+                "\nray:dac",
+                "\nray:space",
+            ],
+        ),
         (&["doctor"], &["CPU threads"]),
         (&["plan", "cornell", "--size", "16x16", "--backend", "cpu"], &["alpha test", "rays"]),
     ] {
@@ -75,6 +87,39 @@ fn lists_are_printed() {
         assert!(output.status.success(), "{words:?}: {:?}", code_and_stderr(&output));
         assert!(expected.iter().all(|word| text.contains(word)), "{words:?}: {text}");
     }
+}
+
+#[test]
+fn a_plan_for_several_frames_has_what_they_call_for() {
+    let plan = |extra: &[&str]| {
+        let words = [&["plan"], &SMALL[..], &["--technique", "lt-evsm"], extra].concat();
+        let output = lt(&words);
+        assert!(output.status.success(), "{extra:?}: {:?}", code_and_stderr(&output));
+        stdout(&output)
+    };
+    let is_on = |text: &str, effect: &str| {
+        let row = text.lines().find(|line| line.starts_with(effect)).unwrap();
+        row[effect.len()..].trim_start().starts_with("on ")
+    };
+    for (extra, reuse, motion) in [
+        (&[][..], false, false),
+        (&["--frames", "8"], true, true),
+        (&["--frames", "8", "--still"], true, false),
+    ] {
+        let text = plan(extra);
+        assert_eq!(is_on(&text, "static map reuse"), reuse, "{text}");
+        assert_eq!(is_on(&text, "motion vectors"), motion, "{text}");
+        assert!(!is_on(&text, "several lights"), "{text}");
+    }
+    assert!(plan(&["--frames", "8", "--light-spin", "1"]).contains("what moves: the camera, lights"));
+}
+
+#[test]
+fn looking_for_a_gpu_where_there_is_no_desktop_prints_no_error() {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lt"));
+    let output = command.arg("doctor").env_remove("XDG_RUNTIME_DIR").env_remove("WGPU_BACKEND").output();
+    let (code, stderr) = code_and_stderr(&output.unwrap());
+    assert_eq!((code, stderr.as_str()), (0, ""));
 }
 
 #[test]
@@ -161,6 +206,32 @@ fn options_reach_the_picture() {
     assert_eq!(plain, draw("again.png", &["--threads", "1"]), "threads change no pixel");
     assert_ne!(plain, draw("moved.png", &["--fov", "20"]));
     assert_ne!(plain, draw("lit.png", &["--light-dir", "-0.2,-1,-0.1"]));
+}
+
+/// What there is to see of it is one node without a mesh.
+const EMPTY: &str = r#"{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"name": "nothing"}]}"#;
+
+#[test]
+fn a_picture_of_nothing_is_warned_of_with_a_remedy() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("empty.gltf");
+    std::fs::write(&file, EMPTY).unwrap();
+    let out = dir.path().join("out");
+    let run = |scene: &str, extra: &[&str]| {
+        let words = [
+            &["compare", scene, "--techniques", "ray,sm", "--no-flip", "--brief", "--repeats", "1"],
+            &SMALL[1..],
+            extra,
+            &["--out", out.to_str().unwrap()],
+        ];
+        code_and_stderr(&lt(&words.concat()))
+    };
+    let (code, stderr) = run(file.to_str().unwrap(), &[]);
+    assert!(code == 0 && stderr.contains("warning") && stderr.contains("no triangles"), "{code} {stderr}");
+    assert!(stderr.contains("--ground"), "{stderr}");
+    let (code, stderr) = run("cornell", &["--eye", "0,90,0", "--target", "0,99,-9"]);
+    assert!(code == 0 && stderr.contains("sees none of it") && stderr.contains("--eye"), "{code} {stderr}");
+    assert_eq!(run("cornell", &[]), (0, String::new()));
 }
 
 fn leftovers(dir: &Path) -> usize {

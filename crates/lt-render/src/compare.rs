@@ -7,7 +7,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use rayon::prelude::*;
 
-use crate::{EffectPlan, Frame, MaskBits, PassKind, RenderError, SampleGrid, Session, Technique, metrics};
+use crate::{
+    EffectPlan, Frame, MaskBits, MeanTimes, PassKind, RenderError, SampleGrid, Session, Technique, metrics,
+};
 
 /// How to measure.
 #[derive(Clone, Debug)]
@@ -36,13 +38,16 @@ pub struct Row {
     pub technique: Technique,
     /// The effects it called for.
     pub plan: EffectPlan,
-    /// Shadow rays per valid pixel (a pixel with geometry).
+    /// Shadow rays per valid pixel (a pixel with geometry). Of several frames this, [`Row::rays`], [`Row::errors`] and [`Row::lights`] are
+    /// medians, or the last one's where nothing moves.
     pub rays_per_pixel: f64,
+    /// Shadow rays for all lights.
+    pub rays: u64,
     /// Wrong pixels against `ray`, those of several lights together.
     pub errors: metrics::Errors,
     /// Each light's share, where several shine; else empty.
     pub lights: Vec<LightStats>,
-    /// Mean FLIP of the shaded picture against the reference's, in [0, 1]; `None` if not asked for.
+    /// Mean FLIP of [`Row::picture`] against the reference's, in [0, 1]; `None` if not asked for.
     pub flip_mean: Option<f64>,
     /// Every pass, median and p95 over the repeats.
     pub passes: Vec<PassTime>,
@@ -54,6 +59,10 @@ pub struct Row {
     pub total_ms: Option<f64>,
     /// Median total of `ray` over this median total.
     pub speedup_over_ray: Option<f64>,
+    /// Mean times over the frames; `None` for a single view, or without timestamps.
+    pub means: Option<MeanTimes>,
+    /// The same ratio of those means.
+    pub speedup_by_means: Option<f64>,
     /// Bytes of map storage.
     pub map_bytes: u64,
     /// The last frame.
@@ -259,9 +268,12 @@ pub fn compare_frames(
         played.iter().map(|p| p.iter().map(|f| f.passes.clone()).collect()).collect();
     let single = CompareOptions { repeats: 1, with_flip: options.with_flip };
     let mut comparison = judge(session, &jobs, techniques, last, &runs, &single)?;
+    let ray_means = MeanTimes::of(&played[0]);
     for row in &mut comparison.rows {
         let Some(at) = jobs.iter().position(|j| *j == row.technique) else { continue };
         row.frames = std::mem::take(&mut played[at]);
+        row.means = MeanTimes::of(&row.frames);
+        row.speedup_by_means = row.means.zip(ray_means).map(|(own, ray)| own.speedup_over(&ray));
         if !options.is_still {
             row.errors = median_errors(row.frames.iter().map(|f| f.errors));
             for (i, light) in row.lights.iter_mut().enumerate() {
@@ -269,6 +281,7 @@ pub fn compare_frames(
                 light.rays = median(row.frames.iter().map(|f| f.lights[i].rays as f64)) as u64;
             }
             row.rays_per_pixel = median(row.frames.iter().map(FrameStats::rays_per_pixel));
+            row.rays = median(row.frames.iter().map(|f| f.rays as f64)).round() as u64;
         }
     }
     Ok(comparison)
@@ -338,8 +351,9 @@ fn judge(
         let lights = LightStats::each(in_samples, &valid, &reference, &frame);
         rows.push(Row {
             technique: jobs[i],
-            plan: session.plan(&jobs[i]),
+            plan: session.plan(&jobs[i]).among_lights(session.setup().lights().count()),
             rays_per_pixel: frame.rays as f64 / valid_pixels.max(1) as f64,
+            rays: frame.rays,
             errors: metrics::Errors::sum(lights.iter().map(|l| l.errors)),
             lights: if lights.len() > 1 { lights } else { Vec::new() },
             flip_mean: flips[i],
@@ -348,6 +362,8 @@ fn judge(
             shadow_ms: median_of(&runs[i], |k| !k.makes_map()),
             total_ms,
             speedup_over_ray: ray_ms.zip(total_ms).map(|(ray, own)| ray / own.max(1e-9)),
+            means: None,
+            speedup_by_means: None,
             map_bytes: frame.map_bytes,
             frame,
             picture,

@@ -28,6 +28,7 @@
 mod backend;
 mod cascades;
 mod compare;
+mod contradiction;
 pub mod cpu;
 mod error;
 mod frame;
@@ -37,6 +38,7 @@ mod lamp;
 mod levels;
 mod light_fit;
 mod light_space;
+mod means;
 pub mod metrics;
 mod pace;
 mod packed;
@@ -60,6 +62,7 @@ pub use lamp::LIGHT_JUMP_RAD;
 pub use light_fit::{KEPT_GROWTH, LightFit, fit_directional, fit_kept};
 pub use lt_mask::MaskBits;
 pub use lt_shaders::abi::Sample;
+pub use means::MeanTimes;
 pub use pace::{median_motion_px, way_per_frame};
 pub use packed::{
     Culling, DrawRange, MappedCoverage, OpacityMaps, PackStats, PackedScene, Packing, Trees, Upkeep,

@@ -326,6 +326,20 @@ impl EffectPlan {
         plan
     }
 
+    /// The same, listing also that its light is one of so many, at least 1.
+    pub fn among_lights(mut self, count: usize) -> Self {
+        self.effects.push(Effect {
+            name: "several lights",
+            is_on: count > 1,
+            reason: match count {
+                1 => "one light shines: see --lights, --light-pos".to_owned(),
+                n => format!("{n} lights shine"),
+            },
+            cost: "all passes but the camera's once more a light, and its maps".to_owned(),
+        });
+        self
+    }
+
     /// Whether a map of depth vectors is blurred.
     pub fn is_prefiltered(&self) -> bool {
         matches!(self.map, Some((_, MapSource::Prefiltered)))

@@ -91,9 +91,9 @@ impl Setup {
             ));
         }
         let c = &self.camera;
-        if !(c.eye.is_finite() && c.target.is_finite() && (c.target - c.eye).length() > 0.0) {
+        if !(c.eye.is_finite() && c.target.is_finite()) || (c.target - c.eye).try_normalize().is_none() {
             return bad(format!(
-                "camera at {} looking at {}: they must be finite and differ",
+                "camera at {} looking at {}: they must be finite and differ, and their distance must be 1e-19 to 1e19",
                 c.eye, c.target
             ));
         }
@@ -124,15 +124,10 @@ impl Setup {
 fn check_light(light: &LightKind) -> Result<(), RenderError> {
     let bad = |problem: String| Err(RenderError::BadSetup(problem));
     match *light {
-        LightKind::Directional { direction } if direction.is_finite() && direction.length() > 0.0 => Ok(()),
-        LightKind::Directional { direction } => {
-            bad(format!("light direction {direction}: must be finite and not zero"))
-        }
+        LightKind::Directional { direction } => check_direction(direction),
         LightKind::Point { position, range } => check_lamp(position, range),
         LightKind::Spot { position, direction, inner_cone_rad, outer_cone_rad, range } => {
-            if !(direction.is_finite() && direction.length() > 0.0) {
-                return bad(format!("light direction {direction}: must be finite and not zero"));
-            }
+            check_direction(direction)?;
             let right_angle = std::f32::consts::FRAC_PI_2;
             let is_ordered = inner_cone_rad >= 0.0 && inner_cone_rad <= outer_cone_rad;
             let is_open = outer_cone_rad > 0.0 && outer_cone_rad < right_angle;
@@ -146,12 +141,23 @@ fn check_light(light: &LightKind) -> Result<(), RenderError> {
     }
 }
 
+/// Whether a direction has a length to be divided by: squares of components beyond 1e19 overflow, those below 1e-19 vanish.
+fn check_direction(direction: Vec3) -> Result<(), RenderError> {
+    match direction.try_normalize() {
+        Some(_) => Ok(()),
+        None => Err(RenderError::BadSetup(format!(
+            "light direction {direction}: must be finite, and 1e-19 to 1e19 long"
+        ))),
+    }
+}
+
 fn check_lamp(position: Vec3, range: f32) -> Result<(), RenderError> {
-    if position.is_finite() && range > 0.0 {
+    // Vectors from what is seen to the light are normalised.
+    if position.length_squared().is_finite() && range > 0.0 {
         return Ok(());
     }
     Err(RenderError::BadSetup(format!(
-        "light at {position} of range {range}: the place must be finite, the range above 0"
+        "light at {position} of range {range}: the place must be within 1e19 of the origin, the range above 0"
     )))
 }
 
@@ -167,5 +173,59 @@ fn framing_camera(scene: &Scene) -> Camera {
         target: center,
         up: Vec3::Y,
         fov_y_rad: 55f32.to_radians(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn setup() -> Setup {
+        Setup::for_scene(&Scene::default(), 8, 8)
+    }
+
+    fn problem(setup: &Setup) -> String {
+        setup.check().expect_err("refused").to_string()
+    }
+
+    #[test]
+    fn the_usual_setup_is_accepted() {
+        assert!(setup().check().is_ok());
+    }
+
+    #[test]
+    fn a_camera_whose_distance_overflows_or_vanishes_is_refused() {
+        for (eye, target) in [
+            (Vec3::new(2e19, 0.0, 0.0), Vec3::ZERO),
+            (Vec3::new(1e-30, 0.0, 0.0), Vec3::ZERO),
+            (Vec3::ONE, Vec3::ONE),
+            (Vec3::NAN, Vec3::ZERO),
+        ] {
+            let mut setup = setup();
+            (setup.camera.eye, setup.camera.target) = (eye, target);
+            assert!(problem(&setup).contains("their distance must be"), "{eye} {target}");
+        }
+    }
+
+    #[test]
+    fn directions_and_places_that_cannot_be_normalised_are_refused() {
+        let shine = |kind: LightKind| {
+            let mut setup = setup();
+            setup.light.kind = kind;
+            setup
+        };
+        for length in [0.0, 1e-30, 2e19, f32::INFINITY, f32::NAN] {
+            let direction = Vec3::new(0.0, -length, 0.0);
+            assert!(problem(&shine(LightKind::Directional { direction })).contains("light direction"));
+            let (inner_cone_rad, outer_cone_rad, range) = (0.1, 0.2, 1.0);
+            let spot =
+                LightKind::Spot { position: Vec3::ZERO, direction, inner_cone_rad, outer_cone_rad, range };
+            assert!(problem(&shine(spot)).contains("light direction"));
+        }
+        assert!(shine(LightKind::Directional { direction: Vec3::new(0.0, -1e18, 0.0) }).check().is_ok());
+        for x in [2e19, f32::INFINITY, f32::NAN] {
+            let kind = LightKind::Point { position: Vec3::new(x, 0.0, 0.0), range: 1.0 };
+            assert!(problem(&shine(kind)).contains("within 1e19"), "{x}");
+        }
     }
 }

@@ -282,7 +282,34 @@ impl Technique {
         technique
     }
 
-    /// Every base technique with one line about it.
+    /// What answers every pixel in the light's own space in place of rays, with one line about each.
+    pub fn in_light_space() -> Vec<(Self, String)> {
+        let of = |(resolve, words): (Resolve, &str)| (Self { resolve, ..Self::RAY }, words.to_owned());
+        [
+            (
+                Resolve::AliasFree,
+                "alias-free shadow map: triangles drawn at the pixels' own places, ray's answers without a ray \
+                 (CPU)",
+            ),
+            (
+                Resolve::Light,
+                "ray's answers from a tree in the light's own space, kept while light and casters stand still",
+            ),
+            (
+                Resolve::DivideAndConquer,
+                "ray's answers by dividing pixels and triangles together, nothing kept (CPU)",
+            ),
+            (
+                Resolve::LightSpace,
+                "ray:light where light and casters stand still over several frames, else ray:dac; on the GPU \
+                 ray:light",
+            ),
+        ]
+        .map(of)
+        .to_vec()
+    }
+
+    /// Every base technique that draws a map or traces rays, with one line about it.
     pub fn catalogue() -> Vec<(Self, String)> {
         let mut all = vec![(Self::RAY, "full ray tracing: every light-facing pixel".to_owned())];
         for test in MapTest::ALL {

@@ -1,12 +1,12 @@
-//! The ids that name techniques: a base, and modifiers behind colons.
+//! The ids that name techniques: a base, and modifiers behind colons, in any order.
 
 use std::{fmt, str::FromStr};
 
 use lt_mask::{Expansion, MAX_REFRESH, Pattern};
 use lt_math::LTT_EPSILON;
 
-use crate::technique::MAX_MAP_SIZE;
 use crate::{Doubt, Estimate, FarLevel, MapSource, MapTest, Removal, Resolve, Technique, TemporalMask};
+use crate::{contradiction, technique::MAX_MAP_SIZE};
 
 /// A technique id that means nothing.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -196,18 +196,22 @@ impl FromStr for Technique {
         let mut parts = id.split(':');
         let base = parts.next().unwrap_or_default();
         let mut technique = base_technique(base).ok_or_else(|| {
-            let known: Vec<String> = Self::catalogue().iter().map(|(t, _)| t.to_string()).collect();
+            let listed = Self::catalogue().into_iter().chain(Self::in_light_space());
+            let known: Vec<String> =
+                listed.map(|(t, _)| t.to_string()).filter(|id| !id.contains(':')).collect();
             fail(format!("no such base `{base}`; known: {}", known.join(", ")))
         })?;
-        for modifier in parts {
+        let mut modifiers: Vec<&str> = parts.collect();
+        // In the order of the list, whatever the order of the id: some build on others (`published`, then the `pattern` of all).
+        let keys = Self::modifiers().map(|m| contradiction::key(m.0));
+        modifiers.sort_by_key(|word| (keys.iter().position(|key| *key == contradiction::key(word)), *word));
+        let own_resolver = (base == "alias-free").then_some(base);
+        let words: Vec<&str> = own_resolver.into_iter().chain(modifiers.iter().copied()).collect();
+        if let Some(refusal) = contradiction::find(&words) {
+            return Err(fail(refusal));
+        }
+        for modifier in modifiers {
             apply_modifier(&mut technique, modifier).map_err(&fail)?;
-        }
-        if technique.mask.is_some_and(|m| !m.expands && m.removal == Removal::Never) {
-            return Err(fail("`no-er` and `no-rr` together leave no mask: use the ltt- technique".into()));
-        }
-        let is_published = |m: TemporalMask| m.removal == Removal::Published;
-        if technique.mask.is_some_and(|m| is_published(m) && m.expansion != Some(Expansion::PUBLISHED)) {
-            return Err(fail("`published` has its own rule: leave `expand` out".into()));
         }
         let cascades = &technique.cascades;
         if cascades.far == FarLevel::Rays && (cascades.count < 2 || technique.doubt == Doubt::Never) {
@@ -235,6 +239,9 @@ fn base_technique(base: &str) -> Option<Technique> {
 
 fn apply_modifier(technique: &mut Technique, modifier: &str) -> Result<(), String> {
     let (key, value) = modifier.split_once('=').unwrap_or((modifier, ""));
+    if modifier.contains('=') && Technique::modifiers().iter().any(|m| m.0 == key) {
+        return Err(format!("`{modifier}`: `{key}` takes no value"));
+    }
     match key {
         "prefiltered" => match &mut technique.estimate {
             Estimate::Map { test, source } if test.is_filterable() => *source = MapSource::Prefiltered,
@@ -324,10 +331,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_catalogued_id_parses_back_to_itself() {
-        for (technique, _) in Technique::catalogue() {
+    fn every_listed_id_parses_back_to_itself() {
+        for (technique, _) in Technique::catalogue().into_iter().chain(Technique::in_light_space()) {
             assert_eq!(technique.to_string().parse::<Technique>(), Ok(technique));
         }
+    }
+
+    #[test]
+    fn an_unknown_base_names_those_that_are() {
+        let problem = parse("foo", &[]).unwrap_err();
+        assert!(["ray,", "lt-evsm,", "alias-free"].iter().all(|id| problem.contains(id)), "{problem}");
+        assert!(!problem.contains("ray:"), "modifiers are none: {problem}");
     }
 
     #[test]
@@ -355,6 +369,118 @@ mod tests {
         ] {
             assert_eq!(id.parse::<Technique>().unwrap().to_string(), id);
         }
+    }
+
+    /// Every modifier, some with two meanings.
+    const WORDS: [&str; 27] = [
+        "prefiltered",
+        "eps=0.1",
+        "eps=0.2",
+        "light",
+        "dac",
+        "space",
+        "alias-free",
+        "map=512",
+        "cascades=2",
+        "lambda=0.5",
+        "splits=5/10",
+        "far=map",
+        "far=ray",
+        "no-reuse",
+        "no-rr",
+        "no-er",
+        "expand=published",
+        "expand=rays",
+        "published",
+        "pattern=cross",
+        "pattern=plus",
+        "moving=diamond",
+        "refresh=16",
+        "depth-test",
+        "no-depth-test",
+        "moving=3x3",
+        "foo",
+    ];
+    const BASES: [&str; 6] = ["ray", "alias-free", "sm", "vsm", "ltt-evsm", "lt-evsm"];
+
+    fn parse(base: &str, words: &[&str]) -> Result<Technique, String> {
+        let id: Vec<&str> = std::iter::once(base).chain(words.iter().copied()).collect();
+        id.join(":").parse().map_err(|e: TechniqueError| e.problem)
+    }
+
+    /// Every set of one to three words, repeats among them.
+    fn sets() -> impl Iterator<Item = Vec<&'static str>> {
+        let one = |from: usize| WORDS[from..].iter().map(|w| vec![*w]);
+        let more = |i: usize| (i..WORDS.len()).map(move |j| vec![WORDS[i], WORDS[j]]);
+        let most = |i: usize| {
+            (i..WORDS.len())
+                .flat_map(move |j| (j..WORDS.len()).map(move |k| vec![WORDS[i], WORDS[j], WORDS[k]]))
+        };
+        one(0).chain((0..WORDS.len()).flat_map(move |i| more(i).chain(most(i))))
+    }
+
+    #[test]
+    fn any_order_of_modifiers_means_the_same_or_is_refused_alike() {
+        for base in BASES {
+            for words in sets() {
+                let meaning = parse(base, &words);
+                for turn in 1..words.len() {
+                    let mut other = words.clone();
+                    other.rotate_left(turn);
+                    assert_eq!(parse(base, &other), meaning, "{base} {words:?}");
+                    other.reverse();
+                    assert_eq!(parse(base, &other), meaning, "{base} {words:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_modifier_of_an_accepted_id_counts() {
+        for base in BASES {
+            // What these bases do by themselves.
+            let says_nothing = |word: &str| match word {
+                "no-depth-test" | "far=ray" => true,
+                _ => word == "far=map" && !base.starts_with('l'),
+            };
+            for words in sets().filter(|words| !words.iter().any(|w| says_nothing(w))) {
+                let Ok(technique) = parse(base, &words) else { continue };
+                assert_eq!(technique.to_string().parse(), Ok(technique), "{base} {words:?}");
+                for left_out in 0..words.len() {
+                    let mut fewer = words.clone();
+                    fewer.remove(left_out);
+                    assert_ne!(parse(base, &fewer), Ok(technique), "{base} {words:?} without {left_out}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn contradictions_are_refused_by_both_names() {
+        for (base, a, b) in [
+            ("lt-evsm", "published", "expand=leaks"),
+            ("lt-evsm", "no-rr", "published"),
+            ("lt-evsm", "no-er", "expand=rays"),
+            ("lt-evsm", "no-er", "no-rr"),
+            ("ltt-evsm", "splits=5/10", "cascades=2"),
+            ("ltt-evsm", "splits=5/10", "lambda=0.5"),
+            ("ray", "light", "dac"),
+            ("ltt-evsm", "alias-free", "light"),
+            ("ltt-evsm", "eps=.1", "eps=.2"),
+            ("lt-evsm", "depth-test", "no-depth-test"),
+            ("lt-evsm", "no-rr", "no-rr"),
+        ] {
+            for words in [[a, b], [b, a]] {
+                let problem = parse(base, &words).unwrap_err();
+                assert!(
+                    problem.contains(&format!("`{a}`")) && problem.contains(&format!("`{b}`")),
+                    "{problem}"
+                );
+            }
+        }
+        assert!(parse("alias-free", &["light"]).unwrap_err().starts_with("`alias-free` and `light`"));
+        assert!(parse("ltt-evsm", &["far=ray", "cascades=1"]).is_err());
+        assert!(parse("lt-evsm", &["no-rr=no"]).unwrap_err().contains("takes no value"));
     }
 
     #[test]

@@ -73,9 +73,14 @@ impl Light {
 
     /// A white directional light travelling along `direction` (any finite non-zero length).
     pub fn sun(direction: Vec3) -> Self {
+        // Components of 1e-30 square to 0, those of 1e30 to infinity. Divided, since a subnormal one has no finite reciprocal; and not
+        // where squares are sound, since that would round the usual directions twice.
+        let is_sound = (1e-30..1e30).contains(&direction.length_squared());
+        let scale = if is_sound { 1.0 } else { direction.abs().max_element() };
+        let direction = (direction / scale).normalize();
         Self {
             name: "sun".to_owned(),
-            kind: LightKind::Directional { direction: direction.normalize() },
+            kind: LightKind::Directional { direction },
             color: Vec3::ONE,
             intensity: 1.0,
         }
@@ -85,6 +90,16 @@ impl Light {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_suns_direction_may_have_any_finite_length() {
+        for length in [f32::from_bits(1), 1e-40, 1e-30, 1.0, 1e30, f32::MAX] {
+            let LightKind::Directional { direction } = Light::sun(Vec3::new(0.0, -length, 0.0)).kind else {
+                panic!("a sun");
+            };
+            assert_eq!(direction, Vec3::NEG_Y, "{length}");
+        }
+    }
 
     #[test]
     fn lights_turn_around_the_vertical_to_the_right() {

@@ -74,12 +74,13 @@ pub struct Material {
     pub texture: Option<TextureRef>,
     /// Coverage.
     pub alpha: AlphaMode,
-    /// Whether both faces are shaded alike. Shadows always see both faces.
+    /// Whether both faces are shaded alike: kept for callers, not shaded, since every face is drawn from both sides. Shadows always see
+    /// both faces.
     pub is_double_sided: bool,
     /// Fraction of light let through a covered point (KHR_materials_transmission), 0 to 1, tinted by the base colour. Binary
     /// coverage ignores it.
     pub transmission: f32,
-    /// Linear RGB emission.
+    /// Linear RGB emission: kept for callers, not shaded.
     pub emissive: Vec3,
 }
 

@@ -17,7 +17,7 @@ use crate::{
     files,
     numbers::{decimals, factor, grouped, ms, ppm},
     play::Playback,
-    results::frontier_of,
+    results::{SETTLED, Statistics, frontier_of, is_settled},
     summary::{LightView, Summary},
 };
 
@@ -34,6 +34,10 @@ pub struct Report {
     size: [u32; 2],
     /// What rates count: pixel or sample.
     unit: &'static str,
+    /// What the numbers are of.
+    statistics: String,
+    /// What the times of some techniques are times of.
+    settled: Option<&'static str>,
     /// Row that the slider shows first: one that differs from the reference, if any.
     shown: usize,
     layers: Layers,
@@ -74,6 +78,8 @@ impl Report {
             command: summary.command.clone(),
             size: comparison.size,
             unit: comparison.unit(),
+            statistics: Statistics::of(playback).sentence(),
+            settled: comparison.rows.iter().any(is_settled).then_some(SETTLED),
             shown: comparison
                 .rows
                 .iter()
@@ -201,6 +207,15 @@ mod tests {
         let played = report.render().unwrap();
         assert!(played.contains("Over the frames") && played.contains("Temporal mask"));
         assert!(!page().contains("Over the frames"));
+    }
+
+    #[test]
+    fn a_settled_technique_is_told() {
+        let mut comparison = fixture::comparison();
+        assert!(!page().contains("as they have settled"));
+        comparison.rows[1].technique = "lt-vsm".parse().unwrap();
+        let report = Report::new(&fixture::summary(), &comparison, &[vec![true; 8]], None).unwrap();
+        assert!(report.render().unwrap().contains("as they have settled"));
     }
 
     #[test]

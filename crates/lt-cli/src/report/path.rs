@@ -7,9 +7,9 @@ use plotters::{coord::Shift, prelude::*};
 use serde::Serialize;
 
 use crate::{
-    numbers::{grouped, ms, ppm},
+    numbers::{factor, grouped, ms, ppm},
     picture::Picture,
-    play::{Playback, spread},
+    play::{MEANS, Playback, spread},
 };
 
 /// Plot size in its own units; the page scales it.
@@ -36,7 +36,8 @@ pub struct PathReport {
     wrong: String,
     rays: String,
     legend: Vec<(String, String)>,
-    rows: Vec<(String, [String; 9])>,
+    rows: Vec<(String, [String; 12])>,
+    means: &'static str,
     masks: Vec<MaskStrip>,
 }
 
@@ -70,12 +71,13 @@ impl PathReport {
             rays: plot(rows, &format!("rays per {unit}"), FrameStats::rays_per_pixel)?,
             legend: legend.collect(),
             rows: rows.iter().map(table_row).collect(),
+            means: MEANS,
             masks: strips?,
         })
     }
 }
 
-fn table_row(row: &Row) -> (String, [String; 9]) {
+fn table_row(row: &Row) -> (String, [String; 12]) {
     let frames = &row.frames;
     let lit = spread(frames.iter().map(|f| f.errors.false_lit_ppm()));
     let shadowed = spread(frames.iter().map(|f| f.errors.false_shadowed_ppm()));
@@ -92,6 +94,9 @@ fn table_row(row: &Row) -> (String, [String; 9]) {
         grouped(draws),
         ms(times.map(|t| t.median)),
         ms(times.map(|t| t.max)),
+        ms(row.means.map(|m| m.first_ms)),
+        ms(row.means.map(|m| m.later_ms)),
+        factor(row.speedup_by_means),
     ];
     (row.technique.to_string(), cells)
 }

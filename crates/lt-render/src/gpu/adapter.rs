@@ -29,12 +29,19 @@ pub struct AdapterReport {
     pub limits: Vec<(String, u64)>,
 }
 
+/// What adapters are looked for in.
+const BACKENDS: wgpu::Backends = wgpu::Backends::PRIMARY;
+
+/// Of the backends that are looked at alone, unless the environment (`WGPU_BACKEND`) names others: nothing starts GL, whose adapters are
+/// not listed.
 fn instance() -> wgpu::Instance {
-    wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env())
+    let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+    descriptor.backends = BACKENDS;
+    wgpu::Instance::new(descriptor.with_env())
 }
 
 fn adapters_of(instance: &wgpu::Instance) -> Vec<Adapter> {
-    pollster::block_on(instance.enumerate_adapters(wgpu::Backends::PRIMARY))
+    pollster::block_on(instance.enumerate_adapters(BACKENDS))
 }
 
 /// All adapters.

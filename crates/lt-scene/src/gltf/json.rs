@@ -124,6 +124,7 @@ json_struct!(Node {
     skin: Option<usize>,
     camera: Option<usize>,
     weights: Option<Vec<f32>>,
+    #[serde(default)] extras: Value,
     #[serde(default)] extensions: NodeExtensions,
 });
 json_struct!(NodeExtensions { #[serde(rename = "KHR_lights_punctual")] light: Option<NodeLight>, });

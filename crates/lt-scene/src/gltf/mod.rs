@@ -2,7 +2,8 @@
 //!
 //! Follows the Khronos glTF 2.0 specification (2.0.1) with KHR_lights_punctual, KHR_texture_transform,
 //! KHR_materials_transmission, KHR_materials_emissive_strength, KHR_materials_pbrSpecularGlossiness and
-//! KHR_mesh_quantization. A file is read and checked once, by [`GltfAsset::open`]; nothing in it is trusted: every
+//! KHR_mesh_quantization. The booleans `castShadow` and `receiveShadow` in a node's `extras` (three.js' names) say whether its own mesh
+//! blocks light and whether shadows fall on it; both are true where they are missing, and children inherit neither. A file is read and checked once, by [`GltfAsset::open`]; nothing in it is trusted: every
 //! index, range and number is checked, nothing recurses, and memory is bounded by the file's size or a fixed ceiling.
 //! What can be mended is mended and counted in [`Repairs`](crate::Repairs), the rest is an error that names its place.
 
@@ -12,6 +13,7 @@ mod budget;
 mod buffers;
 mod cameras;
 mod container;
+mod extras;
 mod fault;
 mod files;
 mod images;

@@ -11,6 +11,7 @@ use super::{
     buffers::Buffers,
     cameras::Lens,
     container,
+    extras::Shadows,
     fault::{Fault, pick},
     files::Files,
     images,
@@ -96,7 +97,8 @@ fn loads(root: &Root, hierarchy: &Hierarchy, repairs: &mut Repairs) -> Result<Ve
             Some(light) => Some(Lamp::read(root, light.light, i)?),
             None => None,
         };
-        Ok(Load { mesh: node.mesh, skin: node.skin, lens, lamp })
+        let shadows = Shadows::read(node, i, repairs);
+        Ok(Load { mesh: node.mesh, skin: node.skin, shadows, lens, lamp })
     };
     root.nodes.iter().enumerate().map(load).collect()
 }

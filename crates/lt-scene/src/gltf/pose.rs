@@ -8,6 +8,7 @@ use super::{
     animation::{Animation, Posture},
     budget::Budget,
     cameras::Lens,
+    extras::Shadows,
     fault::Fault,
     lights::Lamp,
     morph,
@@ -23,6 +24,7 @@ use crate::{Bounds, Instance, Light, Material, Mesh, Repairs, Scene, Texture};
 pub(super) struct Load {
     pub(super) mesh: Option<usize>,
     pub(super) skin: Option<usize>,
+    pub(super) shadows: Shadows,
     pub(super) lens: Option<Lens>,
     pub(super) lamp: Option<Lamp>,
 }
@@ -211,7 +213,14 @@ impl Posing<'_> {
                 }
             };
             let is_dynamic = is_moved || (is_morphed && state.is_morphed);
-            self.scene.instances.push(Instance { is_dynamic, ..Instance::new(index, transform) });
+            let Shadows { casts, receives } = asset.loads[node].shadows;
+            let still = Instance::new(index, transform);
+            self.scene.instances.push(Instance {
+                casts_shadow: casts,
+                receives_shadow: receives,
+                is_dynamic,
+                ..still
+            });
         }
         Ok(())
     }

@@ -193,3 +193,28 @@ fn lights_and_cameras_stand_where_their_nodes_do() {
     assert!(near(camera.eye, place) && near(camera.target, place + Vec3::Y) && near(camera.up, Vec3::Z));
     assert_eq!((camera.name.as_str(), camera.fov_y_rad), ("eye", 0.75));
 }
+
+#[test]
+fn extras_say_what_casts_and_receives() {
+    let mut doc = Doc::triangle();
+    doc.json["nodes"][0]["extras"] = json!({"castShadow": false, "children": "none of it"});
+    doc.json["nodes"][0]["children"] = json!([1, 2]);
+    doc.push("nodes", json!({"mesh": 0, "extras": {"receiveShadow": false, "castShadow": true}}));
+    doc.push("nodes", json!({"mesh": 0, "extras": [1, 2]}));
+    let scene = doc.pose(0.0);
+    let flags: Vec<_> = scene.instances.iter().map(|i| (i.casts_shadow, i.receives_shadow)).collect();
+    assert_eq!(flags, [(false, true), (true, false), (true, true)], "children inherit nothing");
+    assert_eq!(scene.repairs.summary(), None);
+}
+
+#[test]
+fn extras_of_other_types_are_noted_by_their_node() {
+    let mut doc = Doc::triangle();
+    doc.json["nodes"][0]["extras"] = json!({"castShadow": 0, "receiveShadow": null});
+    let scene = doc.pose(0.0);
+    assert!(scene.instances[0].casts_shadow && scene.instances[0].receives_shadow);
+    let notes = scene.repairs.summary().unwrap();
+    for expected in ["nodes[0].extras.castShadow is 0", "nodes[0].extras.receiveShadow is null"] {
+        assert!(notes.contains(expected), "{notes}");
+    }
+}
