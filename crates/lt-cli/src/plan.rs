@@ -18,8 +18,7 @@ pub fn run(args: &PlanArgs) -> anyhow::Result<()> {
     let mut opened = args.scene.open(&[technique], Upkeep::Kept)?;
     let sequence = args.play.sequence(&args.scene, &opened);
     opened.session.play(sequence);
-    let lights = opened.session.setup().lights().count();
-    let plan = opened.session.plan(&technique).among_lights(lights);
+    let plan = opened.session.plan(&technique);
     writeln!(
         std::io::stdout(),
         "{} by {technique}, {}\n\n{}",

@@ -351,7 +351,7 @@ fn judge(
         let lights = LightStats::each(in_samples, &valid, &reference, &frame);
         rows.push(Row {
             technique: jobs[i],
-            plan: session.plan(&jobs[i]).among_lights(session.setup().lights().count()),
+            plan: session.plan(&jobs[i]),
             rays_per_pixel: frame.rays as f64 / valid_pixels.max(1) as f64,
             rays: frame.rays,
             errors: metrics::Errors::sum(lights.iter().map(|l| l.errors)),

@@ -327,7 +327,7 @@ impl EffectPlan {
     }
 
     /// The same, listing also that its light is one of so many, at least 1.
-    pub fn among_lights(mut self, count: usize) -> Self {
+    pub(crate) fn among_lights(mut self, count: usize) -> Self {
         self.effects.push(Effect {
             name: "several lights",
             is_on: count > 1,

@@ -205,7 +205,8 @@ impl FramePlanner {
     ) -> EffectPlan {
         let map_size = self.setup.map_size;
         let technique = &Technique { resolve: self.resolver(technique.resolve), ..*technique };
-        let plan = EffectPlan::for_scene(&self.scene.stats, &light.kind, technique, map_size, self.sequence);
+        let plan = EffectPlan::for_scene(&self.scene.stats, &light.kind, technique, map_size, self.sequence)
+            .among_lights(self.setup.lights().count());
         // Rays to all lights walk one tree, and all layers' whatever there is.
         let is_done = layer > 0 || (number > 0 && technique.resolve == Resolve::Ray);
         EffectPlan { upkeep: if is_done { Upkeep::Kept } else { self.setup.upkeep }, ..plan }
