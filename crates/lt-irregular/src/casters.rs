@@ -3,9 +3,12 @@
 use crate::block::ASKS;
 use crate::exact::Exact;
 use crate::view::View;
+use alloc::vec::Vec;
 use lt_bvh::lanes::{Lanes, prefetch};
 use lt_bvh::{AnyHit, Node, Ray, RayTest, Triangle};
 use lt_math::glam::{Vec3, Vec4};
+#[cfg(feature = "std")]
+use rayon::prelude::*;
 
 /// Triangles in the ray tracer's leaf order and the root of its tree, which its margins depend on.
 #[derive(Clone, Copy)]
@@ -30,6 +33,15 @@ impl Casters<'_> {
     pub(crate) fn meet(&self, ray: &Ray, triangle: u32) -> Option<(f32, f32)> {
         RayTest::new(ray, self.root)?.meet(&self.triangles[triangle as usize])
     }
+}
+
+/// What comes of each of a list, in order, on all threads.
+pub(crate) fn each<T: Sync, R: Send>(list: &[T], run: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
+    #[cfg(feature = "std")]
+    let list = list.par_iter();
+    #[cfg(not(feature = "std"))]
+    let list = list.iter();
+    list.map(run).collect()
 }
 
 /// What is asked about rays to one light.

@@ -15,7 +15,7 @@ mod visit;
 pub use sort::PointOrder;
 
 use crate::block::{BLOCK, Block};
-use crate::casters::{Casters, Query};
+use crate::casters::{Casters, Query, each};
 use crate::rect::Rect;
 use crate::split::Item;
 use crate::tree::items;
@@ -161,8 +161,10 @@ impl SampleMap {
         let (origins, out) = (&origins[..len], &mut out[..len]);
         out.fill(false);
         let query = Query { casters, light: self.light, any_hit };
-        for stray in self.strays_of(len) {
-            out[stray] = query.is_blocked_by_any(origins[stray]);
+        let strays = self.strays_of(len);
+        let blocked = each(&strays, |&stray| query.is_blocked_by_any(origins[stray]));
+        for (stray, blocked) in strays.into_iter().zip(blocked) {
+            out[stray] = blocked;
         }
         let counters = self.rasterise(casters, origins, Darken(any_hit));
         for sample in self.parts().flat_map(Part::blocked).filter(|sample| *sample < len) {
@@ -184,13 +186,16 @@ impl SampleMap {
         let len = origins.len().min(out.len());
         let (origins, out) = (&origins[..len], &mut out[..len]);
         out.fill(Vec3::ONE);
-        for stray in self.strays_of(len) {
+        let strays = self.strays_of(len);
+        let tints = each(&strays, |&stray| {
             let ray = Ray::to_light(origins[stray], self.light);
-            for index in 0..casters.triangles.len() as u32 {
-                if let Some((u, v)) = casters.meet(&ray, index) {
-                    out[stray] *= transmit.transmittance(index, u, v);
-                }
-            }
+            (0..casters.triangles.len() as u32).fold(Vec3::ONE, |tint, index| {
+                let met = casters.meet(&ray, index);
+                met.map_or(tint, |(u, v)| tint * transmit.transmittance(index, u, v))
+            })
+        });
+        for (stray, tint) in strays.into_iter().zip(tints) {
+            out[stray] = tint;
         }
         for part in self.views.iter_mut().flat_map(|v| &mut v.parts) {
             part.whiten();
@@ -203,8 +208,8 @@ impl SampleMap {
     }
 
     /// Samples below `len` whose rays no view takes.
-    fn strays_of(&self, len: usize) -> impl Iterator<Item = usize> + '_ {
-        self.strays.iter().map(|&stray| stray as usize).filter(move |&stray| stray < len)
+    fn strays_of(&self, len: usize) -> Vec<usize> {
+        self.strays.iter().map(|&stray| stray as usize).filter(|&stray| stray < len).collect()
     }
 
     /// Holds every triangle against the samples.
