@@ -12,6 +12,7 @@ mod footprints;
 mod history;
 mod kept_map;
 mod layers;
+mod light_trees;
 mod mask_batch;
 mod perspective;
 mod places;
@@ -30,8 +31,9 @@ use bytemuck::Zeroable;
 use history::History;
 use kept_map::{Draw, StillMap};
 use layers::{LitTiles, Seen};
+use light_trees::LightTrees;
 use lt_bvh::{AnyHit, Hit, Opaque, Ray, Simd, Tracer, memory};
-use lt_irregular::{LightBvh, Workspace};
+use lt_irregular::Workspace;
 use lt_math::glam::{UVec2, Vec3, Vec4};
 use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Vsm};
 use lt_shaders::abi::{CameraParams, FilterParams, Sample};
@@ -77,8 +79,8 @@ pub struct CpuBackend {
     passes: Vec<Pass>,
     /// Times of the running frame's passes over pixels, once they have run.
     pixel_ms: Option<PixelMs>,
-    /// The tree in light space, and the light that it was built for; none after the scene has changed.
-    light_tree: Option<(Vec4, LightBvh)>,
+    /// None after the scene has changed.
+    light_trees: LightTrees,
     /// For divide and conquer, which keeps nothing else.
     workspace: Workspace,
 }
@@ -116,7 +118,7 @@ impl CpuBackend {
             rays: 0,
             passes: Vec::new(),
             pixel_ms: None,
-            light_tree: None,
+            light_trees: LightTrees::default(),
             workspace: Workspace::default(),
         }
     }
@@ -160,7 +162,7 @@ impl Backend for CpuBackend {
     fn replace_scene(&mut self, scene: PackedScene) -> Result<(), RenderError> {
         prepare(&scene);
         self.scene = scene;
-        self.light_tree = None;
+        self.light_trees = LightTrees::default();
         Ok(())
     }
 
@@ -243,11 +245,8 @@ impl Backend for CpuBackend {
                 blur_columns(&map.filter, &slot.rows[at.clone()], &mut slot.vectors[at]);
             }),
             (PassKind::LightTree, ..) => {
-                let light = job.shadow.light.place;
                 let is_kept = job.plan.upkeep == Upkeep::Kept;
-                if !is_kept || self.light_tree.as_ref().is_none_or(|(of, _)| *of != light) {
-                    self.light_tree = Some((light, light_space::tree(&self.scene, light)));
-                }
+                self.light_trees.plant(&self.scene, &job.shadow.light, is_kept);
             }
             (PassKind::Evaluate | PassKind::Mask | PassKind::Resolve, ..) => {
                 // The first of these runs all of them.
