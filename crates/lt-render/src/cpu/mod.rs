@@ -212,12 +212,13 @@ impl Backend for CpuBackend {
         self.rays = 0;
         self.passes.clear();
         self.pixel_ms = None;
+        // Waking threads that had nothing to do between frames takes milliseconds on a virtual machine, and is no part of a pass. That of threads
+        // which a pass lets sleep is the next one's, or a frame of many passes would be spared what a frame of one is not.
+        rayon::broadcast(|_| ());
         Ok(())
     }
 
     fn pass(&mut self, kind: PassKind, job: &FrameJob) -> Result<(), RenderError> {
-        // Waking threads that had nothing to do between frames takes milliseconds on a virtual machine, and is no part of a pass.
-        rayon::broadcast(|_| ());
         let start = Instant::now();
         let slot = &mut self.slots[self.slot];
         match (kind, &job.map, job.plan.map) {
