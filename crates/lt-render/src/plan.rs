@@ -193,7 +193,7 @@ impl EffectPlan {
                 "vectors are made from gathered depths"
             }
             .to_owned(),
-            format!("2 passes, {}", bytes(map_bytes * 32)),
+            format!("2 passes, {} and as much again that techniques share", bytes(map_bytes * 16)),
         );
         list(
             "doubt list",

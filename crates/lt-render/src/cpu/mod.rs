@@ -75,6 +75,8 @@ pub struct CpuBackend {
     slots: Vec<Slot>,
     /// The running frame's slot.
     slot: usize,
+    /// Blurred rows between the passes of a pre-filter, which no slot keeps; as many as the largest map of all slots.
+    rows: Vec<Vec4>,
     rays: u64,
     passes: Vec<Pass>,
     /// Times of the running frame's passes over pixels, once they have run.
@@ -91,7 +93,6 @@ struct Slot {
     depths: Vec<f32>,
     /// Of every level, what stands still.
     still: Vec<StillMap>,
-    rows: Vec<Vec4>,
     vectors: Vec<Vec4>,
     history: History,
 }
@@ -115,6 +116,7 @@ impl CpuBackend {
             is_doubted: Vec::new(),
             slots: Vec::new(),
             slot: 0,
+            rows: Vec::new(),
             rays: 0,
             passes: Vec::new(),
             pixel_ms: None,
@@ -202,8 +204,10 @@ impl Backend for CpuBackend {
         }
         let slot = &mut self.slots[job.slot];
         resize(&mut slot.depths, map_texels);
-        resize(&mut slot.rows, vector_texels);
         resize(&mut slot.vectors, vector_texels);
+        if self.rows.len() < vector_texels {
+            self.rows = memory::zeroed(vector_texels);
+        }
         slot.history.begin(self.tiles, job.plan.mask);
         if job.clears_history() {
             slot.history.clear();
@@ -239,11 +243,11 @@ impl Backend for CpuBackend {
             }
             (PassKind::FilterX, Some(map), Some((test, _))) => map.drawn().for_each(|level| {
                 let at = map.texels(level);
-                blur_rows(test, &map.filter, &slot.depths[at.clone()], &mut slot.rows[at]);
+                blur_rows(test, &map.filter, &slot.depths[at.clone()], &mut self.rows[at]);
             }),
             (PassKind::FilterY, Some(map), _) => map.drawn().for_each(|level| {
                 let at = map.texels(level);
-                blur_columns(&map.filter, &slot.rows[at.clone()], &mut slot.vectors[at]);
+                blur_columns(&map.filter, &self.rows[at.clone()], &mut slot.vectors[at]);
             }),
             (PassKind::LightTree, ..) => {
                 let is_kept = job.plan.upkeep == Upkeep::Kept;
@@ -277,8 +281,8 @@ impl Backend for CpuBackend {
         let slot = &self.slots[self.slot];
         let bytes = size_of_val(&slot.depths[..])
             + slot.still.iter().map(StillMap::bytes).sum::<usize>()
-            + size_of_val(&slot.rows[..])
-            + size_of_val(&slot.vectors[..]);
+            // As many rows as vectors, lent to it.
+            + 2 * size_of_val(&slot.vectors[..]);
         let mut doubt = self.tiles.to_rows(&self.is_doubted);
         if job.plan.trace_all {
             let is_traced = |rows: &SampleRows| rows.settle(&job.shadow.light).map(|state| state == MAPPED);
