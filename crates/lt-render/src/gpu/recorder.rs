@@ -5,6 +5,7 @@ mod depth;
 mod shade;
 
 use std::collections::HashMap;
+use std::time::Duration;
 
 use lt_math::glam::UVec2;
 use lt_shaders::abi::MaskParams;
@@ -164,9 +165,21 @@ impl Recorder {
         kind: PassKind,
         job: &FrameJob,
     ) -> Result<(), RenderError> {
+        self.pass_timed(encoder, scene, frame, kind, job).map(|_| ())
+    }
+
+    /// [`Recorder::pass`]; what of the host's time is the pass's own work and not that of recording it.
+    pub(super) fn pass_timed(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        scene: &GpuScene,
+        frame: &FrameBuffers,
+        kind: PassKind,
+        job: &FrameJob,
+    ) -> Result<Duration, RenderError> {
         match kind {
             PassKind::Camera => Ok(()),
-            PassKind::DepthMap => self.depth_map(encoder, scene, frame, job),
+            PassKind::DepthMap => return self.depth_map(encoder, scene, frame, job),
             PassKind::FilterX | PassKind::FilterY => self.filter(encoder, frame, kind, job),
             PassKind::Evaluate => self.evaluate(encoder, frame, job),
             PassKind::Mask => self.mask(encoder, frame, job),
@@ -175,6 +188,7 @@ impl Recorder {
             PassKind::Resolve => self.resolve(encoder, scene, frame, job),
             PassKind::Tint => self.tint(encoder, scene, frame, job),
         }
+        .map(|()| Duration::ZERO)
     }
 
     fn unprepared(&self) -> RenderError {
