@@ -47,7 +47,7 @@ fn build(positions: &[Vec3], triangles: &[[u32; 3]]) -> Bvh {
 }
 
 fn casters(bvh: &Bvh) -> Casters<'_> {
-    Casters { root: &bvh.nodes()[0], triangles: bvh.triangles() }
+    Casters::of_tree(&bvh.nodes()[0], bvh.triangles())
 }
 
 #[test]

@@ -29,7 +29,7 @@ pub(crate) fn check(scene: &PackedScene, job: &FrameJob) -> Result<(), RenderErr
 
 /// All triangles, as the resolvers take them.
 pub(crate) fn casters(scene: &PackedScene) -> Casters<'_> {
-    Casters { root: &scene.nodes()[scene.root() as usize], triangles: scene.triangles() }
+    Casters::of_tree(&scene.nodes()[scene.root() as usize], scene.triangles())
 }
 
 /// The scene's box with the ray origins just above its surfaces: a ray from outside is put to every triangle.
@@ -103,7 +103,9 @@ mod tests {
         for middle in [Vec3::ZERO, Vec3::new(2e4, 30.0, 0.0), Vec3::new(0.0, -3e6, 1e5), Vec3::splat(1e8)] {
             let scene = roof(middle);
             let root = casters(&scene).root;
-            for light in [Vec4::new(0.2, 1.0, 0.1, 0.0), (middle + Vec3::Y * (90.0 + middle.y.abs())).extend(1.0)] {
+            for light in
+                [Vec4::new(0.2, 1.0, 0.1, 0.0), (middle + Vec3::Y * (90.0 + middle.y.abs())).extend(1.0)]
+            {
                 let views: Vec<View> = View::of_light(light, domain(&scene), root).collect();
                 for triangle in scene.triangles() {
                     let corners = [triangle.v0, triangle.v1, triangle.v2];
@@ -111,7 +113,10 @@ mod tests {
                     for position in corners.into_iter().chain([(corners[0] + corners[1]) * 0.5]) {
                         let ray = Ray::to_light(offset_origin(position, Vec3::Y, magnitude), light);
                         assert!(ray.origin.y > middle.y, "{middle}: lies on the roof");
-                        assert!(views.iter().any(|view| view.takes(&ray)), "{middle}, light {light}: {ray:?}");
+                        assert!(
+                            views.iter().any(|view| view.takes(&ray)),
+                            "{middle}, light {light}: {ray:?}"
+                        );
                     }
                 }
             }

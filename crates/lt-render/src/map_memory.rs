@@ -31,8 +31,7 @@ pub fn map_bytes(session: &Session, techniques: &[Technique]) -> u64 {
     for technique in techniques.iter().filter(|technique| seen.insert(technique.to_string())) {
         let size = technique.map_size.unwrap_or(setup.map_size);
         for light in setup.lights() {
-            let plan =
-                EffectPlan::for_scene(&session.info().stats, &light.kind, technique, size, sequence);
+            let plan = EffectPlan::for_scene(&session.info().stats, &light.kind, technique, size, sequence);
             let (own, lent) = bytes_of(&plan, size, sequence.objects_move);
             if plan.reuse || plan.mask.is_some() {
                 kept += own * u64::from(plan.layers);

@@ -334,7 +334,7 @@ impl EffectPlan {
     /// The passes of a frame, in order. The camera pass is not among them: it runs once per view.
     pub fn passes(&self) -> Vec<PassKind> {
         let mut passes = Vec::new();
-        if self.upkeep != Upkeep::Kept && self.resolve == Resolve::Ray {
+        if self.upkeep != Upkeep::Kept && self.resolve != Resolve::None {
             passes.push(PassKind::Build);
         }
         if let Some((_, source)) = self.map {

@@ -41,8 +41,11 @@ mod tests {
     fn each_light_keeps_its_tree_until_it_moves() {
         let scene = PackedScene::new(&Source::open("cornell", 1).unwrap().pose(0.0).unwrap()).unwrap();
         let light = |number, place| LightParams { number, place, ..bytemuck::Zeroable::zeroed() };
-        let lights =
-            [light(0, Vec4::new(0.1, 1.0, 0.2, 0.0)), light(1, Vec4::ONE), light(2, Vec4::new(0.0, 1.0, 0.3, 0.0))];
+        let lights = [
+            light(0, Vec4::new(0.1, 1.0, 0.2, 0.0)),
+            light(1, Vec4::ONE),
+            light(2, Vec4::new(0.0, 1.0, 0.3, 0.0)),
+        ];
         let mut trees = LightTrees::default();
         assert!(trees.of(&lights[2]).is_none());
         for light in &lights {

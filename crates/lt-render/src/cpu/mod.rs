@@ -228,7 +228,7 @@ impl Backend for CpuBackend {
         match (kind, &job.map, job.plan.map) {
             (PassKind::Build, ..) => {
                 // Timed inside: what it is built from is prepared first.
-                let ms = Some(self.scene.keep_up(job.plan.upkeep)?);
+                let ms = Some(self.scene.keep_up(job.plan.upkeep, job.plan.resolve)?);
                 self.passes.push(Pass { kind, ms });
                 return Ok(());
             }
