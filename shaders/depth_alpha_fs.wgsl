@@ -453,7 +453,7 @@ fn function_() {
     var phi_573_: vec3<f32>;
     var phi_635_: vec3<f32>;
     var phi_636_: vec3<f32>;
-    var phi_718_: vec3<f32>;
+    var phi_751_: vec3<f32>;
     var phi_902_: f32;
     var phi_906_: bool;
     var phi_907_: bool;
@@ -521,64 +521,64 @@ fn function_() {
     let _e210 = p.member.projection.row_y;
     let _e226 = p.member.projection.row_w;
     let _e237 = ((((_e226.x * _e187.x) + (_e226.y * _e187.y)) + (_e226.z * _e187.z)) + (_e226.w * 1f));
-    let _e240 = ((((((_e78.x * _e69.x) + (_e78.y * _e69.y)) + (_e78.z * _e69.z)) + (_e78.w * 1f)) * _e76) - (_e40.x * _e119));
-    let _e241 = ((((((_e92.x * _e69.x) + (_e92.y * _e69.y)) + (_e92.z * _e69.z)) + (_e92.w * 1f)) * _e76) - (_e40.y * _e119));
-    let _e244 = ((((((_e137.x * _e128.x) + (_e137.y * _e128.y)) + (_e137.z * _e128.z)) + (_e137.w * 1f)) * _e135) - (_e40.x * _e178));
-    let _e245 = ((((((_e151.x * _e128.x) + (_e151.y * _e128.y)) + (_e151.z * _e128.z)) + (_e151.w * 1f)) * _e135) - (_e40.y * _e178));
-    let _e248 = ((((((_e196.x * _e187.x) + (_e196.y * _e187.y)) + (_e196.z * _e187.z)) + (_e196.w * 1f)) * _e194) - (_e40.x * _e237));
-    let _e249 = ((((((_e210.x * _e187.x) + (_e210.y * _e187.y)) + (_e210.z * _e187.z)) + (_e210.w * 1f)) * _e194) - (_e40.y * _e237));
-    let _e252 = ((_e248 * _e245) - (_e249 * _e244));
-    let _e255 = ((_e240 * _e249) - (_e241 * _e248));
-    let _e258 = ((_e244 * _e241) - (_e245 * _e240));
-    let _e260 = ((_e252 + _e255) + _e258);
-    if (_e260 == 0f) {
-        phi_718_ = vec3<f32>(1f, 0f, 0f);
-    } else {
-        phi_718_ = vec3<f32>((_e252 / _e260), (_e255 / _e260), (_e258 / _e260));
-    }
-    let _e267 = phi_718_;
-    let _e269 = (_e58.i0_ & 2147483647u);
-    if (_e269 < _e48) {
+    let _e239 = (_e58.i0_ & 2147483647u);
+    if (_e239 < _e48) {
     } else {
         return;
     }
-    let _e275 = vertices.member[(0u + _e269)];
+    let _e245 = vertices.member[(0u + _e239)];
     if (_e58.i1_ < _e48) {
     } else {
         return;
     }
-    let _e279 = vertices.member[(0u + _e58.i1_)];
+    let _e249 = vertices.member[(0u + _e58.i1_)];
     if (_e58.i2_ < _e48) {
     } else {
         return;
     }
-    let _e283 = vertices.member[(0u + _e58.i2_)];
-    let _e284 = array<abi_Vertex, 3>(_e275, _e279, _e283);
-    if (_e284[0].material < arrayLength((&materials.member))) {
+    let _e253 = vertices.member[(0u + _e58.i2_)];
+    let _e254 = array<abi_Vertex, 3>(_e245, _e249, _e253);
+    if (_e254[0].material < arrayLength((&materials.member))) {
     } else {
         return;
     }
-    let _e291 = materials.member[(0u + _e284[0].material)].flags;
+    let _e262 = ((((((_e78.x * _e69.x) + (_e78.y * _e69.y)) + (_e78.z * _e69.z)) + (_e78.w * 1f)) * _e76) - (_e40.x * _e119));
+    let _e263 = ((((((_e92.x * _e69.x) + (_e92.y * _e69.y)) + (_e92.z * _e69.z)) + (_e92.w * 1f)) * _e76) - (_e40.y * _e119));
+    let _e266 = ((((((_e137.x * _e128.x) + (_e137.y * _e128.y)) + (_e137.z * _e128.z)) + (_e137.w * 1f)) * _e135) - (_e40.x * _e178));
+    let _e267 = ((((((_e151.x * _e128.x) + (_e151.y * _e128.y)) + (_e151.z * _e128.z)) + (_e151.w * 1f)) * _e135) - (_e40.y * _e178));
+    let _e270 = ((((((_e196.x * _e187.x) + (_e196.y * _e187.y)) + (_e196.z * _e187.z)) + (_e196.w * 1f)) * _e194) - (_e40.x * _e237));
+    let _e271 = ((((((_e210.x * _e187.x) + (_e210.y * _e187.y)) + (_e210.z * _e187.z)) + (_e210.w * 1f)) * _e194) - (_e40.y * _e237));
+    let _e274 = ((_e270 * _e267) - (_e271 * _e266));
+    let _e277 = ((_e262 * _e271) - (_e263 * _e270));
+    let _e280 = ((_e266 * _e263) - (_e267 * _e262));
+    let _e282 = ((_e274 + _e277) + _e280);
+    if (_e282 == 0f) {
+        phi_751_ = vec3<f32>(1f, 0f, 0f);
+    } else {
+        phi_751_ = vec3<f32>((_e274 / _e282), (_e277 / _e282), (_e280 / _e282));
+    }
+    let _e289 = phi_751_;
+    let _e291 = materials.member[(0u + _e254[0].material)].flags;
     if ((_e291 & 1u) == 0u) {
         phi_907_ = false;
     } else {
-        let _e295 = materials.member[(0u + _e284[0].material)].cutoff;
+        let _e295 = materials.member[(0u + _e254[0].material)].cutoff;
         if (_e295 <= 0f) {
             phi_906_ = true;
         } else {
-            let _e299 = materials.member[(0u + _e284[0].material)].base_color[3u];
-            let _e325 = (_e299 * ((((f32((_e284[0].color >> bitcast<u32>(24i))) * _e267.x) + (f32((_e284[1].color >> bitcast<u32>(24i))) * _e267.y)) + (f32((_e284[2].color >> bitcast<u32>(24i))) * _e267.z)) * (1f / 255f)));
-            let _e327 = materials.member[(0u + _e284[0].material)].alpha_size;
+            let _e299 = materials.member[(0u + _e254[0].material)].base_color[3u];
+            let _e325 = (_e299 * ((((f32((_e254[0].color >> bitcast<u32>(24i))) * _e289.x) + (f32((_e254[1].color >> bitcast<u32>(24i))) * _e289.y)) + (f32((_e254[2].color >> bitcast<u32>(24i))) * _e289.z)) * (1f / 255f)));
+            let _e327 = materials.member[(0u + _e254[0].material)].alpha_size;
             if (_e327 == 0u) {
                 phi_902_ = _e325;
             } else {
-                let _e330 = materials.member[(0u + _e284[0].material)].alpha_offset;
-                let _e332 = materials.member[(0u + _e284[0].material)].alpha_size;
-                let _e334 = materials.member[(0u + _e284[0].material)].flags;
+                let _e330 = materials.member[(0u + _e254[0].material)].alpha_offset;
+                let _e332 = materials.member[(0u + _e254[0].material)].alpha_size;
+                let _e334 = materials.member[(0u + _e254[0].material)].flags;
                 local.offset = _e330;
                 local.size = _e332;
                 local.flags = _e334;
-                let _e363 = _lt_shaders_texture_TextureView_quad((&local), (((_e284[0].u * _e267.x) + (_e284[1].u * _e267.y)) + (_e284[2].u * _e267.z)), (((_e284[0].v * _e267.x) + (_e284[1].v * _e267.y)) + (_e284[2].v * _e267.z)));
+                let _e363 = _lt_shaders_texture_TextureView_quad((&local), (((_e254[0].u * _e289.x) + (_e254[1].u * _e289.y)) + (_e254[2].u * _e289.z)), (((_e254[0].v * _e289.x) + (_e254[1].v * _e289.y)) + (_e254[2].v * _e289.z)));
                 let _e367 = (_e363.indices[0] >> bitcast<u32>(2i));
                 if (_e367 < _e54) {
                 } else {
@@ -606,7 +606,7 @@ fn function_() {
                 phi_902_ = (_e325 * (((((f32(((_e371 >> bitcast<u32>((((_e363.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e363.weights.x) + ((f32(((_e391 >> bitcast<u32>((((_e363.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e363.weights.y)) + ((f32(((_e412 >> bitcast<u32>((((_e363.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e363.weights.z)) + ((f32(((_e433 >> bitcast<u32>((((_e363.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e363.weights.w)));
             }
             let _e449 = phi_902_;
-            let _e451 = materials.member[(0u + _e284[0].material)].cutoff;
+            let _e451 = materials.member[(0u + _e254[0].material)].cutoff;
             phi_906_ = (_e449 >= _e451);
         }
         let _e454 = phi_906_;

@@ -478,7 +478,7 @@ fn function_() {
     var phi_604_: vec3<f32>;
     var phi_677_: vec3<f32>;
     var phi_678_: vec3<f32>;
-    var phi_773_: vec3<f32>;
+    var phi_806_: vec3<f32>;
     var phi_957_: f32;
     var phi_961_: bool;
     var phi_962_: bool;
@@ -561,64 +561,64 @@ fn function_() {
     let _e256 = ((((_e245.x * _e208.x) + (_e245.y * _e208.y)) + (_e245.z * _e208.z)) + (_e245.w * 1f));
     let _e258 = p.member.projection.row_w;
     let _e269 = ((((_e258.x * _e208.x) + (_e258.y * _e208.y)) + (_e258.z * _e208.z)) + (_e258.w * 1f));
-    let _e274 = (_e89 - (_e41.x * _e129));
-    let _e275 = (_e103 - (_e41.y * _e129));
-    let _e278 = (_e159 - (_e41.x * _e199));
-    let _e279 = (_e173 - (_e41.y * _e199));
-    let _e282 = (_e229 - (_e41.x * _e269));
-    let _e283 = (_e243 - (_e41.y * _e269));
-    let _e286 = ((_e282 * _e279) - (_e283 * _e278));
-    let _e289 = ((_e274 * _e283) - (_e275 * _e282));
-    let _e292 = ((_e278 * _e275) - (_e279 * _e274));
-    let _e294 = ((_e286 + _e289) + _e292);
-    if (_e294 == 0f) {
-        phi_773_ = vec3<f32>(1f, 0f, 0f);
-    } else {
-        phi_773_ = vec3<f32>((_e286 / _e294), (_e289 / _e294), (_e292 / _e294));
-    }
-    let _e301 = phi_773_;
-    let _e303 = (_e59.i0_ & 2147483647u);
-    if (_e303 < _e49) {
+    let _e273 = (_e59.i0_ & 2147483647u);
+    if (_e273 < _e49) {
     } else {
         return;
     }
-    let _e309 = vertices.member[(0u + _e303)];
+    let _e279 = vertices.member[(0u + _e273)];
     if (_e59.i1_ < _e49) {
     } else {
         return;
     }
-    let _e313 = vertices.member[(0u + _e59.i1_)];
+    let _e283 = vertices.member[(0u + _e59.i1_)];
     if (_e59.i2_ < _e49) {
     } else {
         return;
     }
-    let _e317 = vertices.member[(0u + _e59.i2_)];
-    let _e318 = array<abi_Vertex, 3>(_e309, _e313, _e317);
-    if (_e318[0].material < arrayLength((&materials.member))) {
+    let _e287 = vertices.member[(0u + _e59.i2_)];
+    let _e288 = array<abi_Vertex, 3>(_e279, _e283, _e287);
+    if (_e288[0].material < arrayLength((&materials.member))) {
     } else {
         return;
     }
-    let _e325 = materials.member[(0u + _e318[0].material)].flags;
+    let _e296 = (_e89 - (_e41.x * _e129));
+    let _e297 = (_e103 - (_e41.y * _e129));
+    let _e300 = (_e159 - (_e41.x * _e199));
+    let _e301 = (_e173 - (_e41.y * _e199));
+    let _e304 = (_e229 - (_e41.x * _e269));
+    let _e305 = (_e243 - (_e41.y * _e269));
+    let _e308 = ((_e304 * _e301) - (_e305 * _e300));
+    let _e311 = ((_e296 * _e305) - (_e297 * _e304));
+    let _e314 = ((_e300 * _e297) - (_e301 * _e296));
+    let _e316 = ((_e308 + _e311) + _e314);
+    if (_e316 == 0f) {
+        phi_806_ = vec3<f32>(1f, 0f, 0f);
+    } else {
+        phi_806_ = vec3<f32>((_e308 / _e316), (_e311 / _e316), (_e314 / _e316));
+    }
+    let _e323 = phi_806_;
+    let _e325 = materials.member[(0u + _e288[0].material)].flags;
     if ((_e325 & 1u) == 0u) {
         phi_962_ = false;
     } else {
-        let _e329 = materials.member[(0u + _e318[0].material)].cutoff;
+        let _e329 = materials.member[(0u + _e288[0].material)].cutoff;
         if (_e329 <= 0f) {
             phi_961_ = true;
         } else {
-            let _e333 = materials.member[(0u + _e318[0].material)].base_color[3u];
-            let _e359 = (_e333 * ((((f32((_e318[0].color >> bitcast<u32>(24i))) * _e301.x) + (f32((_e318[1].color >> bitcast<u32>(24i))) * _e301.y)) + (f32((_e318[2].color >> bitcast<u32>(24i))) * _e301.z)) * (1f / 255f)));
-            let _e361 = materials.member[(0u + _e318[0].material)].alpha_size;
+            let _e333 = materials.member[(0u + _e288[0].material)].base_color[3u];
+            let _e359 = (_e333 * ((((f32((_e288[0].color >> bitcast<u32>(24i))) * _e323.x) + (f32((_e288[1].color >> bitcast<u32>(24i))) * _e323.y)) + (f32((_e288[2].color >> bitcast<u32>(24i))) * _e323.z)) * (1f / 255f)));
+            let _e361 = materials.member[(0u + _e288[0].material)].alpha_size;
             if (_e361 == 0u) {
                 phi_957_ = _e359;
             } else {
-                let _e364 = materials.member[(0u + _e318[0].material)].alpha_offset;
-                let _e366 = materials.member[(0u + _e318[0].material)].alpha_size;
-                let _e368 = materials.member[(0u + _e318[0].material)].flags;
+                let _e364 = materials.member[(0u + _e288[0].material)].alpha_offset;
+                let _e366 = materials.member[(0u + _e288[0].material)].alpha_size;
+                let _e368 = materials.member[(0u + _e288[0].material)].flags;
                 local.offset = _e364;
                 local.size = _e366;
                 local.flags = _e368;
-                let _e397 = _lt_shaders_texture_TextureView_quad((&local), (((_e318[0].u * _e301.x) + (_e318[1].u * _e301.y)) + (_e318[2].u * _e301.z)), (((_e318[0].v * _e301.x) + (_e318[1].v * _e301.y)) + (_e318[2].v * _e301.z)));
+                let _e397 = _lt_shaders_texture_TextureView_quad((&local), (((_e288[0].u * _e323.x) + (_e288[1].u * _e323.y)) + (_e288[2].u * _e323.z)), (((_e288[0].v * _e323.x) + (_e288[1].v * _e323.y)) + (_e288[2].v * _e323.z)));
                 let _e401 = (_e397.indices[0] >> bitcast<u32>(2i));
                 if (_e401 < _e55) {
                 } else {
@@ -646,7 +646,7 @@ fn function_() {
                 phi_957_ = (_e359 * (((((f32(((_e405 >> bitcast<u32>((((_e397.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e397.weights.x) + ((f32(((_e425 >> bitcast<u32>((((_e397.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e397.weights.y)) + ((f32(((_e446 >> bitcast<u32>((((_e397.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e397.weights.z)) + ((f32(((_e467 >> bitcast<u32>((((_e397.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e397.weights.w)));
             }
             let _e483 = phi_957_;
-            let _e485 = materials.member[(0u + _e318[0].material)].cutoff;
+            let _e485 = materials.member[(0u + _e288[0].material)].cutoff;
             phi_961_ = (_e483 >= _e485);
         }
         let _e488 = phi_961_;

@@ -23,7 +23,7 @@ fn points_meet_fewer_triangles_than_rays_and_answer_alike() {
         let samples = session.samples().iter().filter(|s| !settle(s, &light).1);
         let rays: Vec<Ray> = samples.map(|s| shadow_ray(s, &light)).collect();
         let (nodes, triangles) = (packed.nodes(), packed.triangles());
-        let casters = Casters { root: &nodes[0], triangles };
+        let casters = Casters::of_tree(&nodes[0], triangles);
         let (bounds, margin) = (packed.bounds(), Vec3::splat(0.01));
         let domain = Bounds { low: bounds.min - margin, high: bounds.max + margin };
         let tree = LightBvh::build(light.place, domain, casters);

@@ -86,7 +86,7 @@ mod triangle;
 pub use any_hit::{AnyHit, Opaque};
 pub use axes::{main_axis, permute};
 #[cfg(feature = "build")]
-pub use build::{BuildError, BuildQuality, Bvh, Dropped, InstancedBvh, Invalid, Placement};
+pub use build::{BuildError, BuildQuality, Bvh, Dropped, InstancedBvh, Invalid, Placement, triangles_of};
 pub use grid::Grid;
 pub use instance::{
     Instance, closest_hit_instanced, closest_hit_instanced_probed, occluded_instanced,

@@ -1,10 +1,10 @@
 //! One ray against one triangle, outside of any tree.
 
 use crate::any_hit::AnyHit;
-use crate::node::Node;
 use crate::ray::Ray;
 use crate::slab::{Slab, WHOLE_RAY};
 use crate::triangle::{Shear, Triangle};
+use lt_math::glam::Vec3;
 
 /// A ray ready to be put to triangles one by one, for structures that find their candidates in another way than a tree of boxes.
 ///
@@ -17,11 +17,12 @@ pub struct RayTest {
 }
 
 impl RayTest {
-    /// Prepares a ray for the triangles of the tree whose root is `root`: the root's box is what the margins of the test are in
-    /// proportion to. `None` for a ray that hits nothing ([`Ray::is_valid`]).
+    /// Prepares a ray for the triangles of a tree whose root has the box from `low` to `high` ([`Node::low`](crate::Node::low),
+    /// [`Node::high`](crate::Node::high)), which the margins of the test are in proportion to. `None` for a ray that hits nothing
+    /// ([`Ray::is_valid`]).
     #[inline]
-    pub fn new(ray: &Ray, root: &Node) -> Option<Self> {
-        ray.is_valid().then(|| RayTest { ray: *ray, slab: root.slab(ray), shear: Shear::new(ray) })
+    pub fn new(ray: &Ray, low: Vec3, high: Vec3) -> Option<Self> {
+        ray.is_valid().then(|| RayTest { ray: *ray, slab: Slab::new(ray, low, high), shear: Shear::new(ray) })
     }
 
     /// Where the ray meets `triangle`, whatever that is made of: weights of its second and third vertex.

@@ -48,7 +48,7 @@ fn structures(c: &mut Criterion) {
     for count in SIZES {
         let (positions, indices) = scattered(count);
         let bvh = Bvh::build(&positions, &indices, |_| true, BuildQuality::Medium).expect("builds");
-        let casters = Casters { root: &bvh.nodes()[0], triangles: bvh.triangles() };
+        let casters = Casters::of_tree(&bvh.nodes()[0], bvh.triangles());
         let domain = positions.iter().chain(&origins).fold(Bounds::EMPTY, |b, p| b.with(*p));
         let mut build = c.benchmark_group("build");
         build.sample_size(10);

@@ -2,21 +2,48 @@
 
 use crate::block::ASKS;
 use crate::exact::Exact;
-use crate::view::View;
+use crate::view::{Bounds, View};
+use alloc::vec::Vec;
 use lt_bvh::lanes::{Lanes, prefetch};
-use lt_bvh::{AnyHit, Node, Ray, RayTest, Triangle};
+use lt_bvh::{AnyHit, Grid, Node, Ray, RayTest, Triangle};
 use lt_math::glam::{Vec3, Vec4};
+#[cfg(feature = "std")]
+use rayon::prelude::*;
 
-/// Triangles in the ray tracer's leaf order and the root of its tree, which its margins depend on.
+/// Triangles of a task that looks at all of them.
+const TASK: usize = 1 << 14;
+
+/// Triangles in any order, and the box of the root of a tree over them, which the ray tracer's margins depend on.
 #[derive(Clone, Copy)]
 pub struct Casters<'a> {
-    /// Root of the ray tracer's tree over `triangles`.
-    pub root: &'a Node,
-    /// The triangles.
+    /// Box of the root of the ray tracer's tree over `triangles`, whether there is one or not.
+    pub root: Bounds,
+    /// The triangles, made as the ray tracer's are (`lt_bvh::triangles_of`).
     pub triangles: &'a [Triangle],
 }
 
-impl Casters<'_> {
+impl<'a> Casters<'a> {
+    /// Of triangles without a tree: looks at all of them for the box that the root of one would have.
+    pub fn of(triangles: &'a [Triangle]) -> Self {
+        let tasks: Vec<&[Triangle]> = triangles.chunks(TASK).collect();
+        let boxes =
+            each(&tasks, |task| task.iter().fold(Bounds::EMPTY, |all, t| all.with(t.low()).with(t.high())));
+        let all = boxes.into_iter().reduce(|a, b| Bounds { low: a.low.min(b.low), high: a.high.max(b.high) });
+        let root = match all {
+            Some(Bounds { low, high }) => {
+                let step = |axis: usize| Grid::over(low[axis], high[axis]).step() as f32;
+                Bounds { low, high: low + Vec3::new(step(0), step(1), step(2)) * 255.0 }
+            }
+            None => Bounds { low: Vec3::ZERO, high: Vec3::ZERO },
+        };
+        Casters { root, triangles }
+    }
+
+    /// Of the ray tracer's own tree: its root and triangles.
+    pub fn of_tree(root: &Node, triangles: &'a [Triangle]) -> Self {
+        Casters { root: Bounds { low: root.low(), high: root.high() }, triangles }
+    }
+
     /// Asks for a triangle by its id in a block, that it may have come by the time it is needed.
     #[inline(always)]
     pub(crate) fn prefetch(&self, id: u32) {
@@ -25,11 +52,26 @@ impl Casters<'_> {
         }
     }
 
+    /// The ray tracer's test of one ray; none for what is no ray.
+    #[inline(always)]
+    pub(crate) fn test(&self, ray: &Ray) -> Option<RayTest> {
+        RayTest::new(ray, self.root.low, self.root.high)
+    }
+
     /// Where the ray meets the triangle by the ray tracer's own test, whatever that is made of: weights of the second and third vertex.
     #[inline(always)]
     pub(crate) fn meet(&self, ray: &Ray, triangle: u32) -> Option<(f32, f32)> {
-        RayTest::new(ray, self.root)?.meet(&self.triangles[triangle as usize])
+        self.test(ray)?.meet(&self.triangles[triangle as usize])
     }
+}
+
+/// What comes of each of a list, in order, on all threads.
+pub(crate) fn each<T: Sync, R: Send>(list: &[T], run: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
+    #[cfg(feature = "std")]
+    let list = list.par_iter();
+    #[cfg(not(feature = "std"))]
+    let list = list.iter();
+    list.map(run).collect()
 }
 
 /// What is asked about rays to one light.
@@ -79,6 +121,6 @@ impl<A: AnyHit> Query<'_, A> {
     /// The test of one ray, to be made once and only if it is needed.
     #[inline(always)]
     pub fn test(&self, origin: Vec3) -> Option<RayTest> {
-        RayTest::new(&Ray::to_light(origin, self.light), self.casters.root)
+        self.casters.test(&Ray::to_light(origin, self.light))
     }
 }

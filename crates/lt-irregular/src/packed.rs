@@ -234,7 +234,7 @@ mod tests {
     use crate::planes::EPSILON;
     use crate::planes::support::{PLACES, Random, Soup, lights, origins};
     use crate::view::View;
-    use lt_bvh::{BuildQuality, Bvh, LightPoint, NONE, Ray, RayTest};
+    use lt_bvh::{BuildQuality, Bvh, LightPoint, NONE, Ray};
 
     /// All triangles in boxes that hold a point.
     fn reached(packed: &PackedLightBvh, root: u32, point: &LightPoint) -> Vec<u32> {
@@ -278,14 +278,14 @@ mod tests {
             for light in lights(&mut random, scale, offset).into_iter().step_by(3) {
                 let soup = Soup::mixed(&mut random, 300, light.truncate()).moved(scale, offset);
                 let bvh = Bvh::build(&soup.positions, &soup.triangles, |_| true, BuildQuality::Fast).unwrap();
-                let casters = Casters { root: &bvh.nodes()[0], triangles: bvh.triangles() };
+                let casters = Casters::of_tree(&bvh.nodes()[0], bvh.triangles());
                 let tree = LightBvh::build(light, soup.bounds(), casters);
                 let packed = tree.pack(casters).unwrap();
                 packed.validate(&tree, casters).unwrap();
                 for origin in origins(&mut random, &soup, light, 200) {
                     let ray = Ray::to_light(origin, light);
                     let view = tree.trees().iter().map(|t| t.view).find(|view| view.takes(&ray));
-                    let (Some(view), Some(test)) = (view, RayTest::new(&ray, casters.root)) else { continue };
+                    let (Some(view), Some(test)) = (view, casters.test(&ray)) else { continue };
                     let (point, root) = packed.space.point(&ray);
                     assert_eq!(point, view.point(&ray));
                     assert!(packed.space.takes(&ray));

@@ -270,7 +270,7 @@ mod tests {
     use crate::view::View;
     use alloc::vec::Vec;
     use lt_bvh::lanes::Portable;
-    use lt_bvh::{BuildQuality, Bvh, LightPoint, Ray, RayTest};
+    use lt_bvh::{BuildQuality, Bvh, LightPoint, Ray};
 
     /// Verdicts that the ray tracer contradicts, and how many are sure, with error bounds scaled by these factors.
     fn wrong_verdicts(caution: [f32; 2]) -> (usize, usize) {
@@ -281,7 +281,7 @@ mod tests {
                 let soup = Soup::mixed(&mut random, 64, light.truncate()).moved(scale, offset);
                 let starts = origins(&mut random, &soup, light, 600);
                 let bvh = Bvh::build(&soup.positions, &soup.triangles, |_| true, BuildQuality::Fast).unwrap();
-                let casters = Casters { root: &bvh.nodes()[0], triangles: bvh.triangles() };
+                let casters = Casters::of_tree(&bvh.nodes()[0], bvh.triangles());
                 for mut view in View::of_light(light, soup.bounds(), casters.root) {
                     view.caution = caution;
                     let rays = starts.iter().map(|o| Ray::to_light(*o, light));
@@ -299,7 +299,7 @@ mod tests {
         let LightPoint { x, y, z } = view.point(ray);
         let point = Rect { x0: x, x1: x, y0: y, y1: y, z };
         let (constant, factor) = view.depth_tolerance();
-        let test = RayTest::new(ray, casters.root);
+        let test = casters.test(ray);
         let (mut wrong, mut sure) = (0, 0);
         for (at, triangles) in casters.triangles.chunks(BLOCK).enumerate() {
             let ids: Vec<u32> = (0..triangles.len()).map(|i| (at * BLOCK + i) as u32).collect();

@@ -159,7 +159,7 @@ mod tests {
     #[test]
     fn faults_are_found() {
         let (bvh, bounds) = small();
-        let casters = Casters { root: &bvh.nodes()[0], triangles: bvh.triangles() };
+        let casters = Casters::of_tree(&bvh.nodes()[0], bvh.triangles());
         let view = View::of_light(Vec4::new(0.1, 0.2, 1.0, 0.0), bounds, casters.root).next().unwrap();
         let bvh = LightBvh::build(Vec4::new(0.1, 0.2, 1.0, 0.0), bounds, casters);
         let packed = bvh.pack(casters).unwrap();

@@ -12,7 +12,7 @@
 //! faces of a cube, and no frame of its own needs to be chosen.
 
 use lt_bvh::lanes::Lanes;
-use lt_bvh::{LEAST_LENGTH, LightPoint, LightSpace, Node, Ray, main_axis, permute, reciprocal};
+use lt_bvh::{LEAST_LENGTH, LightPoint, LightSpace, Ray, main_axis, permute, reciprocal};
 use lt_math::glam::{Vec2, Vec3, Vec4};
 
 /// An axis-aligned box in world space; empty where `low > high`.
@@ -78,9 +78,8 @@ impl View {
     /// The views of a homogeneous light (w = 0: a sun, `xyz` pointing to it; w = 1: a position): one or six, and none for a light that
     /// no ray can be shot at (NaN, or a zero direction).
     ///
-    /// `domain` must hold every triangle; rays that start in it are answered fast. `root` is the root of the ray tracer's tree over the
-    /// same triangles.
-    pub fn of_light(light: Vec4, domain: Bounds, root: &Node) -> impl Iterator<Item = View> {
+    /// `domain` must hold every triangle; rays that start in it are answered fast. `root` is [`crate::Casters::root`] of the same triangles.
+    pub fn of_light(light: Vec4, domain: Bounds, root: Bounds) -> impl Iterator<Item = View> {
         let direction = light.truncate();
         let is_usable =
             Ray::new(Vec3::ZERO, direction).is_valid() || (light.w != 0.0 && direction.is_finite());
@@ -100,7 +99,7 @@ impl View {
         })
     }
 
-    fn sun(direction: Vec3, domain: Bounds, root: &Node) -> Self {
+    fn sun(direction: Vec3, domain: Bounds, root: Bounds) -> Self {
         let (axis, sign) = main_axis(direction);
         let p = permute(direction, axis);
         let middle = permute(domain.low * 0.5 + domain.high * 0.5, axis);
@@ -109,19 +108,19 @@ impl View {
         Self::new(rays, axis, sign, domain, domain, root)
     }
 
-    fn lamp(light: Vec3, face: u32, domain: Bounds, root: &Node) -> Self {
+    fn lamp(light: Vec3, face: u32, domain: Bounds, root: Bounds) -> Self {
         let axis = face >> 1;
         let sign = if face & 1 == 0 { 1.0 } else { -1.0 };
         let rays = Rays::Converging { light: permute(light, axis) };
         Self::new(rays, axis, sign, domain, domain.with(light), root)
     }
 
-    fn new(rays: Rays, axis: u32, sign: f32, domain: Bounds, all: Bounds, root: &Node) -> Self {
+    fn new(rays: Rays, axis: u32, sign: f32, domain: Bounds, all: Bounds, root: Bounds) -> Self {
         // A little more than the true extent, for the rounding of the difference itself.
         let size = (all.high - all.low).max_element() * 1.000_001;
-        let with_root = all.with(root.low()).with(root.high());
+        let with_root = all.with(root.low).with(root.high);
         let reach = (with_root.high - with_root.low).max_element() * 1.000_001;
-        let root = Bounds { low: permute(root.low(), axis), high: permute(root.high(), axis) };
+        let root = Bounds { low: permute(root.low, axis), high: permute(root.high, axis) };
         View { rays, axis, sign, size, reach, caution: [1.0; 2], root, domain }
     }
 

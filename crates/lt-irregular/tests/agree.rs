@@ -2,7 +2,9 @@
 
 mod support;
 
-use lt_bvh::{AnyHit, BuildQuality, Bvh, Opaque, Ray, Simd, Tracer, occluded_in_light_space};
+use lt_bvh::{
+    AnyHit, BuildQuality, Bvh, Opaque, Ray, RayTest, Simd, Tracer, occluded_in_light_space, triangles_of,
+};
 use lt_irregular::{
     Casters, DivideAndConquer, LightBvh, Options, PointOrder, SampleMap, Scratch, SimdLevel, Walk, Workspace,
 };
@@ -28,7 +30,8 @@ fn compare<A: AnyHit + Sync>(label: &str, soup: &Soup, light: Vec4, origins: &[V
     for (ray, expected) in rays.iter().zip(&expected).step_by(97) {
         assert_eq!(lt_bvh::occluded(bvh.nodes(), bvh.triangles(), *ray, any_hit), *expected);
     }
-    let casters = Casters { root: &bvh.nodes()[0], triangles: bvh.triangles() };
+    let casters = Casters::of_tree(&bvh.nodes()[0], bvh.triangles());
+    assert_eq!(Casters::of(bvh.triangles()).root, casters.root, "{label}");
     let judge = |what: &str, found: &[bool]| {
         let wrong: Vec<usize> = (0..rays.len()).filter(|&i| found[i] != expected[i]).collect();
         if let Some(&i) = wrong.first() {
@@ -93,7 +96,32 @@ fn compare<A: AnyHit + Sync>(label: &str, soup: &Soup, light: Vec4, origins: &[V
         both.occluded(casters, origins, any_hit, &mut found, &mut workspace);
         judge(&format!("divide and conquer, leaves of {leaf}"), &found);
     }
+    compare_without_a_tree(label, soup, light, origins, any_hit);
     expected.iter().filter(|b| **b).count()
+}
+
+/// Triangles as they are, which nobody has put in the order of a tree's leaves, answer as the tree's do.
+fn compare_without_a_tree<A: AnyHit + Sync>(
+    label: &str,
+    soup: &Soup,
+    light: Vec4,
+    origins: &[Vec3],
+    any_hit: A,
+) {
+    let triangles = triangles_of(&soup.positions, &soup.triangles, |i| i % 3 != 0).expect("indices in range");
+    let casters = Casters::of(&triangles);
+    let rays = origins.iter().map(|&o| Ray::to_light(o, light));
+    let test = |ray: &Ray| {
+        let test = RayTest::new(ray, casters.root.low, casters.root.high)?;
+        let mut all = triangles.iter().enumerate();
+        Some(all.any(|(i, triangle)| test.is_blocked_by(triangle, i as u32, any_hit)))
+    };
+    let mut found = vec![false; origins.len()];
+    let both = DivideAndConquer::new(light, soup.bounds());
+    both.occluded(casters, origins, any_hit, &mut found, &mut Workspace::default());
+    for (ray, found) in rays.zip(found).step_by(23) {
+        assert_eq!(found, test(&ray).unwrap_or(false), "{label}: {ray:?}");
+    }
 }
 
 #[test]

@@ -1,7 +1,10 @@
 //! Alias-free maps: products of what lets light pass, and inputs made to hurt.
 
 use lt_bvh::{BuildQuality, Bvh, Opaque, Ray, Transmit, transmitted};
-use lt_irregular::{Bounds, Casters, Counters, Options, PointOrder, SampleMap, SimdLevel};
+use lt_irregular::{
+    Bounds, Casters, Counters, DivideAndConquer, LightBvh, Options, PointOrder, SampleMap, Scratch,
+    SimdLevel, Workspace,
+};
 use lt_math::glam::{Vec3, Vec4};
 
 const SUN: Vec4 = Vec4::new(0.2, 0.1, 1.0, 0.0);
@@ -44,7 +47,7 @@ fn build(positions: &[Vec3], triangles: &[[u32; 3]]) -> Bvh {
 }
 
 fn casters(bvh: &Bvh) -> Casters<'_> {
-    Casters { root: &bvh.nodes()[0], triangles: bvh.triangles() }
+    Casters::of_tree(&bvh.nodes()[0], bvh.triangles())
 }
 
 #[test]
@@ -74,6 +77,51 @@ fn light_is_multiplied_as_the_ray_tracer_does() {
             tinted += usize::from(expected != Vec3::ONE && expected != Vec3::ZERO);
         }
         assert!(tinted > 300, "light {light}: {tinted} rays are tinted");
+    }
+}
+
+/// Rays that a view takes, rays from outside, and what is no ray; buffers full of something else, and too short.
+#[test]
+fn what_stood_in_a_buffer_does_not_answer() {
+    let (positions, triangles) = scattered(400);
+    let bvh = build(&positions, &triangles);
+    let mut origins = grid(24, -1.5);
+    let domain = bounds(&positions, &origins);
+    origins.extend([Vec3::new(0.0, 0.0, -4.0), Vec3::splat(9.0), Vec3::NAN, Vec3::INFINITY]);
+    for light in [SUN, Vec4::new(0.1, 0.1, 0.2, 1.0), Vec4::ZERO] {
+        let mut map = SampleMap::build(light, domain, casters(&bvh), &origins, Options::default());
+        let tree = LightBvh::build(light, domain, casters(&bvh));
+        let both = DivideAndConquer::new(light, domain);
+        let rays: Vec<Ray> = origins.iter().map(|&o| Ray::to_light(o, light)).collect();
+        let ask = |ray: &Ray| lt_bvh::occluded(bvh.nodes(), bvh.triangles(), *ray, Opaque);
+        let expected: Vec<bool> = rays.iter().map(ask).collect();
+        let passed: Vec<Vec3> =
+            rays.iter().map(|&ray| transmitted(bvh.nodes(), bvh.triangles(), ray, Stained)).collect();
+        for (asked, len) in [(origins.len(), origins.len()), (origins.len(), 100), (100, origins.len())] {
+            let (asked, end) = (&origins[..asked], asked.min(len));
+            let mut found = [true, false].map(|b| vec![b; len]);
+            for found in &mut found {
+                map.occluded(casters(&bvh), asked, Opaque, found);
+            }
+            let mut others = [vec![true; len], vec![true; len]];
+            tree.occluded(casters(&bvh), asked, Opaque, &mut others[0], &mut Scratch::default());
+            both.occluded(casters(&bvh), asked, Opaque, &mut others[1], &mut Workspace::default());
+            for found in found.iter().chain(&others) {
+                assert_eq!(found[..end], expected[..end], "light {light}");
+            }
+            for found in [&found[0], &others[0], &others[1]] {
+                assert!(
+                    found[end..].iter().all(|b| *b),
+                    "light {light}: what nobody asked for is left alone"
+                );
+            }
+            let mut tints = vec![Vec3::splat(9.0); len];
+            map.transmitted(casters(&bvh), asked, Stained, &mut tints);
+            for (found, expected) in tints[..end].iter().zip(&passed) {
+                assert!((*found - *expected).abs().max_element() <= 1e-5, "light {light}: {found}");
+            }
+            assert!(tints[end..].iter().all(|tint| *tint == Vec3::splat(9.0)), "light {light}");
+        }
     }
 }
 

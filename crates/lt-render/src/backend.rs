@@ -105,10 +105,16 @@ pub struct FrameJob {
 }
 
 impl FrameJob {
-    /// The passes of this frame, in order: the plan's, less those that would draw a map anew that still serves.
+    /// The passes of this frame, in order: the plan's, less those that would draw a map anew that still serves, or build once more what the
+    /// first of several lights has built for all of them.
     pub fn passes(&self) -> Vec<PassKind> {
         let draws = self.map.as_ref().is_some_and(|m| m.drawn().next().is_some());
-        self.plan.passes().into_iter().filter(|k| draws || !k.makes_map()).collect()
+        let builds = self.shadow.light.number == 0;
+        let runs = |kind: &PassKind| match kind {
+            PassKind::Build => builds,
+            kind => draws || !kind.makes_map(),
+        };
+        self.plan.passes().into_iter().filter(runs).collect()
     }
 
     /// The levels that pixels search, where the plan has them search.

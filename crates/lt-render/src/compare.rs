@@ -8,7 +8,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use rayon::prelude::*;
 
 use crate::{
-    EffectPlan, Frame, MaskBits, MeanTimes, PassKind, RenderError, SampleGrid, Session, Technique, metrics,
+    EffectPlan, Frame, MaskBits, MeanTimes, PassKind, RenderError, SampleGrid, Session, Technique,
+    map_memory, metrics,
 };
 
 /// How to measure.
@@ -176,7 +177,8 @@ impl Comparison {
 /// techniques in turn, so that a disturbance of the machine hits all alike.
 ///
 /// # Errors
-/// Whatever the backend reports, or cancellation through `is_cancelled`.
+/// [`RenderError::BadSetup`] where all maps together exceed [`crate::MAX_MAP_BYTES`]; whatever the backend reports; or cancellation through
+/// `is_cancelled`.
 pub fn compare(
     session: &mut Session,
     techniques: &[Technique],
@@ -184,6 +186,7 @@ pub fn compare(
     is_cancelled: &AtomicBool,
     mut progress: impl FnMut(usize, usize, &str),
 ) -> Result<Comparison, RenderError> {
+    map_memory::check(session, techniques)?;
     let mut jobs = vec![Technique::RAY];
     jobs.extend(techniques.iter().filter(|t| **t != Technique::RAY));
     let rounds = options.repeats.max(1) + 1;
@@ -215,7 +218,8 @@ pub fn compare(
 /// errors are medians, or the last frame's where nothing moves.
 ///
 /// # Errors
-/// Whatever the backend or `step` reports, or cancellation through `is_cancelled`.
+/// [`RenderError::BadSetup`] where all maps together exceed [`crate::MAX_MAP_BYTES`]; whatever the backend or `step` reports; or cancellation
+/// through `is_cancelled`.
 pub fn compare_frames(
     session: &mut Session,
     techniques: &[Technique],
@@ -224,6 +228,7 @@ pub fn compare_frames(
     is_cancelled: &AtomicBool,
     mut progress: impl FnMut(usize, usize, &str),
 ) -> Result<Comparison, RenderError> {
+    map_memory::check(session, techniques)?;
     let mut jobs = vec![Technique::RAY];
     jobs.extend(techniques.iter().filter(|t| **t != Technique::RAY));
     let steps = (options.frames + 1) * jobs.len();

@@ -8,7 +8,7 @@ use lt_math::glam::Vec3;
 pub enum PassKind {
     /// Primary rays to visible samples; once per view, shared by all techniques.
     Camera,
-    /// The tree that rays walk, built or refitted once more ([`Upkeep`](crate::Upkeep)).
+    /// What is traced with, made once more ([`Upkeep`](crate::Upkeep)): the tree that rays walk, or the triangles that points are held against.
     Build,
     /// Casters rasterised from the light.
     DepthMap,

@@ -38,6 +38,7 @@ mod lamp;
 mod levels;
 mod light_fit;
 mod light_space;
+mod map_memory;
 mod means;
 pub mod metrics;
 mod pace;
@@ -62,6 +63,7 @@ pub use lamp::LIGHT_JUMP_RAD;
 pub use light_fit::{KEPT_GROWTH, LightFit, fit_directional, fit_kept};
 pub use lt_mask::MaskBits;
 pub use lt_shaders::abi::Sample;
+pub use map_memory::{MAX_MAP_BYTES, map_bytes};
 pub use means::MeanTimes;
 pub use pace::{median_motion_px, way_per_frame};
 pub use packed::{

@@ -193,7 +193,7 @@ impl EffectPlan {
                 "vectors are made from gathered depths"
             }
             .to_owned(),
-            format!("2 passes, {}", bytes(map_bytes * 32)),
+            format!("2 passes, {} and as much again that techniques share", bytes(map_bytes * 16)),
         );
         list(
             "doubt list",
@@ -348,7 +348,7 @@ impl EffectPlan {
     /// The passes of a frame, in order. The camera pass is not among them: it runs once per view.
     pub fn passes(&self) -> Vec<PassKind> {
         let mut passes = Vec::new();
-        if self.upkeep != Upkeep::Kept && self.resolve == Resolve::Ray {
+        if self.upkeep != Upkeep::Kept && self.resolve != Resolve::None {
             passes.push(PassKind::Build);
         }
         // Before all passes over pixels: a backend may run these together.

@@ -290,7 +290,7 @@ pub struct ShadeParams {
     pub light_color: Vec4,
 }
 
-/// One triangle range of the depth map pass.
+/// What a level of the depth map pass is drawn by: its projection.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct DepthParams {

@@ -5,7 +5,8 @@ use lt_math::LightProjection;
 use lt_math::float::dot4;
 use lt_math::glam::{Vec2, Vec3, Vec4, Vec4Swizzles};
 
-use crate::abi::DepthParams;
+use crate::abi::{DepthParams, Material, Vertex};
+use crate::surface::{blocks, corners_of};
 
 /// Corner 0, 1 or 2 of a triangle.
 #[inline]
@@ -50,6 +51,34 @@ pub fn map_position(projection: &LightProjection, world: Vec3, map_size: u32) ->
         dot4(projection.row_z, p),
         dot4(projection.row_w, p),
     )
+}
+
+/// A triangle's corners on a map ([`map_position`]).
+#[inline]
+pub fn on_map(p: &DepthParams, triangle: &Triangle) -> [Vec4; 3] {
+    let place = |i| map_position(&p.projection, corner(triangle, i), p.map_size);
+    [place(0), place(1), place(2)]
+}
+
+/// The same of a placed triangle.
+#[inline]
+pub fn placed_on_map(p: &DepthParams, triangle: &Triangle, instance: &Instance) -> [Vec4; 3] {
+    let place = |i| map_position(&p.projection, placed_corner(triangle, i, instance), p.map_size);
+    [place(0), place(1), place(2)]
+}
+
+/// Whether a triangle with these corners on the map blocks light at a point of it (texels): whether it has no hole there.
+#[inline]
+pub fn blocks_at(
+    point: Vec2,
+    on_map: &[Vec4; 3],
+    triangle: &Triangle,
+    vertices: &[Vertex],
+    materials: &[Material],
+    alpha_texels: &[u32],
+) -> bool {
+    let corners = corners_of(triangle, vertices);
+    blocks(&materials[corners[0].material as usize], &corners, weights_at(point, on_map), alpha_texels)
 }
 
 /// Barycentric weights, in space, of what a triangle shows at a point of the map (texels), from homogeneous edge functions

@@ -113,6 +113,33 @@ fn usable(positions: &[Vec3], indices: &[[u32; 3]]) -> Result<(Vec<u32>, Dropped
     Ok((sources, dropped))
 }
 
+/// The triangles that rays can hit in the caller's order, what indices they have there, and how many are left out.
+fn kept(
+    positions: &[Vec3],
+    indices: &[[u32; 3]],
+    is_opaque: impl Fn(usize) -> bool,
+) -> Result<(Vec<Triangle>, Vec<u32>, Dropped), BuildError> {
+    let (sources, dropped) = usable(positions, indices)?;
+    // Gathered once in the caller's order: the leaf order jumps about, and would miss the cache at every step.
+    let is_opaque: Vec<bool> = sources.iter().map(|&source| is_opaque(source as usize)).collect();
+    let triangles =
+        memory::filled(sources.len(), |i| triangle_of(positions, indices[sources[i] as usize], is_opaque[i]));
+    Ok((triangles, sources, dropped))
+}
+
+/// The triangles of a mesh as [`Bvh::build`] takes them and as its arguments say, in the caller's order and without a tree: what structures
+/// start from that ask the ray tracer's own test of triangles that they find in other ways.
+///
+/// # Errors
+/// [`BuildError::VertexOutOfRange`].
+pub fn triangles_of(
+    positions: &[Vec3],
+    indices: &[[u32; 3]],
+    is_opaque: impl Fn(usize) -> bool,
+) -> Result<Vec<Triangle>, BuildError> {
+    kept(positions, indices, is_opaque).map(|(triangles, ..)| triangles)
+}
+
 /// A triangle with its vertices turned around so that the first lies opposite the longest edge, as the triangle test asks.
 fn triangle_of(positions: &[Vec3], indices: [u32; 3], is_opaque: bool) -> Triangle {
     let [a, b, c] = indices.map(|vertex| positions[vertex as usize].as_dvec3());
@@ -162,17 +189,12 @@ impl Bvh {
         if indices.len() > TRIANGLE_LIMIT {
             return Err(BuildError::TooMany { found: indices.len(), limit: TRIANGLE_LIMIT });
         }
-        let (sources, dropped) = usable(positions, indices)?;
+        let (kept, sources, dropped) = kept(positions, indices, is_opaque)?;
         if sources.is_empty() {
             let nodes = vec![Node::default()];
             let wide = Wide::new(None, nodes[0]);
             return Ok(Bvh { nodes, triangles: Vec::new(), sources, dropped, depth: 1, wide });
         }
-        // Gathered once in the caller's order: the leaf order jumps about, and would miss the cache at every step.
-        let is_opaque: Vec<bool> = sources.iter().map(|&source| is_opaque(source as usize)).collect();
-        let kept: Vec<Triangle> = memory::filled(sources.len(), |i| {
-            triangle_of(positions, indices[sources[i] as usize], is_opaque[i])
-        });
         let boxes: Vec<Bounds> = memory::filled(kept.len(), |i| triangle_bounds(&kept[i]));
         let tree = KernelTree::build(&boxes, quality, NODE_LEAF);
         drop(boxes);

@@ -16,7 +16,7 @@ mod wide;
 
 pub(crate) use binary::{BinaryTree, split};
 pub(crate) use blas::triangle_bounds;
-pub use blas::{Bvh, Dropped};
+pub use blas::{Bvh, Dropped, triangles_of};
 pub(crate) use bounds::Bounds;
 pub(crate) use collapse::{LeafCost, WIDTH, WideChild};
 pub(crate) use emit::{Emitted, Encoder, Held};

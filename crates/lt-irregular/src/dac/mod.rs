@@ -16,7 +16,7 @@ mod points;
 mod rows;
 
 use crate::block::{BLOCK, Block, Spread};
-use crate::casters::{Casters, Query};
+use crate::casters::{Casters, Query, each};
 use crate::rect::Rect;
 use crate::split::Item;
 use crate::tile::{Late, TILE, Tile};
@@ -151,18 +151,19 @@ impl DivideAndConquer {
         out.fill(false);
         let chosen = Chosen::new(self.instructions).unwrap_or(Chosen::Portable);
         let query = Query { casters, light: self.light, any_hit };
+        let views: Vec<View> = View::of_light(self.light, self.domain, casters.root).collect();
         let mut taken = 0;
-        for view in View::of_light(self.light, self.domain, casters.root) {
-            let scene = Scene { chosen, view: &view, query: &query, origins, leaf: self.leaf };
+        for view in &views {
+            let scene = Scene { chosen, view, query: &query, origins, leaf: self.leaf };
             taken += scene.solve(workspace, out);
         }
         if taken < len {
-            for (&origin, out) in origins.iter().zip(out) {
-                let ray = Ray::to_light(origin, self.light);
-                let mut views = View::of_light(self.light, self.domain, casters.root);
-                if ray.is_valid() && !views.any(|view| view.takes(&ray)) {
-                    *out = query.is_blocked_by_any(origin);
-                }
+            let is_stray = |ray: &Ray| ray.is_valid() && !views.iter().any(|view| view.takes(ray));
+            let strays: Vec<usize> =
+                (0..len).filter(|&i| is_stray(&Ray::to_light(origins[i], self.light))).collect();
+            let blocked = each(&strays, |&stray| query.is_blocked_by_any(origins[stray]));
+            for (stray, blocked) in strays.into_iter().zip(blocked) {
+                out[stray] = blocked;
             }
         }
     }

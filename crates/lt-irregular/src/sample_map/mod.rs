@@ -15,7 +15,7 @@ mod visit;
 pub use sort::PointOrder;
 
 use crate::block::{BLOCK, Block};
-use crate::casters::{Casters, Query};
+use crate::casters::{Casters, Query, each};
 use crate::rect::Rect;
 use crate::split::Item;
 use crate::tree::items;
@@ -148,8 +148,8 @@ impl SampleMap {
         if seen.len() == len { Ok(()) } else { Err("a sample is in two places".into()) }
     }
 
-    /// Whether each ray is blocked: the ray tracer's own answers. `out` and `origins` are as long as what it was built over, and
-    /// `casters` are the same.
+    /// Whether each ray is blocked: the ray tracer's own answers, `false` for what is no ray. Stops at the end of the shorter of `origins`
+    /// and `out`. `origins` and `casters` must be those it was built over.
     pub fn occluded<A: AnyHit + Sync>(
         &mut self,
         casters: Casters<'_>,
@@ -157,19 +157,25 @@ impl SampleMap {
         any_hit: A,
         out: &mut [bool],
     ) -> Counters {
+        let len = origins.len().min(out.len());
+        let (origins, out) = (&origins[..len], &mut out[..len]);
+        out.fill(false);
         let query = Query { casters, light: self.light, any_hit };
-        for &stray in &self.strays {
-            out[stray as usize] = query.is_blocked_by_any(origins[stray as usize]);
+        let strays = self.strays_of(len);
+        let blocked = each(&strays, |&stray| query.is_blocked_by_any(origins[stray]));
+        for (stray, blocked) in strays.into_iter().zip(blocked) {
+            out[stray] = blocked;
         }
         let counters = self.rasterise(casters, origins, Darken(any_hit));
-        for part in self.parts() {
-            part.blocked().for_each(|sample| out[sample] = true);
+        for sample in self.parts().flat_map(Part::blocked).filter(|sample| *sample < len) {
+            out[sample] = true;
         }
         counters
     }
 
     /// What all triangles on the way let through of each ray, linear RGB, multiplied in the order of the triangles: the same product as
-    /// [`lt_bvh::transmitted`] up to a rounding per factor.
+    /// [`lt_bvh::transmitted`] up to a rounding per factor, white for what is no ray. Lengths, `origins` and `casters` as in
+    /// [`SampleMap::occluded`].
     pub fn transmitted<T: Transmit + Sync>(
         &mut self,
         casters: Casters<'_>,
@@ -177,23 +183,33 @@ impl SampleMap {
         transmit: T,
         out: &mut [Vec3],
     ) -> Counters {
-        for &stray in &self.strays {
-            out[stray as usize] = Vec3::ONE;
-            let ray = Ray::to_light(origins[stray as usize], self.light);
-            for index in 0..casters.triangles.len() as u32 {
-                if let Some((u, v)) = casters.meet(&ray, index) {
-                    out[stray as usize] *= transmit.transmittance(index, u, v);
-                }
-            }
+        let len = origins.len().min(out.len());
+        let (origins, out) = (&origins[..len], &mut out[..len]);
+        out.fill(Vec3::ONE);
+        let strays = self.strays_of(len);
+        let tints = each(&strays, |&stray| {
+            let ray = Ray::to_light(origins[stray], self.light);
+            (0..casters.triangles.len() as u32).fold(Vec3::ONE, |tint, index| {
+                let met = casters.meet(&ray, index);
+                met.map_or(tint, |(u, v)| tint * transmit.transmittance(index, u, v))
+            })
+        });
+        for (stray, tint) in strays.into_iter().zip(tints) {
+            out[stray] = tint;
         }
         for part in self.views.iter_mut().flat_map(|v| &mut v.parts) {
             part.whiten();
         }
         let counters = self.rasterise(casters, origins, Tint(transmit));
-        for part in self.parts() {
-            part.tints().for_each(|(sample, tint)| out[sample] = tint);
+        for (sample, tint) in self.parts().flat_map(Part::tints).filter(|(sample, _)| *sample < len) {
+            out[sample] = tint;
         }
         counters
+    }
+
+    /// Samples below `len` whose rays no view takes.
+    fn strays_of(&self, len: usize) -> Vec<usize> {
+        self.strays.iter().map(|&stray| stray as usize).filter(|&stray| stray < len).collect()
     }
 
     /// Holds every triangle against the samples.

@@ -278,7 +278,8 @@ impl Part {
         let axes = scene.view.axes();
         let mut o = [[0.0; 16]; 3];
         for (lane, &source) in self.sources[first..leaf.end].iter().take(L::WIDTH).enumerate() {
-            let from = scene.origins[source as usize];
+            // Nobody asks about samples behind the end of a shorter list.
+            let Some(from) = scene.origins.get(source as usize) else { continue };
             (o[0][lane], o[1][lane], o[2][lane]) = (from[axes[0]], from[axes[1]], from[axes[2]]);
         }
         let origin = [lanes.load(&o[0]), lanes.load(&o[1]), lanes.load(&o[2])];

@@ -93,7 +93,7 @@ pub fn tree() -> Outcome<RgbImage> {
     let rays = RayList::of_picture(session.samples(), SIZE, &light).rays;
     let packed = PackedScene::new(&scene)?;
     let Trees::Flat(bvh) = packed.trees() else { return Err("random scenes are baked".into()) };
-    let casters = Casters { root: &bvh.nodes()[0], triangles: bvh.triangles() };
+    let casters = Casters::of_tree(&bvh.nodes()[0], bvh.triangles());
     let origins: Vec<Vec3> = rays.iter().map(|r| r.origin).collect();
     let corners = bvh.triangles().iter().flat_map(|t| [t.v0, t.v1, t.v2]);
     let domain = corners.chain(origins.iter().copied()).fold(Bounds::EMPTY, Bounds::with);

@@ -47,7 +47,7 @@ pub fn measure(hairs: u32, options: &Options) -> Outcome<Row> {
         alpha_texels: packed.alpha_texels(),
         color_texels: packed.color_texels(),
     };
-    let casters = Casters { root: &bvh.nodes()[0], triangles: bvh.triangles() };
+    let casters = Casters::of_tree(&bvh.nodes()[0], bvh.triangles());
     let origins: Vec<Vec3> = rays.iter().map(|r| r.origin).collect();
     let corners = bvh.triangles().iter().flat_map(|t| [t.v0, t.v1, t.v2]);
     let domain = corners.chain(origins.iter().copied()).fold(Bounds::EMPTY, Bounds::with);

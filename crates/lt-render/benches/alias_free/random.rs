@@ -1,6 +1,6 @@
 //! Random triangles: the paper's Table 1 and the close-ups of its Figure 3.
 
-use lt_bvh::{BuildQuality, Bvh, Opaque, Ray, Simd, Tracer};
+use lt_bvh::{BuildQuality, Bvh, Opaque, Ray, Simd, Tracer, Triangle};
 use lt_irregular::{Bounds, Casters, Counters, Options as MapOptions, PointOrder, SampleMap, View};
 use lt_math::glam::{UVec2, Vec3, Vec4};
 use lt_render::{BackendKind, PackedScene, Session, Setup, Technique, Trees};
@@ -50,9 +50,11 @@ impl Phases {
 }
 
 struct Input<'a> {
+    /// In the order of the scene's meshes: what puts them in the order of a tree's leaves has built that tree.
+    triangles: &'a [Triangle],
+    /// The same as an indexed mesh.
     positions: Vec<Vec3>,
-    triangles: Vec<[u32; 3]>,
-    bvh: &'a Bvh,
+    indices: Vec<[u32; 3]>,
     light: Vec4,
     origins: Vec<Vec3>,
     rays: Vec<Ray>,
@@ -74,12 +76,14 @@ pub fn measure(count: u32, fov_deg: Option<f32>, options: &Options) -> Outcome<R
     let packed = PackedScene::new(&scene)?;
     let Trees::Flat(bvh) = packed.trees() else { return Err("random scenes are baked".into()) };
     let origins: Vec<Vec3> = rays.iter().map(|r| r.origin).collect();
-    let corners = bvh.triangles().iter().flat_map(|t| [t.v0, t.v1, t.v2]);
-    let domain = corners.chain(origins.iter().copied()).fold(Bounds::EMPTY, Bounds::with);
-    let positions: Vec<Vec3> = bvh.triangles().iter().flat_map(|t| [t.v0, t.v1, t.v2]).collect();
-    let triangles = (0..bvh.triangles().len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-    let truth = trace(bvh, &rays);
-    let input = Input { positions, triangles, bvh, light: light.place, origins, rays, domain, truth };
+    let mut order: Vec<usize> = (0..bvh.triangles().len()).collect();
+    order.sort_unstable_by_key(|&i| bvh.sources()[i]);
+    let triangles: Vec<Triangle> = order.into_iter().map(|i| bvh.triangles()[i]).collect();
+    let positions: Vec<Vec3> = triangles.iter().flat_map(|t| [t.v0, t.v1, t.v2]).collect();
+    let domain = positions.iter().chain(&origins).fold(Bounds::EMPTY, |all, p| all.with(*p));
+    let indices = (0..triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    let (truth, triangles) = (trace(bvh, &rays), &triangles[..]);
+    let input = Input { triangles, positions, indices, light: light.place, origins, rays, domain, truth };
     let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
     let paper = MapOptions { order: PointOrder::Median, part_levels: 0, ..MapOptions::default() };
     let (mut nodes, mut counters) = (0, Counters::default());
@@ -119,14 +123,11 @@ pub fn measure(count: u32, fov_deg: Option<f32>, options: &Options) -> Outcome<R
 }
 
 impl Input<'_> {
-    fn casters(&self) -> Casters<'_> {
-        Casters { root: &self.bvh.nodes()[0], triangles: self.bvh.triangles() }
-    }
-
     /// The samples into light space, and no more.
     fn transform(&self) -> f64 {
+        let root = Casters::of(self.triangles).root;
         let (points, ms) = timed(|| {
-            let views = View::of_light(self.light, self.domain, &self.bvh.nodes()[0]);
+            let views = View::of_light(self.light, self.domain, root);
             let point = |view: &View, ray: &Ray| view.takes(ray).then(|| view.point(ray));
             views.map(|view| self.rays.iter().filter_map(|r| point(&view, r)).collect::<Vec<_>>()).collect()
         });
@@ -137,10 +138,12 @@ impl Input<'_> {
 
     /// An alias-free map: nodes, counters and times.
     fn draw(&self, options: MapOptions) -> Outcome<((usize, Counters), Phases)> {
-        let (mut map, build) =
-            timed(|| SampleMap::build(self.light, self.domain, self.casters(), &self.origins, options));
+        let ((casters, mut map), build) = timed(|| {
+            let casters = Casters::of(self.triangles);
+            (casters, SampleMap::build(self.light, self.domain, casters, &self.origins, options))
+        });
         let mut found = vec![false; self.origins.len()];
-        let (counters, run) = timed(|| map.occluded(self.casters(), &self.origins, Opaque, &mut found));
+        let (counters, run) = timed(|| map.occluded(casters, &self.origins, Opaque, &mut found));
         self.judge(&found)?;
         Ok(((map.node_count(), counters), Phases { build, run }))
     }
@@ -148,7 +151,7 @@ impl Input<'_> {
     /// The ray tracer, its tree built anew.
     fn rays(&self) -> Outcome<Phases> {
         let build = || {
-            let bvh = Bvh::build(&self.positions, &self.triangles, |_| true, BuildQuality::Fast);
+            let bvh = Bvh::build(&self.positions, &self.indices, |_| true, BuildQuality::Fast);
             bvh.inspect(|bvh| Simd::new(bvh).occluded_batch(&[Ray::default()], Opaque, &mut [false]))
         };
         let (bvh, build) = timed(build);

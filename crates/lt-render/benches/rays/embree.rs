@@ -124,13 +124,19 @@ impl Embree {
         if opened == 0 { Err(format!("Embree opens no device of {threads} threads").into()) } else { Ok(()) }
     }
 
-    /// Builds a scene over the triangles of a place.
+    /// Builds a scene over the triangles of a place, in this order.
     ///
     /// # Errors
     /// Embree refuses.
-    pub fn scene(&self, place: &Place, is_robust: bool, quality: Quality) -> Outcome<EmbreeScene<'_>> {
+    pub fn scene(
+        &self,
+        place: &Place,
+        triangles: &[Triangle],
+        is_robust: bool,
+        quality: Quality,
+    ) -> Outcome<EmbreeScene<'_>> {
         let packed = &place.packed;
-        let (triangles, materials, texels) = (packed.triangles(), packed.materials(), packed.alpha_texels());
+        let (materials, texels) = (packed.materials(), packed.alpha_texels());
         // SAFETY: pointers and lengths belong together, and the library copies what it keeps. Vertex and material
         // indices are in range, as PackedScene makes them.
         let scene = unsafe {

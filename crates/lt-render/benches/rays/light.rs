@@ -32,7 +32,7 @@ impl<'a> Tree<'a> {
         let bounds = place.packed.bounds();
         let domain =
             rays.iter().fold(Bounds { low: bounds.min, high: bounds.max }, |b, ray| b.with(ray.origin));
-        let casters = Casters { root: &place.packed.nodes()[0], triangles: place.packed.triangles() };
+        let casters = Casters::of_tree(&place.packed.nodes()[0], place.packed.triangles());
         let tree = LightBvh::build(light, domain, casters);
         tree.validate(casters)?;
         Ok(Tree { casters, light, tree })

@@ -85,7 +85,9 @@ fn scene<A: AnyHit + Sync>(
     let counts = ours::mean_counts(bvh, &place.rays.rays, any_hit);
     eprintln!("{}: building the peers' trees", place.name);
     let peer = obvhs_peer::Obvhs::new(bvh);
-    let their_scene = embree.map(|e| e.scene(place, options.robust, Quality::Default)).transpose()?;
+    let their_scene = embree
+        .map(|e| e.scene(place, place.packed.triangles(), options.robust, Quality::Default))
+        .transpose()?;
     let light = light::Tree::new(place)?;
     let mut rows = Vec::new();
     let mut residual = Vec::new();
@@ -116,7 +118,7 @@ fn scene<A: AnyHit + Sync>(
         if list == List::Primary {
             residual = residual::nearest_to_edges(&rays, &measured.answers[0]);
             if let Some(embree) = embree {
-                rebuilt = rebuilt::compare(place, any_hit, &measured.answers[0], embree, options.repeats)?;
+                rebuilt = rebuilt::of_place(place, &measured.answers[0], embree, options.repeats)?;
             }
         }
         rows.push(Row::new(place, list, rays.rays.len(), counts, &measured, differences));

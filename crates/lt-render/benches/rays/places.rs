@@ -1,10 +1,11 @@
 //! A scene baked into one world-space tree, and the shadow rays of its view.
 
-use lt_bvh::Bvh;
+use lt_bvh::{Bvh, Triangle};
 use lt_math::glam::UVec2;
 use lt_render::{BackendKind, MappedCoverage, PackedScene, Session, Setup, Technique, Trees};
 use lt_scene::{Instance, Scene, Source};
 use lt_shaders::abi::Material;
+use lt_shaders::surface::Coverage;
 
 use super::Outcome;
 use super::rays::RayList;
@@ -16,6 +17,8 @@ pub struct Place {
     pub device: String,
     pub packed: PackedScene,
     pub rays: RayList,
+    /// The triangles in the order of the scene's meshes, for what is built anew: sorting them into a tree's leaves is part of a build.
+    pub in_mesh_order: Vec<Triangle>,
 }
 
 impl Place {
@@ -29,7 +32,12 @@ impl Place {
         drop(session);
         let packed = PackedScene::new(&scene)?;
         match packed.trees() {
-            Trees::Flat(_) => Ok(Place { name: name.to_owned(), device, packed, rays }),
+            Trees::Flat(bvh) => {
+                let mut order: Vec<usize> = (0..bvh.triangles().len()).collect();
+                order.sort_unstable_by_key(|&i| bvh.sources()[i]);
+                let in_mesh_order = order.into_iter().map(|i| bvh.triangles()[i]).collect();
+                Ok(Place { name: name.to_owned(), device, packed, rays, in_mesh_order })
+            }
             Trees::Instanced(_) => Err(format!("{name}: baked, yet it has instances").into()),
         }
     }
@@ -45,6 +53,18 @@ impl Place {
     /// Whether any triangle asks the alpha test.
     pub fn has_holes(&self) -> bool {
         self.packed.stats().masked_triangles > 0
+    }
+
+    /// The alpha test of shadow rays on triangles in the order of meshes, by the texture alone as in Embree's filter: opacity maps would have to
+    /// be made before.
+    pub fn plain_coverage(&self) -> Coverage<'_> {
+        Coverage {
+            triangles: &self.in_mesh_order,
+            vertices: self.packed.vertices(),
+            materials: self.packed.materials(),
+            alpha_texels: self.packed.alpha_texels(),
+            required_flags: Material::CASTS,
+        }
     }
 
     /// The alpha test of shadow rays.

@@ -1,9 +1,12 @@
 //! Everything built anew for a frame like the one before: Embree's fastest build and its best mode beside divide and conquer, which
 //! builds nothing.
+//!
+//! Both have the same triangles, in the order of the scene's meshes: what puts them in the order of a tree's leaves has built that tree. Making them
+//! of posed meshes is in neither time; both test textures alone, and looking for the box of all triangles is in ours.
 
 use std::time::{Duration, Instant};
 
-use lt_bvh::AnyHit;
+use lt_bvh::{AnyHit, Opaque};
 use lt_irregular::{Bounds, Casters, DivideAndConquer, Workspace};
 use lt_math::glam::Vec3;
 
@@ -33,11 +36,22 @@ impl Rebuilt {
     }
 }
 
+/// [`compare`], with the alpha test where the place has one.
+///
+/// # Errors
+/// As there.
+pub fn of_place(place: &Place, truth: &[bool], embree: &Embree, repeats: u32) -> Outcome<Vec<Rebuilt>> {
+    match place.has_holes() {
+        true => compare(place, place.plain_coverage(), truth, embree, repeats),
+        false => compare(place, Opaque, truth, embree, repeats),
+    }
+}
+
 /// One thread, then two.
 ///
 /// # Errors
 /// Embree refuses the scene, or the answers differ from those of `truth` in more than one ray of 10,000 (Embree's) or in any (ours).
-pub fn compare<A: AnyHit + Sync>(
+fn compare<A: AnyHit + Sync>(
     place: &Place,
     any_hit: A,
     truth: &[bool],
@@ -49,7 +63,7 @@ pub fn compare<A: AnyHit + Sync>(
     let light = rays.first().map_or(Vec3::Y, |ray| ray.direction).extend(0.0);
     let bounds = place.packed.bounds();
     let domain = origins.iter().fold(Bounds { low: bounds.min, high: bounds.max }, |b, o| b.with(*o));
-    let casters = Casters { root: &place.packed.nodes()[0], triangles: place.packed.triangles() };
+    let triangles = &place.in_mesh_order[..];
     let both = DivideAndConquer::new(light, domain);
     let mut rows = Vec::new();
     for threads in [1, BUILD_THREADS] {
@@ -59,12 +73,14 @@ pub fn compare<A: AnyHit + Sync>(
         // A frame before has warmed the memory, as Embree's pools are.
         let mut workspace = Workspace::default();
         for round in 0..=repeats {
-            let scene = embree.scene(place, false, Quality::Fast)?;
+            let scene = embree.scene(place, triangles, false, Quality::Fast)?;
             builds.push(if threads == 1 { scene.build_cpu_ms() } else { scene.build_ms() });
             drop(scene);
             let mut out = vec![false; rays.len()];
             let start = Started::now();
-            pool.install(|| both.occluded(casters, &origins, any_hit, &mut out, &mut workspace));
+            pool.install(|| {
+                both.occluded(Casters::of(triangles), &origins, any_hit, &mut out, &mut workspace);
+            });
             if round > 0 {
                 ours.push(start.elapsed(threads).as_secs_f64() * 1e3);
             }
@@ -74,7 +90,7 @@ pub fn compare<A: AnyHit + Sync>(
                 );
             }
         }
-        let scene = embree.scene(place, false, Quality::Fast)?;
+        let scene = embree.scene(place, triangles, false, Quality::Fast)?;
         let laid_out = scene.rays(rays);
         let measured = measure(&format!("{}, rebuilt", place.name), &laid_out.ways(), rays.len(), repeats);
         for answers in &measured.answers {
@@ -90,7 +106,7 @@ pub fn compare<A: AnyHit + Sync>(
         let Some(best) = best else { continue };
         rows.push(Rebuilt {
             scene: place.name.clone(),
-            triangles: place.packed.triangles().len(),
+            triangles: triangles.len(),
             threads,
             embree_build: median(builds),
             embree_rays: rays.len() as f64 / rate(best) * 1e-3,

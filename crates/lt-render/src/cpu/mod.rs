@@ -12,6 +12,7 @@ mod footprints;
 mod history;
 mod kept_map;
 mod layers;
+mod light_trees;
 mod map_tiles;
 mod mask_batch;
 mod perspective;
@@ -31,8 +32,9 @@ use bytemuck::Zeroable;
 use history::History;
 use kept_map::{Draw, StillMap};
 use layers::{LitTiles, Seen};
+use light_trees::LightTrees;
 use lt_bvh::{AnyHit, Hit, Opaque, Ray, Simd, Tracer, memory};
-use lt_irregular::{LightBvh, Workspace};
+use lt_irregular::Workspace;
 use lt_math::glam::{UVec2, Vec3, Vec4};
 use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Vsm};
 use lt_shaders::abi::{CameraParams, FilterParams, Sample};
@@ -75,12 +77,14 @@ pub struct CpuBackend {
     slots: Vec<Slot>,
     /// The running frame's slot.
     slot: usize,
+    /// Blurred rows between the passes of a pre-filter, which no slot keeps; as many as the largest map of all slots.
+    rows: Vec<Vec4>,
     rays: u64,
     passes: Vec<Pass>,
     /// Times of the running frame's passes over pixels, once they have run.
     pixel_ms: Option<PixelMs>,
-    /// The tree in light space, and the light that it was built for; none after the scene has changed.
-    light_tree: Option<(Vec4, LightBvh)>,
+    /// None after the scene has changed.
+    light_trees: LightTrees,
     /// For divide and conquer, which keeps nothing else.
     workspace: Workspace,
 }
@@ -91,7 +95,6 @@ struct Slot {
     depths: Vec<f32>,
     /// Of every level, what stands still.
     still: Vec<StillMap>,
-    rows: Vec<Vec4>,
     vectors: Vec<Vec4>,
     history: History,
 }
@@ -115,10 +118,11 @@ impl CpuBackend {
             is_doubted: Vec::new(),
             slots: Vec::new(),
             slot: 0,
+            rows: Vec::new(),
             rays: 0,
             passes: Vec::new(),
             pixel_ms: None,
-            light_tree: None,
+            light_trees: LightTrees::default(),
             workspace: Workspace::default(),
         }
     }
@@ -162,7 +166,7 @@ impl Backend for CpuBackend {
     fn replace_scene(&mut self, scene: PackedScene) -> Result<(), RenderError> {
         prepare(&scene);
         self.scene = scene;
-        self.light_tree = None;
+        self.light_trees = LightTrees::default();
         Ok(())
     }
 
@@ -202,8 +206,10 @@ impl Backend for CpuBackend {
         }
         let slot = &mut self.slots[job.slot];
         resize(&mut slot.depths, map_texels);
-        resize(&mut slot.rows, vector_texels);
         resize(&mut slot.vectors, vector_texels);
+        if self.rows.len() < vector_texels {
+            self.rows = memory::zeroed(vector_texels);
+        }
         slot.history.begin(self.tiles, job.plan.mask);
         if job.clears_history() {
             slot.history.clear();
@@ -212,18 +218,19 @@ impl Backend for CpuBackend {
         self.rays = 0;
         self.passes.clear();
         self.pixel_ms = None;
+        // Waking threads that had nothing to do between frames takes milliseconds on a virtual machine, and is no part of a pass. That of threads
+        // which a pass lets sleep is the next one's, or a frame of many passes would be spared what a frame of one is not.
+        rayon::broadcast(|_| ());
         Ok(())
     }
 
     fn pass(&mut self, kind: PassKind, job: &FrameJob) -> Result<(), RenderError> {
-        // Waking threads that had nothing to do between frames takes milliseconds on a virtual machine, and is no part of a pass.
-        rayon::broadcast(|_| ());
         let start = Instant::now();
         let slot = &mut self.slots[self.slot];
         match (kind, &job.map, job.plan.map) {
             (PassKind::Build, ..) => {
                 // Timed inside: what it is built from is prepared first.
-                let ms = Some(self.scene.keep_up(job.plan.upkeep)?);
+                let ms = Some(self.scene.keep_up(job.plan.upkeep, job.plan.resolve)?);
                 self.passes.push(Pass { kind, ms });
                 return Ok(());
             }
@@ -239,18 +246,15 @@ impl Backend for CpuBackend {
             (PassKind::FilterX, Some(map), Some((test, _))) => map.drawn().for_each(|level| {
                 let at = map.texels(level);
                 let depths = maps_to_rows(&slot.depths[at.clone()], map.map_size());
-                blur_rows(test, &map.filter, &depths, &mut slot.rows[at]);
+                blur_rows(test, &map.filter, &depths, &mut self.rows[at]);
             }),
             (PassKind::FilterY, Some(map), _) => map.drawn().for_each(|level| {
                 let at = map.texels(level);
-                blur_columns(&map.filter, &slot.rows[at.clone()], &mut slot.vectors[at]);
+                blur_columns(&map.filter, &self.rows[at.clone()], &mut slot.vectors[at]);
             }),
             (PassKind::LightTree, ..) => {
-                let light = job.shadow.light.place;
                 let is_kept = job.plan.upkeep == Upkeep::Kept;
-                if !is_kept || self.light_tree.as_ref().is_none_or(|(of, _)| *of != light) {
-                    self.light_tree = Some((light, light_space::tree(&self.scene, light)));
-                }
+                self.light_trees.plant(&self.scene, &job.shadow.light, is_kept);
             }
             (PassKind::Evaluate | PassKind::Mask | PassKind::Resolve, ..) => {
                 // The first of these runs all of them.
@@ -280,8 +284,8 @@ impl Backend for CpuBackend {
         let slot = &self.slots[self.slot];
         let bytes = size_of_val(&slot.depths[..])
             + slot.still.iter().map(StillMap::bytes).sum::<usize>()
-            + size_of_val(&slot.rows[..])
-            + size_of_val(&slot.vectors[..]);
+            // As many rows as vectors, lent to it.
+            + 2 * size_of_val(&slot.vectors[..]);
         let mut doubt = self.tiles.to_rows(&self.is_doubted);
         if job.plan.trace_all {
             let is_traced = |rows: &SampleRows| rows.settle(&job.shadow.light).map(|state| state == MAPPED);

@@ -62,9 +62,9 @@ impl CpuBackend {
         };
         let listen_ms = milliseconds(start);
         let light = job.shadow.light;
-        let resolver = match (job.plan.resolve, &self.light_tree) {
+        let resolver = match (job.plan.resolve, self.light_trees.of(&light)) {
             (Resolve::DivideAndConquer | Resolve::AliasFree, _) => Resolver::Later,
-            (Resolve::Light, Some((_, tree))) => Resolver::Tree { tree, casters: casters(&self.scene) },
+            (Resolve::Light, Some(tree)) => Resolver::Tree { tree, casters: casters(&self.scene) },
             _ => Resolver::Rays(tracer(&self.scene)),
         };
         let passes = Passes {

@@ -39,7 +39,7 @@ pub fn trace(
         let origins: Vec<Vec3> =
             pixels.par_iter().map(|&i| shadow_ray(&sample_at(rows, i), light).origin).collect();
         let mut passes = vec![Vec3::ONE; pixels.len()];
-        let triangles = Casters { root: &bvh.nodes()[0], triangles: bvh.triangles() };
+        let triangles = Casters::of_tree(&bvh.nodes()[0], bvh.triangles());
         transmitted(scene, triangles, light.place, &origins, casters, &mut passes);
         tint.fill(Vec3::ONE);
         for (&pixel, passes) in pixels.iter().zip(&passes) {

@@ -64,6 +64,8 @@ pub struct FrameBuffers {
     pub(super) doubt: Option<DoubtBuffers>,
     /// By [`crate::FrameJob::slot`].
     pub(super) slots: Vec<SlotBuffers>,
+    /// Blurred rows between the passes of a pre-filter, which no slot keeps; as many as the largest map of all slots.
+    pub(super) blurred_rows: Option<wgpu::Buffer>,
 }
 
 /// One layer of what the camera sees.
@@ -115,9 +117,14 @@ pub(super) struct MapBuffers {
     pub still: Option<StillMaps>,
     /// Level after level.
     pub depths: wgpu::Buffer,
-    /// Blurred rows and blurred vectors, of a pre-filtered map.
-    pub filtered: Option<[wgpu::Buffer; 2]>,
+    /// Blurred vectors, of a pre-filtered map.
+    pub vectors: Option<wgpu::Buffer>,
 }
+
+/// Bytes of a texel's depth.
+pub(super) const DEPTH_BYTES: u64 = 4;
+/// Bytes of a depth vector, and of a row of the blur's first pass.
+pub(super) const VECTOR_BYTES: u64 = 16;
 
 /// The depths of what stands still, over which what moves is drawn anew in every frame.
 pub(super) struct StillMaps {
@@ -134,9 +141,14 @@ pub(super) struct DoubtBuffers {
 }
 
 impl MapBuffers {
-    /// A level's part of a buffer of all levels.
-    pub fn part<'a>(&self, of: &'a wgpu::Buffer, level: u32) -> wgpu::BindingResource<'a> {
-        let bytes = of.size() / u64::from(self.levels);
+    /// Texels of all levels.
+    pub fn texels(&self) -> u64 {
+        u64::from(self.size) * u64::from(self.size) * u64::from(self.levels)
+    }
+
+    /// A level's part of a buffer that holds all levels first, with so many bytes to a texel.
+    pub fn part<'a>(&self, of: &'a wgpu::Buffer, level: u32, texel_bytes: u64) -> wgpu::BindingResource<'a> {
+        let bytes = u64::from(self.size) * u64::from(self.size) * texel_bytes;
         wgpu::BindingResource::Buffer(wgpu::BufferBinding {
             buffer: of,
             offset: bytes * u64::from(level),
@@ -145,10 +157,10 @@ impl MapBuffers {
     }
 
     /// Bytes the technique needs for its maps: depths (the raster target is a copy of one of them), those of what stands still, and
-    /// vectors.
+    /// vectors with as many blurred rows, which are lent to it.
     pub fn bytes(&self) -> u64 {
         self.depths.size() * if self.still.is_some() { 2 } else { 1 }
-            + self.filtered.iter().flatten().map(wgpu::Buffer::size).sum::<u64>()
+            + self.vectors.as_ref().map_or(0, |vectors| 2 * vectors.size())
     }
 }
 
@@ -272,6 +284,7 @@ impl Allocator {
             past: None,
             doubt: None,
             slots: Vec::new(),
+            blurred_rows: None,
         })
     }
 
@@ -285,18 +298,22 @@ impl Allocator {
         let texels = u64::from(size) * u64::from(size) * u64::from(levels);
         let uses = wgpu::TextureUsages::COPY_SRC | wgpu::TextureUsages::COPY_DST;
         let texture = self.depths("depth map", (size, 1), uses | wgpu::TextureUsages::RENDER_ATTACHMENT);
-        let vectors = |what| self.empty(what, texels * 16, Usage::STORAGE);
         Ok(MapBuffers {
             size,
             levels,
             texture: texture.create_view(&wgpu::TextureViewDescriptor::default()),
             still: None,
-            depths: self.empty("depths", texels * 4, Usage::STORAGE | Usage::COPY_DST)?,
-            filtered: match is_prefiltered {
-                true => Some([vectors("blurred rows")?, vectors("blurred vectors")?]),
+            depths: self.empty("depths", texels * DEPTH_BYTES, Usage::STORAGE | Usage::COPY_DST)?,
+            vectors: match is_prefiltered {
+                true => Some(self.empty("blurred vectors", texels * VECTOR_BYTES, Usage::STORAGE)?),
                 false => None,
             },
         })
+    }
+
+    /// Room for the blurred rows of maps with so many texels.
+    pub fn blurred_rows(&self, texels: u64) -> Result<wgpu::Buffer, RenderError> {
+        self.empty("blurred rows", texels * VECTOR_BYTES, Usage::STORAGE)
     }
 
     /// Room for what stands still in maps of `size`² texels.

@@ -60,7 +60,23 @@ pub struct GpuBackend {
     /// A software driver: its timestamps do not bracket the work between them (seen with Mesa 22.3's lavapipe once a
     /// render pass has run), so passes are submitted one by one and timed by the host's clock.
     is_software: bool,
-    passes: Vec<Pass>,
+    passes: Vec<Recorded>,
+}
+
+/// A pass of the running frame.
+#[derive(Clone, Copy)]
+struct Recorded {
+    kind: PassKind,
+    /// What the host did for it before, as part of it.
+    host_ms: f64,
+    /// What else it took; open where only timestamps can tell it.
+    ms: Option<f64>,
+}
+
+impl Recorded {
+    fn pass(&self) -> Pass {
+        Pass { kind: self.kind, ms: self.ms.map(|ms| self.host_ms + ms) }
+    }
 }
 
 impl GpuBackend {
@@ -97,18 +113,17 @@ impl GpuBackend {
         self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("frame") })
     }
 
-    /// Records one pass between timestamps, or runs it at once on a software driver. The time stays open where only
-    /// timestamps can tell it.
+    /// Records one pass between timestamps, or runs it at once on a software driver. `record` says what of the host's time is the pass's.
     fn timed(
         &mut self,
         kind: PassKind,
-        record: impl FnOnce(&mut Self, &mut wgpu::CommandEncoder) -> Result<(), RenderError>,
+        record: impl FnOnce(&mut Self, &mut wgpu::CommandEncoder) -> Result<Duration, RenderError>,
     ) -> Result<(), RenderError> {
         let mut encoder = self.encoder.take().unwrap_or_else(|| self.new_encoder());
         if let Some(t) = &mut self.timestamps {
             t.mark(&mut encoder);
         }
-        record(self, &mut encoder)?;
+        let host_ms = milliseconds(record(self, &mut encoder)?);
         if let Some(t) = &mut self.timestamps {
             t.mark(&mut encoder);
         }
@@ -117,18 +132,19 @@ impl GpuBackend {
             let start = Instant::now();
             self.queue.submit([encoder.finish()]);
             self.recorder.allocator().wait()?;
-            ms = Some(start.elapsed().as_secs_f64() * 1e3);
+            ms = Some(milliseconds(start.elapsed()));
         } else {
             self.encoder = Some(encoder);
         }
-        self.passes.push(Pass { kind, ms });
+        self.passes.push(Recorded { kind, host_ms, ms });
         Ok(())
     }
 
     /// Submits what is recorded and fills in the passes' times.
     fn submit(&mut self) -> Result<Vec<Pass>, RenderError> {
         let mut passes = std::mem::take(&mut self.passes);
-        let Some(mut encoder) = self.encoder.take() else { return Ok(passes) };
+        let all = |passes: Vec<Recorded>| passes.iter().map(Recorded::pass).collect();
+        let Some(mut encoder) = self.encoder.take() else { return Ok(all(passes)) };
         if let Some(t) = &self.timestamps {
             t.resolve(&mut encoder);
         }
@@ -141,7 +157,7 @@ impl GpuBackend {
                 pass.ms = Some(ms);
             }
         }
-        Ok(passes)
+        Ok(all(passes))
     }
 
     /// [`GpuBackend::submit`] for a frame, again and again until a processor that had idled runs at its full clock again: each pass gives what it gave
@@ -153,7 +169,9 @@ impl GpuBackend {
             self.restart();
             for pass in &passes {
                 match pass.kind {
-                    PassKind::LightTree => self.passes.push(*pass),
+                    PassKind::LightTree => {
+                        self.passes.push(Recorded { kind: pass.kind, host_ms: 0.0, ms: pass.ms });
+                    }
                     kind => self.record_pass(kind, job)?,
                 }
             }
@@ -164,7 +182,9 @@ impl GpuBackend {
     }
 
     fn record_pass(&mut self, kind: PassKind, job: &FrameJob) -> Result<(), RenderError> {
-        self.timed(kind, |this, encoder| this.recorder.pass(encoder, &this.scene, &this.frame, kind, job))
+        self.timed(kind, |this, encoder| {
+            this.recorder.pass_timed(encoder, &this.scene, &this.frame, kind, job)
+        })
     }
 
     fn restart(&mut self) {
@@ -253,7 +273,7 @@ impl Backend for GpuBackend {
         }
         self.restart();
         self.timed(PassKind::Camera, |this, encoder| {
-            this.recorder.camera(encoder, &this.scene, &mut this.frame, params, plan)
+            this.recorder.camera(encoder, &this.scene, &mut this.frame, params, plan).map(|()| Duration::ZERO)
         })?;
         let passes = self.submit()?;
         let bytes = self.pixels() * size_of::<Sample>() as u64;
@@ -292,7 +312,7 @@ impl Backend for GpuBackend {
         if kind == PassKind::LightTree {
             let start = Instant::now();
             self.recorder.plant_light_tree(&mut self.scene, &self.packed, job)?;
-            self.passes.push(Pass { kind, ms: Some(start.elapsed().as_secs_f64() * 1e3) });
+            self.passes.push(Recorded { kind, host_ms: milliseconds(start.elapsed()), ms: Some(0.0) });
             return Ok(());
         }
         self.record_pass(kind, job)
@@ -339,4 +359,8 @@ impl Backend for GpuBackend {
         let words: Vec<u32> = self.recorder.allocator().read(&self.queue, &picture, bytes)?;
         Ok(words.into_iter().map(u32::to_le_bytes).collect())
     }
+}
+
+fn milliseconds(time: Duration) -> f64 {
+    time.as_secs_f64() * 1e3
 }

@@ -7,13 +7,16 @@ mod shade;
 pub use camera::GBuffer;
 
 use std::collections::HashMap;
+use std::time::Duration;
 
 use lt_math::glam::UVec2;
 use lt_shaders::abi::MaskParams;
 use lt_shaders::neighbours::row_words;
 use wgpu::BufferUsages as Usage;
 
-use super::buffers::{Allocator, FrameBuffers, GpuScene, HistoryBuffers, MapBuffers, SlotBuffers};
+use super::buffers::{
+    Allocator, DEPTH_BYTES, FrameBuffers, GpuScene, HistoryBuffers, MapBuffers, SlotBuffers, VECTOR_BYTES,
+};
 use super::modules::ShaderModule;
 use crate::light_space;
 use crate::{FrameJob, MapSource, PackedScene, PassKind, RenderError, Resolve};
@@ -107,12 +110,18 @@ impl Recorder {
             Some(map) => {
                 let (map_size, levels) = (map.map_size(), map.levels.len() as u32);
                 let fits = |m: &MapBuffers| {
-                    (m.size, m.levels, m.filtered.is_some()) == (map_size, levels, is_prefiltered)
+                    (m.size, m.levels, m.vectors.is_some()) == (map_size, levels, is_prefiltered)
                 };
-                if !slot.map.as_ref().is_some_and(fits) {
-                    slot.map = Some(self.allocator.map(map_size, levels, is_prefiltered)?);
+                let maps = match slot.map.take().filter(fits) {
+                    Some(maps) => maps,
+                    None => self.allocator.map(map_size, levels, is_prefiltered)?,
+                };
+                let has_room = |rows: &wgpu::Buffer| rows.size() >= maps.texels() * VECTOR_BYTES;
+                if is_prefiltered && !frame.blurred_rows.as_ref().is_some_and(has_room) {
+                    frame.blurred_rows = Some(self.allocator.blurred_rows(maps.texels())?);
                 }
-                if let Some(maps) = slot.map.as_mut().filter(|_| map.keeps_still) {
+                let maps = slot.map.insert(maps);
+                if map.keeps_still {
                     let still = maps.still.get_or_insert_with(|| self.allocator.still_maps(map_size, levels));
                     map.draws.iter().for_each(|level| still.is_drawn[*level as usize] = true);
                 }
@@ -158,9 +167,21 @@ impl Recorder {
         kind: PassKind,
         job: &FrameJob,
     ) -> Result<(), RenderError> {
+        self.pass_timed(encoder, scene, frame, kind, job).map(|_| ())
+    }
+
+    /// [`Recorder::pass`]; what of the host's time is the pass's own work and not that of recording it.
+    pub(super) fn pass_timed(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        scene: &GpuScene,
+        frame: &FrameBuffers,
+        kind: PassKind,
+        job: &FrameJob,
+    ) -> Result<Duration, RenderError> {
         match kind {
             PassKind::Camera => Ok(()),
-            PassKind::DepthMap => self.depth_map(encoder, scene, frame, job),
+            PassKind::DepthMap => return self.depth_map(encoder, scene, frame, job),
             PassKind::FilterX | PassKind::FilterY => self.filter(encoder, frame, kind, job),
             PassKind::Evaluate => self.evaluate(encoder, frame, job),
             PassKind::Mask => self.mask(encoder, frame, job),
@@ -169,6 +190,7 @@ impl Recorder {
             PassKind::Resolve => self.resolve(encoder, scene, frame, job),
             PassKind::Tint => self.tint(encoder, scene, frame, job),
         }
+        .map(|()| Duration::ZERO)
     }
 
     fn unprepared(&self) -> RenderError {
@@ -200,15 +222,21 @@ impl Recorder {
         let (Some(map), Some(map_job), Some((test, _))) = (&slot.map, &job.map, job.plan.map) else {
             return Err(self.unprepared());
         };
-        let Some([rows, vectors]) = &map.filtered else { return Err(self.unprepared()) };
+        let (Some(rows), Some(vectors)) = (&frame.blurred_rows, &map.vectors) else {
+            return Err(self.unprepared());
+        };
         let uniform = self.allocator.filled("filter", &[map_job.filter], Usage::UNIFORM)?;
         for level in map_job.drawn() {
             let name = match kind {
                 PassKind::FilterX => format!("filter_x_{}_cs", test.id().replace('-', "_")),
                 _ => "filter_y_cs".to_owned(),
             };
-            let (from, to) = if kind == PassKind::FilterX { (&map.depths, rows) } else { (rows, vectors) };
-            let resources = [uniform.as_entire_binding(), map.part(from, level), map.part(to, level)];
+            let vectors_of = |buffer| map.part(buffer, level, VECTOR_BYTES);
+            let (from, to) = match kind {
+                PassKind::FilterX => (map.part(&map.depths, level, DEPTH_BYTES), vectors_of(rows)),
+                _ => (vectors_of(rows), vectors_of(vectors)),
+            };
+            let resources = [uniform.as_entire_binding(), from, to];
             self.dispatch_resources(encoder, &name, &resources, grid(UVec2::splat(map.size)))?;
         }
         Ok(())
@@ -232,8 +260,8 @@ impl Recorder {
             (false, None) => "",
         };
         let test = test.id().replace('-', "_");
-        let (texels, suffix) = match (source, &map.filtered) {
-            (MapSource::Prefiltered, Some([_, vectors])) => (vectors, "_prefiltered"),
+        let (texels, suffix) = match (source, &map.vectors) {
+            (MapSource::Prefiltered, Some(vectors)) => (vectors, "_prefiltered"),
             _ => (&map.depths, ""),
         };
         let mut bindings = vec![&uniform, &frame.samples, texels, &frame.visibility];

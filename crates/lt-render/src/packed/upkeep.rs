@@ -2,13 +2,15 @@
 
 use std::time::Instant;
 
-use lt_bvh::{BuildQuality, Bvh, Opaque, Ray, Simd, Tracer};
+use lt_bvh::{BuildQuality, Bvh, Opaque, Ray, Simd, Tracer, triangles_of};
+use lt_irregular::Casters;
 use lt_math::glam::Vec3;
 
 use super::{OpacityMaps, PackedScene, Trees};
-use crate::RenderError;
+use crate::{RenderError, Resolve};
 
-/// What a frame does to the structures that its technique traces with.
+/// What a frame does to the structures that its technique traces with. What answers in light space starts from the triangles alone, but
+/// those must be made of vertices that have moved, and be looked at for their box.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Upkeep {
     /// Nothing: they are made before, outside of any frame's time.
@@ -24,9 +26,12 @@ impl PackedScene {
     /// Builds or refits the one tree of the scene once more, all that tracing makes on first use included; the time that took, ms. What is
     /// built is as good as what the scene has, and is dropped: leaves in another order would be other names to all who know the triangles.
     ///
+    /// For a resolver in light space, which asks no tree, the triangles alone are made anew. Nor does it have opacity maps made: they are filed by
+    /// triangle and depend on texture coordinates, so that they stand as long as triangles are not put in another order.
+    ///
     /// # Errors
     /// [`RenderError::Unsupported`] for a scene of placed copies ([`crate::Packing::bakes_copies`]); [`RenderError::Build`] as for packing.
-    pub fn keep_up(&mut self, upkeep: Upkeep) -> Result<f64, RenderError> {
+    pub fn keep_up(&mut self, upkeep: Upkeep, resolve: Resolve) -> Result<f64, RenderError> {
         let (positions, indices, asks) = self.soup();
         let Trees::Flat(bvh) = &mut self.trees else {
             return Err(RenderError::Unsupported(
@@ -38,6 +43,10 @@ impl PackedScene {
         let start = Instant::now();
         match upkeep {
             Upkeep::Kept => {}
+            _ if resolve.is_in_light_space() => {
+                let triangles = triangles_of(&positions, &indices, |i| !asks[i]).map_err(failed)?;
+                std::hint::black_box(Casters::of(&triangles).root);
+            }
             Upkeep::Refit => bvh.refit(&positions, &indices).map_err(failed)?,
             Upkeep::Build => {
                 let new =
@@ -86,10 +95,12 @@ mod tests {
             let mut packed = PackedScene::with(&scene, packing).unwrap();
             let before = packed.triangles().to_vec();
             for upkeep in [Upkeep::Build, Upkeep::Refit] {
-                assert!(packed.keep_up(upkeep).unwrap() > 0.0, "{name}: {upkeep:?}");
-                assert_eq!(packed.triangles(), before, "{name}: {upkeep:?}");
-                let Trees::Flat(bvh) = packed.trees() else { panic!("baked") };
-                bvh.validate().unwrap();
+                for resolve in [Resolve::Ray, Resolve::DivideAndConquer] {
+                    assert!(packed.keep_up(upkeep, resolve).unwrap() > 0.0, "{name}: {upkeep:?} {resolve:?}");
+                    assert_eq!(packed.triangles(), before, "{name}: {upkeep:?} {resolve:?}");
+                    let Trees::Flat(bvh) = packed.trees() else { panic!("baked") };
+                    bvh.validate().unwrap();
+                }
             }
         }
     }

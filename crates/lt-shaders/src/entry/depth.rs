@@ -7,8 +7,7 @@ use spirv_std::{arch::kill, spirv};
 
 use crate::{
     abi::{DepthParams, Material, Vertex},
-    depth::{clip_position, corner, depth_at, map_position, placed_corner, weights_at},
-    surface::{blocks, corners_of},
+    depth::{blocks_at, clip_position, corner, depth_at, on_map, placed_corner, placed_on_map},
 };
 
 /// Casters in world space.
@@ -79,10 +78,7 @@ pub fn depth_alpha_fs(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] alpha_texels: &[u32],
 ) {
     let t = triangles[triangle as usize];
-    let place = |i| map_position(&p.projection, corner(&t, i), p.map_size);
-    let weights = weights_at(at.xy(), &[place(0), place(1), place(2)]);
-    let corners = corners_of(&t, vertices);
-    if !blocks(&materials[corners[0].material as usize], &corners, weights, alpha_texels) {
+    if !blocks_at(at.xy(), &on_map(p, &t), &t, vertices, materials, alpha_texels) {
         kill();
     }
 }
@@ -101,11 +97,8 @@ pub fn depth_instanced_alpha_fs(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] alpha_texels: &[u32],
 ) {
     let t = triangles[triangle as usize];
-    let instance = instances[placed as usize];
-    let place = |i| map_position(&p.projection, placed_corner(&t, i, &instance), p.map_size);
-    let weights = weights_at(at.xy(), &[place(0), place(1), place(2)]);
-    let corners = corners_of(&t, vertices);
-    if !blocks(&materials[corners[0].material as usize], &corners, weights, alpha_texels) {
+    let corners = placed_on_map(p, &t, &instances[placed as usize]);
+    if !blocks_at(at.xy(), &corners, &t, vertices, materials, alpha_texels) {
         kill();
     }
 }
@@ -120,9 +113,8 @@ pub fn depth_perspective_fs(
     #[spirv(frag_depth)] depth: &mut f32,
 ) {
     let t = triangles[triangle as usize];
-    let place = |i| map_position(&p.projection, corner(&t, i), p.map_size);
-    let corners_map = [place(0), place(1), place(2)];
-    *depth = depth_at(at.xy(), &corners_map);
+    let corners = on_map(p, &t);
+    *depth = depth_at(at.xy(), &corners);
 }
 
 /// Depths on a perspective map, holes cut.
@@ -138,14 +130,11 @@ pub fn depth_perspective_alpha_fs(
     #[spirv(frag_depth)] depth: &mut f32,
 ) {
     let t = triangles[triangle as usize];
-    let place = |i| map_position(&p.projection, corner(&t, i), p.map_size);
-    let corners_map = [place(0), place(1), place(2)];
-    let weights = weights_at(at.xy(), &corners_map);
-    let corners = corners_of(&t, vertices);
-    if !blocks(&materials[corners[0].material as usize], &corners, weights, alpha_texels) {
+    let corners = on_map(p, &t);
+    if !blocks_at(at.xy(), &corners, &t, vertices, materials, alpha_texels) {
         kill();
     }
-    *depth = depth_at(at.xy(), &corners_map);
+    *depth = depth_at(at.xy(), &corners);
 }
 
 /// Depths of placed casters on a perspective map.
@@ -160,10 +149,8 @@ pub fn depth_perspective_instanced_fs(
     #[spirv(frag_depth)] depth: &mut f32,
 ) {
     let t = triangles[triangle as usize];
-    let instance = instances[placed as usize];
-    let place = |i| map_position(&p.projection, placed_corner(&t, i, &instance), p.map_size);
-    let corners_map = [place(0), place(1), place(2)];
-    *depth = depth_at(at.xy(), &corners_map);
+    let corners = placed_on_map(p, &t, &instances[placed as usize]);
+    *depth = depth_at(at.xy(), &corners);
 }
 
 /// Depths of placed casters on a perspective map, holes cut.
@@ -181,13 +168,9 @@ pub fn depth_perspective_instanced_alpha_fs(
     #[spirv(frag_depth)] depth: &mut f32,
 ) {
     let t = triangles[triangle as usize];
-    let instance = instances[placed as usize];
-    let place = |i| map_position(&p.projection, placed_corner(&t, i, &instance), p.map_size);
-    let corners_map = [place(0), place(1), place(2)];
-    let weights = weights_at(at.xy(), &corners_map);
-    let corners = corners_of(&t, vertices);
-    if !blocks(&materials[corners[0].material as usize], &corners, weights, alpha_texels) {
+    let corners = placed_on_map(p, &t, &instances[placed as usize]);
+    if !blocks_at(at.xy(), &corners, &t, vertices, materials, alpha_texels) {
         kill();
     }
-    *depth = depth_at(at.xy(), &corners_map);
+    *depth = depth_at(at.xy(), &corners);
 }

@@ -1,6 +1,7 @@
 //! The depth map pass: what is drawn of a light's maps, and the pipelines that draw it.
 
 use std::collections::HashMap;
+use std::time::{Duration, Instant};
 
 use lt_shaders::abi::DepthParams;
 use wgpu::BufferUsages as Usage;
@@ -10,17 +11,19 @@ use super::Recorder;
 use crate::{DepthMapJob, DrawRange, FrameJob, RenderError};
 
 impl Recorder {
+    /// Records it; how long the host took to find out what maps see, which no timestamp tells.
     pub(super) fn depth_map(
         &mut self,
         encoder: &mut wgpu::CommandEncoder,
         scene: &GpuScene,
         frame: &FrameBuffers,
         job: &FrameJob,
-    ) -> Result<(), RenderError> {
+    ) -> Result<Duration, RenderError> {
         let slot = self.slot(frame, job)?;
         let (Some(map), Some(map_job)) = (&slot.map, &job.map) else { return Err(self.unprepared()) };
+        let mut culling = Duration::ZERO;
         for level in map_job.drawn() {
-            self.draw_depths(encoder, scene, map, map_job, level)?;
+            culling += self.draw_depths(encoder, scene, map, map_job, level)?;
             encoder.copy_texture_to_buffer(
                 wgpu::TexelCopyTextureInfo {
                     aspect: wgpu::TextureAspect::DepthOnly,
@@ -37,7 +40,7 @@ impl Recorder {
                 map.texture.texture().size(),
             );
         }
-        Ok(())
+        Ok(culling)
     }
 
     /// Draws a level into the maps' texture, whole or what moves over what stands still: the lesser depth of both, as if drawn whole.
@@ -48,7 +51,7 @@ impl Recorder {
         map: &MapBuffers,
         job: &DepthMapJob,
         level: u32,
-    ) -> Result<(), RenderError> {
+    ) -> Result<Duration, RenderError> {
         let p = &job.levels[level as usize];
         let empty = wgpu::LoadOp::Clear(1.0);
         let still =
@@ -59,16 +62,17 @@ impl Recorder {
         let target = map.texture.texture().as_image_copy();
         let layer = wgpu::Origin3d { x: 0, y: 0, z: level };
         let kept = wgpu::TexelCopyTextureInfo { origin: layer, ..still.texture.as_image_copy() };
+        let mut culling = Duration::ZERO;
         if job.draws.contains(&level) {
-            self.draw_casters(encoder, scene, map, p, (&scene.still_draws, empty))?;
+            culling += self.draw_casters(encoder, scene, map, p, (&scene.still_draws, empty))?;
             encoder.copy_texture_to_texture(target, kept, map.texture.texture().size());
         } else {
             encoder.copy_texture_to_texture(kept, target, map.texture.texture().size());
         }
-        self.draw_casters(encoder, scene, map, p, (&scene.moving_draws, wgpu::LoadOp::Load))
+        Ok(culling + self.draw_casters(encoder, scene, map, p, (&scene.moving_draws, wgpu::LoadOp::Load))?)
     }
 
-    /// Draws some casters into the maps' texture.
+    /// Draws some casters into the maps' texture; how long it took to leave out what the map does not see.
     fn draw_casters(
         &mut self,
         encoder: &mut wgpu::CommandEncoder,
@@ -76,9 +80,11 @@ impl Recorder {
         map: &MapBuffers,
         p: &DepthParams,
         (draws, load): (&[DrawRange], wgpu::LoadOp<f32>),
-    ) -> Result<(), RenderError> {
+    ) -> Result<Duration, RenderError> {
         let uniform = self.allocator.filled("depth map", &[*p], Usage::UNIFORM)?;
+        let start = Instant::now();
         let draws = scene.culling.visible_draws(draws, p);
+        let culling = start.elapsed();
         let mut variants: HashMap<&str, (wgpu::RenderPipeline, wgpu::BindGroup)> = HashMap::new();
         for draw in &draws {
             let name = depth_variant(p.near > 0.0, scene.instances.is_some(), draw.has_holes);
@@ -112,7 +118,7 @@ impl Recorder {
             let first = draw.first_triangle * 3;
             pass.draw(first..first + draw.triangles * 3, draw.instance..draw.instance + 1);
         }
-        Ok(())
+        Ok(culling)
     }
 
     fn depth_pipeline(&mut self, name: &'static str) -> Result<wgpu::RenderPipeline, RenderError> {
