@@ -11,6 +11,7 @@ mod layers;
 mod light;
 mod light_counts;
 mod lights;
+mod map_formats;
 mod mask;
 mod moving_lights;
 mod real_scenes;

@@ -128,6 +128,10 @@ pub fn run(args: &CompareArgs, opened: &mut Opened, frames: usize) -> anyhow::Re
                 failure = Some(error);
                 RenderError::Build(problem)
             };
+            let at_frame = |error: RenderError| match error {
+                RenderError::BadSetup(problem) => RenderError::BadSetup(format!("frame {frame}: {problem}")),
+                other => other,
+            };
             let is_posed = playback.objects_move || lamps.is_animated;
             let now = match is_posed {
                 true => Some(args.scene.pose(&opened.source, time_of(args, frame)).map_err(&mut keep)?),
@@ -137,9 +141,9 @@ pub fn run(args: &CompareArgs, opened: &mut Opened, frames: usize) -> anyhow::Re
                 session.relight(&lamps.at(args, now.as_ref(), frame).map_err(&mut keep)?)?;
             }
             match now.filter(|_| playback.objects_move) {
-                None => session.look(&camera),
+                None => session.look(&camera).map_err(&at_frame),
                 Some(now) => {
-                    session.advance(&camera, &now, &before)?;
+                    session.advance(&camera, &now, &before).map_err(&at_frame)?;
                     before = now;
                     Ok(())
                 }

@@ -118,7 +118,7 @@ pub struct FrameStats {
 impl FrameStats {
     /// Time of the passes that `wanted` names, or `None` if any lacks a timestamp.
     pub fn ms(&self, wanted: impl Fn(PassKind) -> bool) -> Option<f64> {
-        self.passes.iter().filter(|p| wanted(p.kind)).map(|p| p.ms).sum()
+        total_ms(&self.passes, wanted)
     }
 
     /// Shadow rays per valid pixel, for all lights.
@@ -379,12 +379,14 @@ fn judge(
     Ok(Comparison { size: [size.x, size.y], samples, valid_pixels, reference, reference_picture, rows })
 }
 
+/// Time of the passes that `wanted` names; `None` if any lacks a timestamp. No pass takes 0, not the −0 of an empty sum.
+fn total_ms(passes: &[crate::Pass], wanted: impl Fn(PassKind) -> bool) -> Option<f64> {
+    passes.iter().filter(|p| wanted(p.kind)).try_fold(0.0, |sum, p| Some(sum + p.ms?))
+}
+
 /// Median over the repeats of the summed time of the passes that `wanted` names; `None` if any lacks a timestamp.
 fn median_of(repeats: &[Vec<crate::Pass>], wanted: impl Fn(PassKind) -> bool) -> Option<f64> {
-    let sum = |passes: &Vec<crate::Pass>| -> Option<f64> {
-        passes.iter().filter(|p| wanted(p.kind)).map(|p| p.ms).sum()
-    };
-    let times: Option<Vec<f64>> = repeats.iter().map(sum).collect();
+    let times: Option<Vec<f64>> = repeats.iter().map(|passes| total_ms(passes, &wanted)).collect();
     times.map(|t| quantile(t, 0.5))
 }
 

@@ -145,7 +145,8 @@ pub enum Removal {
     Never,
     /// Where camera, pixel, light and casters stand exactly still: there the last frame's ray answers (`lt_mask::Evidence::known`).
     Known,
-    /// Wherever all neighbours agree, as published (eq. 8): where pixels move this adds wrong ones.
+    /// Wherever all neighbours agree, as published (eq. 8): where pixels move this adds wrong ones. Without the paper's guard (§3.4), which keeps
+    /// rays where a moving caster's depth is in the footprint: one map holds both here.
     Published,
 }
 

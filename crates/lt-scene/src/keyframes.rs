@@ -63,6 +63,8 @@ impl Keyframes {
     /// In words, the line, what is wrong and what would be right.
     pub fn parse(text: &str, base: Camera) -> Result<Self, String> {
         let mut keys: Vec<Key> = Vec::new();
+        // Some editors begin a file with a byte order mark.
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         for (number, line) in text.lines().enumerate() {
             let line = line.split('#').next().unwrap_or_default();
             let words: Vec<&str> =

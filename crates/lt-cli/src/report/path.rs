@@ -16,7 +16,7 @@ use crate::{
 const SIZE: (u32, u32) = (1000, 420);
 /// Stands for the page's text colour, which plotters cannot name; replaced after drawing.
 const INK: RGBColor = RGBColor(1, 2, 3);
-/// Colours of techniques in order, told apart by colour-blind eyes (Okabe and Ito), then over again.
+/// Colours of techniques in order, told apart by colour-blind eyes (Okabe and Ito), then over again with lines of other [`DASHES`].
 const COLOURS: [RGBColor; 7] = [
     RGBColor(230, 159, 0),
     RGBColor(86, 180, 233),
@@ -26,6 +26,8 @@ const COLOURS: [RGBColor; 7] = [
     RGBColor(204, 121, 167),
     RGBColor(128, 128, 128),
 ];
+/// What lines are called whose colours were taken before, and their strokes and gaps.
+const DASHES: [(&str, i32, i32); 3] = [("dashed", 9, 4), ("dotted", 2, 3), ("with long dashes", 18, 6)];
 /// Columns of a pictured mask at most.
 const MASK_COLUMNS: u32 = 640;
 
@@ -58,7 +60,8 @@ impl PathReport {
         let wrong = |f: &FrameStats| f.errors.wrong_ppm();
         let legend = rows.iter().enumerate().map(|(i, row)| {
             let RGBColor(r, g, b) = COLOURS[i % COLOURS.len()];
-            (row.technique.to_string(), format!("#{r:02x}{g:02x}{b:02x}"))
+            let dashes = dashes(i).map_or_else(String::new, |(name, ..)| format!(" ({name})"));
+            (format!("{}{dashes}", row.technique), format!("#{r:02x}{g:02x}{b:02x}"))
         });
         let strips: anyhow::Result<Vec<MaskStrip>> = rows
             .iter()
@@ -173,9 +176,19 @@ fn draw(area: &Area, lines: &[Vec<f64>], what: &str) -> DrawResult<()> {
         .draw()?;
     for (i, line) in lines.iter().enumerate() {
         let points = line.iter().enumerate().map(|(x, &y)| (x, y.max(floor)));
-        chart.draw_series(LineSeries::new(points, COLOURS[i % COLOURS.len()].stroke_width(2)))?;
+        let style = COLOURS[i % COLOURS.len()].stroke_width(2);
+        match dashes(i) {
+            None => chart.draw_series(LineSeries::new(points, style))?,
+            Some((_, stroke, gap)) => chart.draw_series(DashedLineSeries::new(points, stroke, gap, style))?,
+        };
     }
     Ok(())
+}
+
+/// How the line of a technique by this number is broken, if it is.
+fn dashes(number: usize) -> Option<(&'static str, i32, i32)> {
+    let round = number / COLOURS.len();
+    round.checked_sub(1).map(|round| DASHES[round % DASHES.len()])
 }
 
 #[cfg(test)]

@@ -101,7 +101,7 @@ fn scene<A: AnyHit + Sync>(
             continue;
         }
         let laid_out = their_scene.as_ref().map(|s| s.rays(&rays.rays));
-        let mut ways: Vec<Box<dyn Way + '_>> = ours::ways(bvh, &rays.rays, any_hit, list);
+        let mut ways: Vec<Box<dyn Way + '_>> = ours::ways(place, &rays.rays, any_hit, list);
         ways.push(light.way(&rays.rays, any_hit));
         ways.extend(laid_out.iter().flat_map(|rays| rays.ways()));
         ways.extend(peer.ways(&rays.rays, any_hit));

@@ -7,25 +7,40 @@ use lt_bvh::{AnyHit, Bvh, Counts, Grouping, Ray, RayOrder, Simd, Tracer, occlude
 
 use super::Outcome;
 use super::measure::{Family, Way};
+use super::places::Place;
 use super::report::List;
 
 /// Every how many-th ray the shared kernel answers too, for counts and as a check.
 const PROBED: usize = 16;
 
+/// The column of a scene with holes whose alpha test is what Embree's filter is: no opacity map is asked first.
+pub const BY_TEXTURE: &str = "ours, no opacity maps";
+
 /// Our columns. The first, "ours", is what users get; one named "ours, single" would be set against Embree's single
 /// rays, which are set against the first as long as there is none. Residual rays are said to be scattered.
 pub fn ways<'a, A: AnyHit + Sync + 'a>(
-    bvh: &'a Bvh,
+    place: &'a Place,
     rays: &'a [Ray],
     any_hit: A,
     list: List,
 ) -> Vec<Box<dyn Way + 'a>> {
-    let is_scattered = list == List::Residual;
-    let tracers =
-        [("ours", Simd::new(bvh)), ("ours, single", Simd::new(bvh).with_grouping(Grouping::Single))];
-    let way =
-        |(name, simd)| -> Box<dyn Way + 'a> { Box::new(Ours { name, simd, rays, any_hit, is_scattered }) };
-    tracers.into_iter().map(way).collect()
+    let (bvh, is_scattered) = (place.bvh(), list == List::Residual);
+    let simd = || Simd::new(bvh);
+    let mut ways: Vec<Box<dyn Way + 'a>> = vec![
+        Box::new(Ours { name: "ours", simd: simd(), rays, any_hit, is_scattered }),
+        Box::new(Ours {
+            name: "ours, single",
+            simd: simd().with_grouping(Grouping::Single),
+            rays,
+            any_hit,
+            is_scattered,
+        }),
+    ];
+    if place.has_holes() {
+        let any_hit = place.texture_coverage();
+        ways.push(Box::new(Ours { name: BY_TEXTURE, simd: simd(), rays, any_hit, is_scattered }));
+    }
+    ways
 }
 
 thread_local! {

@@ -58,8 +58,17 @@ impl Place {
     /// The alpha test of shadow rays on triangles in the order of meshes, by the texture alone as in Embree's filter: opacity maps would have to
     /// be made before.
     pub fn plain_coverage(&self) -> Coverage<'_> {
+        self.coverage_of(&self.in_mesh_order)
+    }
+
+    /// The same on triangles in the order of the tree's leaves.
+    pub fn texture_coverage(&self) -> Coverage<'_> {
+        self.coverage_of(self.packed.triangles())
+    }
+
+    fn coverage_of<'a>(&'a self, triangles: &'a [Triangle]) -> Coverage<'a> {
         Coverage {
-            triangles: &self.in_mesh_order,
+            triangles,
             vertices: self.packed.vertices(),
             materials: self.packed.materials(),
             alpha_texels: self.packed.alpha_texels(),

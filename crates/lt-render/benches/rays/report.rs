@@ -9,7 +9,7 @@ use super::embree::{BUILD_THREADS, Embree};
 use super::judge::Differences;
 use super::measure::{Column, Family, Measured};
 use super::options::Options;
-use super::ours::MeanCounts;
+use super::ours::{BY_TEXTURE, MeanCounts};
 use super::places::Place;
 use super::rebuilt::Rebuilt;
 use super::today::today;
@@ -170,11 +170,12 @@ impl Report {
             );
         }
         for (label, rate) in [("1 thread", one as fn(&Column) -> f64), ("2 threads", two)] {
-            let [auto, single] = ratios(row, rate);
+            let [auto, single, by_texture] = ratios(row, rate);
             if let (Some(auto), Some(single)) = (auto, single) {
                 let _ = writeln!(
                     text,
-                    "  {label}: ours {auto:.2}× Embree's best; single {single:.2}× Embree's single"
+                    "  {label}: ours {auto:.2}× Embree's best{}; single {single:.2}× Embree's single",
+                    by_texture.map_or_else(String::new, |t| format!(" ({t:.2}× without opacity maps)"))
                 );
             }
         }
@@ -333,12 +334,13 @@ impl Report {
     }
 }
 
-/// Ours against Embree's best, our single rays against its.
-fn ratios(row: &Row, rate: fn(&Column) -> f64) -> [Option<f64>; 2] {
+/// Ours against Embree's best, our single rays against its, ours without opacity maps against Embree's best.
+fn ratios(row: &Row, rate: fn(&Column) -> f64) -> [Option<f64>; 3] {
     let ratio = |ours: Option<f64>, theirs: Option<f64>| Some(ours? / theirs?);
     [
         ratio(row.rate("ours", rate), row.best(Family::Embree, rate)),
         ratio(row.rate("ours, single", rate).or(row.rate("ours", rate)), row.rate("Embree, single", rate)),
+        ratio(row.rate(BY_TEXTURE, rate), row.best(Family::Embree, rate)),
     ]
 }
 
@@ -348,7 +350,9 @@ type Cell<'a> = (String, Box<dyn Fn(&Row) -> String + 'a>);
 fn table(text: &mut String, first: &Row, rows: &[&Row], rate: fn(&Column) -> f64) {
     let number = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |v| format!("{v:.2}"));
     let mut cells: Vec<Cell> = Vec::new();
-    for column in first.columns.iter().filter(|c| c.family != Family::Obvhs) {
+    // Some columns are of some scenes only.
+    let columns = rows.iter().map(|row| &row.columns).max_by_key(|columns| columns.len());
+    for column in columns.into_iter().flatten().filter(|c| c.family != Family::Obvhs) {
         let name = column.name.clone();
         cells.push((name.clone(), Box::new(move |row| number(row.rate(&name, rate)))));
     }
@@ -358,6 +362,12 @@ fn table(text: &mut String, first: &Row, rows: &[&Row], rate: fn(&Column) -> f64
             "**ours / Embree's best**".to_owned(),
             Box::new(move |row| format!("**{}**", number(ratios(row, rate)[0]))),
         ));
+        if rows.iter().any(|row| ratios(row, rate)[2].is_some()) {
+            cells.push((
+                "no opacity maps / Embree's best".to_owned(),
+                Box::new(move |row| number(ratios(row, rate)[2])),
+            ));
+        }
         cells.push(("single / single".to_owned(), Box::new(move |row| number(ratios(row, rate)[1]))));
     }
     if first.list == List::Primary {
