@@ -46,6 +46,29 @@ pub(crate) fn tree(scene: &PackedScene, light: Vec4) -> LightBvh {
     LightBvh::build(light, domain(scene), casters(scene))
 }
 
+/// What a light's tree took, which all techniques walk: each is charged for it once, whoever comes first.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Planted {
+    ms: f64,
+    charged: Vec<usize>,
+}
+
+impl Planted {
+    /// Of a tree that was just planted.
+    pub fn in_ms(ms: f64) -> Self {
+        Self { ms, charged: Vec::new() }
+    }
+
+    /// Milliseconds that the technique of a slot ([`FrameJob::slot`]) has to answer for in this frame.
+    pub fn charge(&mut self, slot: usize) -> f64 {
+        if self.charged.contains(&slot) {
+            return 0.0;
+        }
+        self.charged.push(slot);
+        self.ms
+    }
+}
+
 /// Answers all of a frame's rays at once, by a resolver that keeps nothing but memory.
 pub(crate) fn occluded<A: AnyHit + Sync>(
     scene: &PackedScene,

@@ -254,7 +254,9 @@ impl Backend for CpuBackend {
             }),
             (PassKind::LightTree, ..) => {
                 let is_kept = job.plan.upkeep == Upkeep::Kept;
-                self.light_trees.plant(&self.scene, &job.shadow.light, is_kept);
+                let ms = self.light_trees.plant(&self.scene, &job.shadow.light, is_kept, job.slot);
+                self.passes.push(Pass { kind, ms: Some(ms) });
+                return Ok(());
             }
             (PassKind::Evaluate | PassKind::Mask | PassKind::Resolve, ..) => {
                 // The first of these runs all of them.

@@ -36,7 +36,8 @@ use timestamps::Timestamps;
 
 use crate::{
     Backend, EffectPlan, Frame, FrameJob, PackedScene, Pass, PassKind, RenderError, Resolve, ShadedLight,
-    Upkeep, light_space,
+    Upkeep,
+    light_space::{self, Planted},
 };
 
 /// For how long a frame is run before its times count. Between frames the host reads back and compares, and processors slow down when idle:
@@ -52,6 +53,8 @@ pub struct GpuBackend {
     /// What the scene on the device was uploaded from: trees in light space are planted from it.
     packed: PackedScene,
     scene: GpuScene,
+    /// By light number, what the tree took that the scene holds for it.
+    planted: Vec<Planted>,
     frame: FrameBuffers,
     /// Layer by layer.
     samples: Vec<Vec<Sample>>,
@@ -100,6 +103,7 @@ impl GpuBackend {
             recorder,
             packed,
             scene,
+            planted: Vec::new(),
             frame,
             samples: Vec::new(),
             encoder: None,
@@ -310,9 +314,15 @@ impl Backend for GpuBackend {
 
     fn pass(&mut self, kind: PassKind, job: &FrameJob) -> Result<(), RenderError> {
         if kind == PassKind::LightTree {
-            let start = Instant::now();
-            self.recorder.plant_light_tree(&mut self.scene, &self.packed, job)?;
-            self.passes.push(Recorded { kind, host_ms: milliseconds(start.elapsed()), ms: Some(0.0) });
+            let (start, number) = (Instant::now(), job.shadow.light.number as usize);
+            if self.recorder.plant_light_tree(&mut self.scene, &self.packed, job)? {
+                if self.planted.len() <= number {
+                    self.planted.resize_with(number + 1, Planted::default);
+                }
+                self.planted[number] = Planted::in_ms(milliseconds(start.elapsed()));
+            }
+            let host_ms = self.planted[number].charge(job.slot);
+            self.passes.push(Recorded { kind, host_ms, ms: Some(0.0) });
             return Ok(());
         }
         self.record_pass(kind, job)
