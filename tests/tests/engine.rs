@@ -129,4 +129,8 @@ fn a_frame_that_lacks_where_things_were_says_so() {
     let error = engine.draw(session.samples(), false, &second).expect_err("no last positions");
     assert!(error.to_string().contains("last_positions"), "{error}");
     engine.draw(session.samples(), true, &second).expect("recorded");
+    // A cleared history is none to be followed.
+    planner.play(Sequence { is_played: true, objects_move: true, starts_cold: true, ..Sequence::default() });
+    let cold = planner.next_frame(&technique).remove(0);
+    engine.draw(session.samples(), false, &cold).expect("recorded");
 }

@@ -29,6 +29,12 @@ pub fn column_start(x: u32) -> u32 {
     (x >> 2 << 4) | (x & 3)
 }
 
+/// A row of a map, left to right.
+pub fn row<T: Copy>(tiles: &[T], y: u32, map_size: u32) -> impl Iterator<Item = T> {
+    let first = row_start(y, map_size) as usize;
+    (0..map_size).map(move |x| tiles[first + column_start(x) as usize])
+}
+
 /// Maps of `map_size`² texels, one after the other, from rows to tiles: how [`evaluate_batch`](super::evaluate_batch) wants them.
 ///
 /// # Panics
@@ -70,6 +76,7 @@ mod tests {
         let rows: Vec<u32> = (0..2 * 64 * 64).collect();
         let tiles = maps_to_tiles(&rows, 64);
         assert_eq!(maps_to_rows(&tiles, 64), rows);
+        assert!((0..64).all(|y| row(&tiles, y, 64).eq((64 * y)..(64 * y + 64))));
         // The second tile of the second row of tiles, on the second map.
         let first = 4096 + 4 * 64 + 4;
         let tile = &tiles[4096 + (16 + 1) * TEXELS..][..TEXELS];

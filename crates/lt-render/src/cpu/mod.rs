@@ -245,8 +245,7 @@ impl Backend for CpuBackend {
             }
             (PassKind::FilterX, Some(map), Some((test, _))) => map.drawn().for_each(|level| {
                 let at = map.texels(level);
-                let depths = maps_to_rows(&slot.depths[at.clone()], map.map_size());
-                blur_rows(test, &map.filter, &depths, &mut self.rows[at]);
+                blur_rows(test, &map.filter, &slot.depths[at.clone()], &mut self.rows[at]);
             }),
             (PassKind::FilterY, Some(map), _) => map.drawn().for_each(|level| {
                 let at = map.texels(level);
@@ -318,11 +317,15 @@ impl Backend for CpuBackend {
     }
 }
 
+/// From [tiles](map_tiles) to rows, each of which the kernel sees as a map of its own.
 fn blur_rows(test: MapTest, p: &FilterParams, depths: &[f32], rows: &mut [Vec4]) {
     let each = |kernel: fn(UVec2, &FilterParams, &[f32]) -> Vec4, rows: &mut [Vec4]| {
-        rows.par_chunks_mut(p.map_size as usize).enumerate().for_each(|(y, row)| {
+        let rows = rows.par_chunks_mut(p.map_size as usize).enumerate();
+        rows.for_each_init(Vec::new, |row_depths, (y, row)| {
+            row_depths.clear();
+            row_depths.extend(map_tiles::row(depths, y as u32, p.map_size));
             for (x, vector) in row.iter_mut().enumerate() {
-                *vector = kernel(UVec2::new(x as u32, y as u32), p, depths);
+                *vector = kernel(UVec2::new(x as u32, 0), p, row_depths);
             }
         });
     };

@@ -314,7 +314,9 @@ impl Recorder {
             &doubt.list,
         ];
         let past = frame.past.as_ref().filter(|_| job.plan.object_motion);
-        if job.plan.object_motion && past.is_none() && p.flags & MaskParams::HAS_HISTORY != 0 {
+        // A cleared history has nothing to be followed to.
+        let follows = p.flags & (MaskParams::HAS_HISTORY | MaskParams::CLEARED) == MaskParams::HAS_HISTORY;
+        if job.plan.object_motion && past.is_none() && follows {
             let problem = "the plan counts on things that move, and the frame does not know where they were: import GBuffer::last_positions";
             return Err(self.allocator.error(problem.to_owned()));
         }

@@ -63,22 +63,22 @@ impl Asset {
     /// else the origin.
     pub(super) fn near_origin(&self) -> DVec3 {
         let world = self.hierarchy.world(&self.hierarchy.rest);
-        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        let mut include = |at: DVec3| (low, high) = (low.min(at), high.max(at));
-        for (load, at) in self.loads.iter().zip(&world) {
-            let Some(mesh) = load.mesh else { continue };
-            match load.skin {
-                Some(skin) => {
-                    self.skins[skin].joints.iter().for_each(|&joint| include(world[joint].translation))
+        // Once for each mesh and skin, not for each node that has one: nodes may share large ones by the thousand.
+        let joined = |all: Bounds, p: &Primitive| all.including(p.bounds.min).including(p.bounds.max);
+        let meshes: Vec<Bounds> = self.meshes.iter().map(|m| m.iter().fold(Bounds::EMPTY, joined)).collect();
+        let skins =
+            self.skins.iter().map(|s| reach_of(s.joints.iter().map(|&joint| world[joint].translation)));
+        let skins: Vec<[DVec3; 2]> = skins.collect();
+        let shown = self.loads.iter().zip(&world).filter_map(|(load, at)| {
+            Some(match (load.mesh?, load.skin) {
+                (_, Some(skin)) => skins[skin],
+                (mesh, None) if meshes[mesh].is_empty() => NOWHERE,
+                (mesh, None) => {
+                    reach_of(meshes[mesh].corners().into_iter().map(|c| at.transform_point3(c.as_dvec3())))
                 }
-                None => {
-                    let corners = self.meshes[mesh].iter().map(|p| p.bounds).filter(|b| !b.is_empty());
-                    corners
-                        .flat_map(|b| b.corners())
-                        .for_each(|c| include(at.transform_point3(c.as_dvec3())));
-                }
-            }
-        }
+            })
+        });
+        let [low, high] = shown.fold(NOWHERE, |[low, high], [l, h]| [low.min(l), high.max(h)]);
         let (middle, reach) = ((low + high) * 0.5, (high - low).max_element() * 0.5);
         let is_far = middle.is_finite() && middle.abs().max_element() > FAR * reach;
         if is_far { middle.round() } else { DVec3::ZERO }
@@ -265,6 +265,14 @@ impl Posing<'_> {
 
 /// How many times as far from the file's origin as it is large a scene lies that is told relative to its own middle.
 const FAR: f64 = 64.0;
+
+/// The box of no points.
+const NOWHERE: [DVec3; 2] = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+
+/// The box of points.
+fn reach_of(points: impl Iterator<Item = DVec3>) -> [DVec3; 2] {
+    points.fold(NOWHERE, |[low, high], at| [low.min(at), high.max(at)])
+}
 
 /// World units that something too flat to be placed still measures.
 const SHRUNK: f32 = 1e-9;
