@@ -2,7 +2,9 @@
 
 use lt_math::glam::UVec2;
 use lt_render::gpu::{FrameBuffers, GBuffer, GpuScene, Recorder, open};
-use lt_render::{FrameJob, FramePlanner, PackedScene, RenderError, Sample, Sequence, Setup, Technique};
+use lt_render::{
+    FrameJob, FramePlanner, PackedScene, RenderError, Sample, Sequence, Setup, Technique, places_of,
+};
 use lt_scene::{Light, LightKind, Scene};
 use lt_tests::textures::{download, upload, visibility_texture};
 use lt_tests::{REQUIRE_GPU, builtin, count_different, gpu_session};
@@ -92,7 +94,7 @@ fn frames_recorded_one_after_the_other_are_the_session_s() {
                 planner.look(&camera).expect("a view");
             }
             let truth = session.render(&technique).expect("frame");
-            planner.see(session.samples().iter().filter(|s| s.is_valid()).map(|s| s.position).collect());
+            planner.see(places_of(session.samples(), SIZE.x as usize).collect());
             let jobs = planner.next_frame(&technique);
             assert_eq!(jobs.len(), 2);
             for (job, truth) in jobs.iter().zip(truth.each_light()) {

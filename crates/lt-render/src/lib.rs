@@ -70,7 +70,7 @@ pub use packed::{
     Culling, DrawRange, MappedCoverage, OpacityMaps, PackStats, PackedScene, Packing, Trees, Upkeep,
 };
 pub use plan::{Effect, EffectPlan, MaskEffects, Sequence};
-pub use planner::FramePlanner;
+pub use planner::{FramePlanner, places_of};
 pub use sample_grid::SampleGrid;
 pub use session::{SceneInfo, Session};
 pub use setup::{MAX_SAMPLES, Setup};

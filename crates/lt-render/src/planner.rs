@@ -25,7 +25,9 @@ use std::collections::HashMap;
 use lt_mask::{DEPTH_CONSISTENCY_TOLERANCE, Offsets};
 use lt_math::glam::{UVec2, Vec3, Vec4};
 use lt_scene::{Bounds, Camera, Light, LightKind};
-use lt_shaders::abi::{CameraParams, DepthParams, FilterParams, LightParams, MaskParams, ShadowParams};
+use lt_shaders::abi::{
+    CameraParams, DepthParams, FilterParams, LightParams, MaskParams, Sample, ShadowParams,
+};
 
 use crate::backend::{DepthMapJob, test_params};
 use crate::{
@@ -186,8 +188,12 @@ impl FramePlanner {
         Ok(())
     }
 
-    /// Some of the places that are seen, world space, some thousands at most; empty where nobody knows any. What a lamp's motion means for
-    /// the mask is judged from the median distance to them, without any from the middle of the scene.
+    /// Some of the places that are seen ([`places_of`]), world space, some thousands at most and spread evenly over the picture, those of the last
+    /// frame if need be; empty where nobody knows any.
+    ///
+    /// The levels of a sun's map are fitted to them where rays answer what lies on no level, so that texels are not spent on what is hidden or
+    /// beside the view: a half to a third of the doubts. Without any they are fitted to all that the view may hold. What a lamp's motion means
+    /// for the mask is judged from the median distance to them, without any from the middle of the scene.
     pub fn see(&mut self, places: Vec<Vec3>) {
         self.seen = places;
     }
@@ -363,7 +369,9 @@ impl FramePlanner {
             return lamp_levels(light, scene, map_size, kept);
         }
         if technique.cascades.count > 1 {
-            let view = View { scene, camera, direction, map_size };
+            // Where nothing traces what lies on no level, levels must hold all that may be seen.
+            let places = if plan.doubt_list { &self.seen[..] } else { &[] };
+            let view = View { scene, camera, direction, map_size, places };
             return match plan.reuse {
                 true => keep_levels(view, &technique.cascades, kept),
                 false => fit_levels(view, &technique.cascades),
@@ -440,6 +448,19 @@ impl FramePlanner {
             ..bytemuck::Zeroable::zeroed()
         }
     }
+}
+
+/// Most places that [`places_of`] takes of a picture.
+const PLACES: usize = 4_096;
+
+/// Places for [`FramePlanner::see`] of a picture's samples, row by row: those on a square grid, some thousands.
+pub fn places_of(samples: &[Sample], width: usize) -> impl Iterator<Item = Vec3> {
+    let step = (samples.len() as f64 / PLACES as f64).sqrt().ceil().max(1.0) as usize;
+    let is_on_grid = move |line: usize| line % step == step / 2;
+    let rows = samples.chunks(width.max(1)).enumerate().filter(move |(y, _)| is_on_grid(*y));
+    let seen =
+        rows.flat_map(move |(_, row)| row.iter().skip(step / 2).step_by(step)).filter(|s| s.is_valid());
+    seen.map(|s| s.position)
 }
 
 /// How much larger than its casters a box is made that they have left, so that their next step does not leave it again.

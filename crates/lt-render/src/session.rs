@@ -7,7 +7,7 @@ use lt_shaders::abi::{Sample, ShadeParams};
 
 use crate::{
     Backend, BackendKind, EffectPlan, Frame, FrameJob, FramePlanner, LightFit, PackStats, PackedScene,
-    RenderError, Sequence, Setup, ShadedLight, Technique, cpu::CpuBackend, lamp::light_params_of,
+    RenderError, Sequence, Setup, ShadedLight, Technique, cpu::CpuBackend, lamp::light_params_of, places_of,
 };
 
 /// What preparing the scene took.
@@ -23,8 +23,6 @@ pub struct SceneInfo {
 
 /// Radiance of a sun of intensity 1 in the shaded pictures.
 const SUN_STRENGTH: f32 = 1.25;
-/// Samples looked at for a median distance.
-const DISTANCE_SAMPLES: usize = 20_000;
 /// Haze at a distance of one scene diagonal.
 const HAZE: f32 = 0.22;
 
@@ -64,9 +62,9 @@ impl Session {
     fn see(&mut self, plan: &EffectPlan) -> Result<(), RenderError> {
         self.info.camera_ms = self.backend.camera(self.planner.camera(), plan)?;
         self.samples = self.backend.samples()?;
-        let stride = (self.samples[0].len() / DISTANCE_SAMPLES).max(1);
-        let seen = self.samples[0].iter().step_by(stride).filter(|s| s.is_valid());
-        self.planner.see(seen.map(|s| s.position).collect());
+        let width = self.setup().size_in_samples().x as usize;
+        let seen = self.samples.iter().flat_map(|layer| places_of(layer, width)).collect();
+        self.planner.see(seen);
         Ok(())
     }
 
