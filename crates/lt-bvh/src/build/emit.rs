@@ -158,7 +158,7 @@ pub(crate) fn emit<E: Encoder>(
     all
 }
 
-impl<N: Zeroable> Emitted<N> {
+impl<N: Zeroable + Send> Emitted<N> {
     fn zeroed(extent: Extent) -> Self {
         Emitted {
             nodes: memory::zeroed(extent.nodes),

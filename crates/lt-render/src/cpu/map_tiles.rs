@@ -39,7 +39,7 @@ pub fn row<T: Copy>(tiles: &[T], y: u32, map_size: u32) -> impl Iterator<Item = 
 ///
 /// # Panics
 /// If `map_size` is no multiple of four, or `rows` are no whole maps.
-pub fn maps_to_tiles<T: Zeroable + Copy>(rows: &[T], map_size: u32) -> Vec<T> {
+pub fn maps_to_tiles<T: Zeroable + Copy + Send>(rows: &[T], map_size: u32) -> Vec<T> {
     let mut tiles = memory::zeroed(rows.len());
     places(rows.len(), map_size).for_each(|(in_tiles, in_rows)| tiles[in_tiles] = rows[in_rows]);
     tiles
@@ -49,7 +49,7 @@ pub fn maps_to_tiles<T: Zeroable + Copy>(rows: &[T], map_size: u32) -> Vec<T> {
 ///
 /// # Panics
 /// If `map_size` is no multiple of four, or `tiles` are no whole maps.
-pub fn maps_to_rows<T: Zeroable + Copy>(tiles: &[T], map_size: u32) -> Vec<T> {
+pub fn maps_to_rows<T: Zeroable + Copy + Send>(tiles: &[T], map_size: u32) -> Vec<T> {
     let mut rows = memory::zeroed(tiles.len());
     places(tiles.len(), map_size).for_each(|(in_tiles, in_rows)| rows[in_rows] = tiles[in_tiles]);
     rows

@@ -137,7 +137,7 @@ fn prepare(scene: &PackedScene) {
 }
 
 /// Makes a buffer one of zeros where it has another length: what a picture or a map holds is not another's.
-fn resize<T: Zeroable>(buffer: &mut Vec<T>, len: usize) {
+fn resize<T: Zeroable + Send>(buffer: &mut Vec<T>, len: usize) {
     if buffer.len() != len {
         *buffer = memory::zeroed(len);
     }
