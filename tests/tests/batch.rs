@@ -44,7 +44,7 @@ fn batches_have_the_bits_of_the_shared_function_on_every_built_in_scene() {
         backend.pass(PassKind::DepthMap, &job).expect("draws");
         let (samples, p, depths) = (session.samples(), &job.shadow, backend.depth_maps());
         let (rows, mut lit, mut doubted) = pieces_of(samples);
-        evaluate_batch_levels::<Evsm, true>(&rows, p, &projections, depths, &mut lit, &mut doubted);
+        evaluate_batch_levels::<Evsm, true>(rows.pieces(), p, &projections, depths, &mut lit, &mut doubted);
         let depths = &maps_to_rows(depths, p.map_size)[..];
         let levels = Levels { projections: &projections, count: projections.len() as u32 };
         for (i, sample) in samples.iter().enumerate() {
@@ -55,15 +55,16 @@ fn batches_have_the_bits_of_the_shared_function_on_every_built_in_scene() {
 }
 
 /// Samples in pieces, and room for their visibilities and doubts.
-fn pieces_of(samples: &[Sample]) -> (Vec<SampleRows>, Vec<f32>, Vec<bool>) {
+fn pieces_of(samples: &[Sample]) -> (SampleRows, Vec<f32>, Vec<bool>) {
     let rows = SampleRows::of(samples);
-    let len = 64 * rows.len();
+    let len = 64 * rows.pieces().len();
     (rows, vec![0.0; len], vec![false; len])
 }
 
 fn differences<T: BatchTest, const LTT: bool>(samples: &[Sample], p: &ShadowParams, depths: &[f32]) -> usize {
     let (rows, mut lit, mut doubted) = pieces_of(samples);
-    evaluate_batch::<T, LTT>(&rows, p, depths, &mut lit, &mut doubted);
+    let pieces = rows.pieces();
+    evaluate_batch::<T, LTT>(pieces, p, depths, &mut lit, &mut doubted);
     let map = GatheredDepths { depths: &maps_to_rows(depths, p.map_size) };
     let is_different = |(i, sample): (usize, &Sample)| {
         let v = evaluate::<T, _, LTT>(sample, p, map);

@@ -5,7 +5,7 @@
 use half::f16;
 use lt_math::glam::Vec4;
 use lt_math::{Evsm, MsmHamburger, Vsm};
-use lt_render::cpu::{BatchTest, CpuBackend, SampleRows, evaluate_batch_levels};
+use lt_render::cpu::{BatchTest, CpuBackend, Pieces, SampleRows, evaluate_batch_levels};
 use lt_render::{Backend, PackedScene, PassKind, Technique};
 use lt_tests::{builtin, cpu_session, ppm};
 
@@ -60,12 +60,13 @@ fn outcome(scene: &str, id: &str, format: Format, is_widened: bool) -> Outcome {
     }
     let depths: Vec<f32> = backend.depth_maps().iter().map(|&d| format.stored(d)).collect();
     let rows = SampleRows::of(session.samples());
+    let pieces = rows.pieces();
     let projections = job.searched_levels().expect("cascades");
-    let (mut lit, mut doubted) = (vec![0.0; 64 * rows.len()], vec![false; 64 * rows.len()]);
+    let (mut lit, mut doubted) = (vec![0.0; 64 * pieces.len()], vec![false; 64 * pieces.len()]);
     let evaluate = |lit: &mut [f32], doubted: &mut [bool]| match id {
-        "ltt-vsm" => batch::<Vsm>(&rows, &job.shadow, &projections, &depths, lit, doubted),
-        "ltt-evsm" => batch::<Evsm>(&rows, &job.shadow, &projections, &depths, lit, doubted),
-        _ => batch::<MsmHamburger>(&rows, &job.shadow, &projections, &depths, lit, doubted),
+        "ltt-vsm" => batch::<Vsm>(pieces, &job.shadow, &projections, &depths, lit, doubted),
+        "ltt-evsm" => batch::<Evsm>(pieces, &job.shadow, &projections, &depths, lit, doubted),
+        _ => batch::<MsmHamburger>(pieces, &job.shadow, &projections, &depths, lit, doubted),
     };
     evaluate(&mut lit, &mut doubted);
     let share = |is_meant: &dyn Fn(usize) -> bool| {
@@ -79,14 +80,14 @@ fn outcome(scene: &str, id: &str, format: Format, is_widened: bool) -> Outcome {
 }
 
 fn batch<T: BatchTest>(
-    rows: &[SampleRows],
+    pieces: Pieces<'_>,
     p: &lt_shaders::abi::ShadowParams,
     projections: &[lt_math::LightProjection],
     depths: &[f32],
     lit: &mut [f32],
     doubted: &mut [bool],
 ) {
-    evaluate_batch_levels::<T, true>(rows, p, projections, depths, lit, doubted);
+    evaluate_batch_levels::<T, true>(pieces, p, projections, depths, lit, doubted);
 }
 
 #[test]

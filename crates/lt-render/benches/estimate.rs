@@ -62,7 +62,8 @@ struct Maps<'a> {
 fn row<T: BatchTest, const LTT: bool>(id: &str, samples: &[Sample], maps: Maps<'_>) {
     let Maps { p, levels, tiles, .. } = maps;
     let mut cache = vec![1u64; 32 << 20];
-    let pieces = SampleRows::of(samples);
+    let rows = SampleRows::of(samples);
+    let pieces = rows.pieces();
     let new = || (vec![0.0f32; samples.len()], vec![false; samples.len()]);
     let mut answers = [new(), new()];
     let mut times = [Vec::new(), Vec::new()];
@@ -72,9 +73,9 @@ fn row<T: BatchTest, const LTT: bool>(id: &str, samples: &[Sample], maps: Maps<'
             black_box(&cache);
             let start = thread_time();
             match (way, levels) {
-                (0, None) => evaluate_batch::<T, LTT>(&pieces, p, tiles, lit, doubted),
+                (0, None) => evaluate_batch::<T, LTT>(pieces, p, tiles, lit, doubted),
                 (0, Some(levels)) => {
-                    evaluate_batch_levels::<T, LTT>(&pieces, p, levels, tiles, lit, doubted);
+                    evaluate_batch_levels::<T, LTT>(pieces, p, levels, tiles, lit, doubted);
                 }
                 _ => one_by_one::<T, LTT>(samples, maps, lit, doubted),
             }

@@ -15,24 +15,24 @@ use lt_shaders::evaluate::{Verdict, doubt};
 
 use super::answers::BatchTest;
 use super::footprints::{Footprints, Maps, Texels};
-use super::samples::{BLOCKED, MAPPED, OUTSIDE, SampleRows};
+use super::samples::{BLOCKED, MAPPED, OUTSIDE, Pieces};
 use super::tiles::PIECE;
 
 /// Estimate and doubt of many pixels from a map of plain depths.
 ///
-/// `depths` are `p.map_size`², in the order of [`maps_to_tiles`](super::maps_to_tiles); `visibility` and `is_doubted` have 64 places for each piece of `rows`. Gives the bits of
+/// `depths` are `p.map_size`², in the order of [`maps_to_tiles`](super::maps_to_tiles); `visibility` and `is_doubted` have 64 places for each of `pieces`. Gives the bits of
 /// [`evaluate`](lt_shaders::evaluate::evaluate) for each sample, in any order of samples; samples in tile order find their texels in the cache.
 ///
 /// # Panics
 /// If the lengths disagree.
 pub fn evaluate_batch<T: BatchTest, const LTT: bool>(
-    rows: &[SampleRows],
+    pieces: Pieces<'_>,
     p: &ShadowParams,
     depths: &[f32],
     visibility: &mut [f32],
     is_doubted: &mut [bool],
 ) {
-    evaluate_on::<T, LTT>(rows, p, Maps::one(p, Texels::Depths(depths)), visibility, is_doubted);
+    evaluate_on::<T, LTT>(pieces, p, Maps::one(p, Texels::Depths(depths)), visibility, is_doubted);
 }
 
 /// [`evaluate_batch`] from the levels of a directional light, finest first, with the bits of
@@ -43,7 +43,7 @@ pub fn evaluate_batch<T: BatchTest, const LTT: bool>(
 /// # Panics
 /// If the lengths disagree.
 pub fn evaluate_batch_levels<T: BatchTest, const LTT: bool>(
-    rows: &[SampleRows],
+    pieces: Pieces<'_>,
     p: &ShadowParams,
     projections: &[LightProjection],
     depths: &[f32],
@@ -51,7 +51,7 @@ pub fn evaluate_batch_levels<T: BatchTest, const LTT: bool>(
     is_doubted: &mut [bool],
 ) {
     evaluate_on::<T, LTT>(
-        rows,
+        pieces,
         p,
         Maps::levels(p, projections, Texels::Depths(depths)),
         visibility,
@@ -61,7 +61,7 @@ pub fn evaluate_batch_levels<T: BatchTest, const LTT: bool>(
 
 /// [`evaluate_batch`] on any maps.
 pub(super) fn evaluate_on<T: BatchTest, const LTT: bool>(
-    rows: &[SampleRows],
+    pieces: Pieces<'_>,
     p: &ShadowParams,
     maps: Maps<'_>,
     visibility: &mut [f32],
@@ -69,16 +69,16 @@ pub(super) fn evaluate_on<T: BatchTest, const LTT: bool>(
 ) {
     let expected = (p.map_size as usize).pow(2) * maps.projections.len();
     assert!(maps.texels.len() == expected, "{} texels, {expected} expected", maps.texels.len());
-    let len = rows.len() * PIECE;
+    let len = pieces.len() * PIECE;
     assert!(visibility.len() == len && is_doubted.len() == len, "unequal lengths");
     let test = T::from_params(p.test);
-    Chosen::best().run(Evaluate::<T, LTT> { test, rows, p, maps, visibility, is_doubted });
+    Chosen::best().run(Evaluate::<T, LTT> { test, pieces, p, maps, visibility, is_doubted });
 }
 
 /// The work of [`evaluate_on`].
 struct Evaluate<'a, T, const LTT: bool> {
     test: T,
-    rows: &'a [SampleRows],
+    pieces: Pieces<'a>,
     p: &'a ShadowParams,
     maps: Maps<'a>,
     visibility: &'a mut [f32],
@@ -89,17 +89,17 @@ impl<T: BatchTest, const LTT: bool> Work for Evaluate<'_, T, LTT> {
     type Output = ();
     #[inline(always)]
     fn run<L: NodeLanes>(self, _: L) {
-        let Evaluate { test, rows, p, maps, visibility, is_doubted } = self;
+        let Evaluate { test, pieces, p, maps, visibility, is_doubted } = self;
         let visibility = visibility.as_chunks_mut::<PIECE>().0;
         let is_doubted = is_doubted.as_chunks_mut::<PIECE>().0;
         let mut footprints = Footprints::new();
-        for ((rows, visibility), is_doubted) in rows.iter().zip(visibility).zip(is_doubted) {
-            footprints.find(rows, p, maps);
+        for ((piece, visibility), is_doubted) in pieces.iter().zip(visibility).zip(is_doubted) {
+            footprints.find(piece, p, maps);
             // Whole batches of sky, or of what faces away, need no map.
             let mut answers = [0.0; PIECE];
             if footprints.is_any_open {
                 if T::PLANE_BIAS_TEXELS > 0.0 {
-                    footprints.bias_receivers(T::PLANE_BIAS_TEXELS, rows, p, maps);
+                    footprints.bias_receivers(T::PLANE_BIAS_TEXELS, piece, p, maps);
                 }
                 answers = match maps.texels {
                     Texels::Depths(depths) => {
@@ -129,6 +129,7 @@ impl<T: BatchTest, const LTT: bool> Work for Evaluate<'_, T, LTT> {
 #[cfg(test)]
 mod tests {
     use super::super::map_tiles::maps_to_tiles;
+    use super::super::samples::SampleRows;
     use super::*;
     use lt_bvh::SimdLevel;
     use lt_math::glam::{UVec2, Vec3, Vec4};
@@ -266,9 +267,11 @@ mod tests {
         let test = T::from_params(p.test);
         for level in SimdLevel::available() {
             let rows = SampleRows::of(samples);
-            let (mut lit, mut doubted) = (vec![0.25; rows.len() * PIECE], vec![false; rows.len() * PIECE]);
+            let pieces = rows.pieces();
+            let (mut lit, mut doubted) =
+                (vec![0.25; pieces.len() * PIECE], vec![false; pieces.len() * PIECE]);
             let (visibility, is_doubted) = (&mut lit[..], &mut doubted[..]);
-            let work = Evaluate::<T, LTT> { test, rows: &rows, p, maps, visibility, is_doubted };
+            let work = Evaluate::<T, LTT> { test, pieces, p, maps, visibility, is_doubted };
             Chosen::new(level).expect("an available level").run(work);
             for (i, (&(v, is_doubted), (&lit, &doubted))) in
                 expected.iter().zip(lit.iter().zip(&doubted)).enumerate()

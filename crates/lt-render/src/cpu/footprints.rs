@@ -8,7 +8,7 @@ use lt_shaders::abi::ShadowParams;
 use lt_shaders::evaluate::{plane_slope, plane_slope_at};
 
 use super::map_tiles::{column_start, row_start};
-use super::samples::{BLOCKED, Lanes, MAPPED, OUTSIDE, SampleRows};
+use super::samples::{BLOCKED, Lanes, MAPPED, OUTSIDE, Piece};
 use super::tiles::PIECE;
 
 /// What a batch reads of a light's maps.
@@ -84,8 +84,8 @@ impl Footprints {
 
     /// Settles and projects, and finds who is `OUTSIDE`.
     #[inline(always)]
-    pub(super) fn find(&mut self, rows: &SampleRows, p: &ShadowParams, maps: Maps<'_>) {
-        self.states = rows.settle(&p.light);
+    pub(super) fn find(&mut self, piece: Piece<'_>, p: &ShadowParams, maps: Maps<'_>) {
+        self.states = piece.settle(&p.light);
         self.is_any_open = self.states.iter().fold(false, |any, &s| any | (s == MAPPED));
         if !self.is_any_open {
             return;
@@ -96,9 +96,9 @@ impl Footprints {
         for (level, projection) in maps.projections.iter().enumerate() {
             let first_texel = level as u32 * p.map_size * p.map_size;
             if projection.row_w == Vec4::W {
-                self.try_level::<true>(rows, projection, maps.margin_uv, first_texel, &mut is_sought);
+                self.try_level::<true>(piece, projection, maps.margin_uv, first_texel, &mut is_sought);
             } else {
-                self.try_level::<false>(rows, projection, maps.margin_uv, first_texel, &mut is_sought);
+                self.try_level::<false>(piece, projection, maps.margin_uv, first_texel, &mut is_sought);
             }
             if is_sought.iter().fold(0, |any, &sought| any | sought) == 0 {
                 break;
@@ -115,13 +115,13 @@ impl Footprints {
     #[inline(always)]
     fn try_level<const PARALLEL: bool>(
         &mut self,
-        rows: &SampleRows,
+        piece: Piece<'_>,
         projection: &LightProjection,
         margin_uv: Option<f32>,
         first_texel: u32,
         is_sought: &mut [u32; PIECE],
     ) {
-        let [x, y, z] = &rows.position;
+        let [x, y, z] = piece.position();
         let [row_x, row_y, row_z, row_w] =
             [projection.row_x, projection.row_y, projection.row_z, projection.row_w].map(|r| r.to_array());
         // Without a margin all of [0, 1] is inside: the same comparisons.
@@ -169,16 +169,10 @@ impl Footprints {
     /// Moves receivers to the light by how far their own planes fall off over some texels ([`TestFromParams::PLANE_BIAS_TEXELS`]).
     ///
     /// [`TestFromParams::PLANE_BIAS_TEXELS`]: lt_shaders::evaluate::TestFromParams::PLANE_BIAS_TEXELS
-    pub(super) fn bias_receivers(
-        &mut self,
-        texels: f32,
-        rows: &SampleRows,
-        p: &ShadowParams,
-        maps: Maps<'_>,
-    ) {
+    pub(super) fn bias_receivers(&mut self, texels: f32, piece: Piece<'_>, p: &ShadowParams, maps: Maps<'_>) {
         for i in (0..PIECE).filter(|&i| self.states[i] == MAPPED) {
             let level = self.first_texels[i] / (p.map_size * p.map_size);
-            let (projection, sample) = (&maps.projections[level as usize], rows.sample(i));
+            let (projection, sample) = (&maps.projections[level as usize], piece.sample(i));
             let is_straight = maps.margin_uv.is_none() || projection.row_w.truncate() == Vec3::ZERO;
             let slope = if is_straight {
                 plane_slope(projection, sample.normal, p.map_size)

@@ -17,7 +17,7 @@ use crate::ShadedLight;
 /// One layer of what the camera sees, in tile order.
 #[derive(Default)]
 pub struct Seen {
-    pub rows: Vec<SampleRows>,
+    pub rows: SampleRows,
     /// What shading alone reads of each sample.
     pub looks: Vec<Look>,
     /// Where each sample was in the last frame; empty while nothing in the scene moves.
@@ -29,7 +29,8 @@ pub struct Seen {
 impl Seen {
     /// Makes room for so many samples, and drops what is not needed.
     pub fn resize(&mut self, len: usize, object_motion: bool, has_layers: bool) {
-        resize(&mut self.rows, len / PIECE);
+        resize(&mut self.rows.places, len / PIECE);
+        resize(&mut self.rows.parts, len / PIECE);
         resize(&mut self.looks, len);
         resize(&mut self.previous, if object_motion { len / PIECE } else { 0 });
         resize(&mut self.sights, if has_layers { len } else { 0 });
@@ -37,7 +38,7 @@ impl Seen {
 
     /// One sample, whole.
     pub fn sample(&self, i: usize) -> Sample {
-        self.rows[i / PIECE].shaded_sample(i % PIECE, &self.looks[i])
+        self.rows.pieces().piece(i / PIECE).shaded_sample(i % PIECE, &self.looks[i])
     }
 }
 
@@ -58,13 +59,14 @@ pub fn see(view: View<'_>, seen: &mut [Seen]) {
         let Seen { rows, looks, previous, sights } = &mut seen[layer];
         trace(View { params: &p, ..view }, sights, &mut hits);
         let found = hits.par_chunks(PIECE).zip(sights.par_chunks(PIECE));
-        let pieces = rows.par_iter_mut().zip(looks.par_chunks_mut(PIECE)).zip(beyond.par_chunks_mut(PIECE));
-        pieces.zip(found).for_each(|(((rows, looks), beyond), (hits, sights))| {
+        let rows = rows.places.par_iter_mut().zip(&mut rows.parts);
+        let pieces = rows.zip(looks.par_chunks_mut(PIECE)).zip(beyond.par_chunks_mut(PIECE));
+        pieces.zip(found).for_each(|((((places, parts), looks), beyond), (hits, sights))| {
             let mut samples = [Sample::default(); PIECE];
             for (((sample, beyond), sight), hit) in samples.iter_mut().zip(beyond).zip(sights).zip(hits) {
                 (*sample, *beyond) = layer_at_hit(hit, &p, sight, geometry, surfaces);
             }
-            *rows = keep(&samples, looks);
+            (*places, *parts) = keep(&samples, looks);
         });
         // Empty where nothing moves.
         previous.par_iter_mut().zip(hits.par_chunks(PIECE)).for_each(|(previous, hits)| {

@@ -12,7 +12,7 @@ use lt_shaders::neighbours::asking_word;
 use super::asks::Asks;
 use super::places::{IN_PIECE, Places, depth_along, in_this_frame};
 use super::planes::{BlockBits, load_piece, pack, place_in_block, store_piece};
-use super::samples::{LIT, MAPPED, Points, SampleRows};
+use super::samples::{LIT, MAPPED, Pieces, Points};
 use super::tiles::{PIECE, SIDE, Tiles};
 use crate::MaskEffects;
 
@@ -36,7 +36,7 @@ pub struct Frames<'a> {
 /// One block's pixels in tile order, [`super::tiles::BLOCK`] of each.
 pub struct BlockPixels<'a> {
     /// Visible samples.
-    pub rows: &'a [SampleRows],
+    pub pieces: Pieces<'a>,
     /// Where they were in the last frame; empty if only the camera moves.
     pub previous: &'a [Points],
     /// The estimate; becomes 0 or 1.
@@ -84,23 +84,21 @@ fn mask_all<const MOTION: bool, const DEPTH: bool>(
     pixels: BlockPixels<'_>,
 ) -> u16 {
     let Frames { tiles, params: p, effects, .. } = frames;
-    let BlockPixels { rows, previous, visibility, is_doubted, bits, depths } = pixels;
+    let BlockPixels { pieces, previous, visibility, is_doubted, bits, depths } = pixels;
     let origin = tiles.origin(block);
     let mut asking = 0;
     let turns = (p.refresh != 0).then(|| Turns::of(p.refresh, p.frame));
-    let pieces = rows.iter().zip(visibility.as_chunks_mut::<PIECE>().0);
-    for (piece, ((rows, estimates), is_doubted)) in
+    let pieces = pieces.iter().zip(visibility.as_chunks_mut::<PIECE>().0);
+    for (piece, ((samples, estimates), is_doubted)) in
         pieces.zip(is_doubted.as_chunks_mut::<PIECE>().0).enumerate()
     {
-        let states = rows.settle(&p.light);
+        let states = samples.settle(&p.light);
         let is_any_open = states.iter().fold(false, |any, &s| any | (s == MAPPED));
         if DEPTH {
             let depths = &mut depths[piece * PIECE..][..PIECE];
-            let depth = depth_along(&rows.position, &p.current);
+            let (depth, valid) = (depth_along(samples.position(), &p.current), samples.valid());
             for i in 0..PIECE {
-                let is_valid =
-                    (rows.normal[0][i] != 0.0) | (rows.normal[1][i] != 0.0) | (rows.normal[2][i] != 0.0);
-                depths[i] = if is_valid { depth[i] } else { 0.0 };
+                depths[i] = if valid[i] { depth[i] } else { 0.0 };
             }
         }
         if !is_any_open {
@@ -113,11 +111,11 @@ fn mask_all<const MOTION: bool, const DEPTH: bool>(
             store_piece(&mut bits.hit, piece, 0);
             continue;
         }
-        let before = previous.get(piece).unwrap_or(&rows.position);
+        let before = previous.get(piece).unwrap_or(samples.position());
         let mut places = in_this_frame(tiles, origin, piece);
         let is_due = turns.as_ref().map_or([0; PIECE], |turns| turns.due(origin, piece));
         if MOTION {
-            places.follow(&rows.position, before, p);
+            places.follow(samples.position(), before, p);
         }
         if DEPTH {
             places.compare_depths(tiles, frames.last_depths, &depth_along(before, &p.previous), p);
@@ -212,7 +210,7 @@ fn ask(frames: Frames<'_>, places: &Places, estimates: &[f32; PIECE]) -> [u32; P
 #[cfg(test)]
 mod tests {
     use super::super::history::History;
-    use super::super::samples::points;
+    use super::super::samples::{SampleRows, points};
     use super::super::tiles::{BLOCK, PIECES};
     use super::*;
     use lt_bvh::SimdLevel;
@@ -342,7 +340,7 @@ mod tests {
             for (block, memory) in open.blocks.iter_mut().enumerate() {
                 let range = block * BLOCK..(block + 1) * BLOCK;
                 let pixels = BlockPixels {
-                    rows: &rows[block * PIECES..(block + 1) * PIECES],
+                    pieces: rows.pieces().range(block * PIECES..(block + 1) * PIECES),
                     previous: previous.get(block * PIECES..(block + 1) * PIECES).unwrap_or(&[]),
                     visibility: &mut lit[range.clone()],
                     is_doubted: &mut doubted[range.clone()],
@@ -450,7 +448,7 @@ mod tests {
                 let (mut is_doubted, mut depths) = (vec![false; BLOCK], vec![0.0; BLOCK]);
                 let mut bits = BlockBits::default();
                 let pixels = BlockPixels {
-                    rows: &rows[block * PIECES..(block + 1) * PIECES],
+                    pieces: rows.pieces().range(block * PIECES..(block + 1) * PIECES),
                     previous: &previous[block * PIECES..(block + 1) * PIECES],
                     visibility: &mut visibility,
                     is_doubted: &mut is_doubted,

@@ -45,7 +45,7 @@ use lt_shaders::filter::{filter_x, filter_y};
 use lt_shaders::geometry::{FlatGeometry, Geometry, InstancedGeometry};
 use lt_shaders::shade::shade_mean;
 use rayon::prelude::*;
-use samples::{Look, MAPPED, Points, keep, points};
+use samples::{Look, MAPPED, Parts, Piece, Places, Points, keep, points};
 use shadow::PixelMs;
 use tiles::{BLOCK, PIECE, PIECES, Tiles};
 
@@ -59,7 +59,7 @@ use crate::{
 pub use answers::BatchTest;
 pub use batch::{evaluate_batch, evaluate_batch_levels};
 pub use map_tiles::{maps_to_rows, maps_to_tiles};
-pub use samples::SampleRows;
+pub use samples::{Pieces, SampleRows};
 
 /// See the [module](self).
 pub struct CpuBackend {
@@ -270,7 +270,7 @@ impl Backend for CpuBackend {
                 self.rays += tint::trace(
                     &self.scene,
                     job,
-                    &self.seen[self.layer].rows,
+                    self.seen[self.layer].rows.pieces(),
                     &self.visibility,
                     &mut self.tint,
                 );
@@ -289,8 +289,8 @@ impl Backend for CpuBackend {
             + 2 * size_of_val(&slot.vectors[..]);
         let mut doubt = self.tiles.to_rows(&self.is_doubted);
         if job.plan.trace_all {
-            let is_traced = |rows: &SampleRows| rows.settle(&job.shadow.light).map(|state| state == MAPPED);
-            let traced: Vec<bool> = self.seen[self.layer].rows.iter().flat_map(is_traced).collect();
+            let is_traced = |piece: Piece<'_>| piece.settle(&job.shadow.light).map(|state| state == MAPPED);
+            let traced: Vec<bool> = self.seen[self.layer].rows.pieces().iter().flat_map(is_traced).collect();
             doubt = self.tiles.to_rows(&traced);
         }
         Ok(Frame {
@@ -391,17 +391,18 @@ fn see_geometry<G: Geometry + Sync, A: AnyHit + Sync, C: ColorSource + Sync>(
 ) {
     let View { scene, tiles, params: p } = view;
     let tracer = tracer(scene);
-    let see_block = |block: usize, rows: &mut [SampleRows], looks: &mut [Look], previous: &mut [Points]| {
+    let see_block = |block: usize, rows: Rows<'_>, looks: &mut [Look], previous: &mut [Points]| {
         let pixels: Vec<Option<UVec2>> = (0..BLOCK).map(|i| tiles.pixel(block, i)).collect();
         let rays: Vec<Ray> =
             pixels.iter().map(|px| px.map_or(Ray::default(), |px| primary_ray(px, p))).collect();
         let mut hits = vec![Hit::miss(0.0); BLOCK];
         tracer.closest_batch(&rays, any_hit, &mut hits);
-        let pieces = rows.iter_mut().zip(looks.chunks_exact_mut(PIECE)).zip(hits.as_chunks::<PIECE>().0);
-        for ((rows, looks), hits) in pieces {
+        let rows = rows.0.iter_mut().zip(rows.1);
+        let pieces = rows.zip(looks.chunks_exact_mut(PIECE)).zip(hits.as_chunks::<PIECE>().0);
+        for (((places, parts), looks), hits) in pieces {
             let samples =
                 hits.map(|hit| sample_at_hit(&hit, p, geometry, scene.vertices(), scene.materials(), colors));
-            *rows = keep(&samples, looks);
+            (*places, *parts) = keep(&samples, looks);
         }
         for (previous, hits) in previous.iter_mut().zip(hits.chunks_exact(PIECE)) {
             let before = |hit| previous_position(hit, geometry, scene.previous_positions());
@@ -409,7 +410,8 @@ fn see_geometry<G: Geometry + Sync, A: AnyHit + Sync, C: ColorSource + Sync>(
         }
     };
     let Seen { rows, looks, previous, .. } = seen;
-    let blocks = rows.par_chunks_mut(PIECES).zip(looks.par_chunks_mut(BLOCK));
+    let rows = rows.places.par_chunks_mut(PIECES).zip(rows.parts.par_chunks_mut(PIECES));
+    let blocks = rows.zip(looks.par_chunks_mut(BLOCK));
     if previous.is_empty() {
         blocks.enumerate().for_each(|(block, (rows, looks))| see_block(block, rows, looks, &mut []));
     } else {
@@ -417,6 +419,9 @@ fn see_geometry<G: Geometry + Sync, A: AnyHit + Sync, C: ColorSource + Sync>(
         all.for_each(|(block, ((rows, looks), previous))| see_block(block, rows, looks, previous));
     }
 }
+
+/// A block's places and parts.
+type Rows<'a> = (&'a mut [Places], &'a mut [Parts]);
 
 fn milliseconds(start: Instant) -> f64 {
     start.elapsed().as_secs_f64() * 1e3

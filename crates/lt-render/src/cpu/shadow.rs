@@ -17,7 +17,7 @@ use rayon::prelude::*;
 use super::estimator::{Estimator, LightMaps};
 use super::history::Memory;
 use super::mask_batch::{BlockPixels, Frames, mask_block};
-use super::samples::{LIT, MAPPED, Points, SampleRows, sample_at};
+use super::samples::{LIT, MAPPED, Pieces, Points};
 use super::tiles::{BLOCK, PIECE, PIECES};
 use super::{CpuBackend, milliseconds, tracer};
 use crate::light_space::{casters, occluded};
@@ -81,13 +81,13 @@ impl CpuBackend {
         let previous: &[Points] = if job.plan.object_motion { &seen.previous } else { &[] };
         let groups = memories
             .par_chunks_mut(GROUP)
-            .zip(seen.rows.par_chunks(GROUP * PIECES))
             .zip(self.visibility.par_chunks_mut(GROUP * BLOCK))
             .zip(self.is_doubted.par_chunks_mut(GROUP * BLOCK))
             .enumerate();
-        let groups = groups.map(|(index, (((memories, rows), visibility), is_doubted))| Group {
+        let pieces = seen.rows.pieces();
+        let groups = groups.map(|(index, ((memories, visibility), is_doubted))| Group {
             first: index * GROUP,
-            rows,
+            pieces: pieces.range(index * GROUP * PIECES..index * GROUP * PIECES + memories.len() * PIECES),
             previous: previous.get(index * GROUP * PIECES..).unwrap_or(&[]),
             visibility,
             is_doubted,
@@ -104,7 +104,7 @@ impl CpuBackend {
         let is_later = matches!(passes.resolver, Resolver::Later);
         self.rays = totals.rays;
         if is_later {
-            let later = Later { scene: &self.scene, job, rows: &seen.rows };
+            let later = Later { scene: &self.scene, job, pieces };
             let workspace = &mut self.workspace;
             self.rays = later.resolve(&mut self.visibility, &self.is_doubted, &mut memories, workspace);
         }
@@ -117,7 +117,7 @@ impl CpuBackend {
 struct Later<'a> {
     scene: &'a PackedScene,
     job: &'a FrameJob,
-    rows: &'a [SampleRows],
+    pieces: Pieces<'a>,
 }
 
 impl Later<'_> {
@@ -130,7 +130,7 @@ impl Later<'_> {
         workspace: &mut Workspace,
     ) -> u64 {
         let (light, all) = (&self.job.shadow.light, self.job.plan.trace_all);
-        let sample = |i: usize| sample_at(self.rows, i);
+        let sample = |i: usize| self.pieces.sample(i);
         let asked = |i: &usize| if all { !settle(&sample(*i), light).1 } else { is_doubted[*i] };
         let pixels: Vec<usize> = (0..visibility.len()).into_par_iter().filter(asked).collect();
         let origins: Vec<Vec3> = pixels.par_iter().map(|&i| shadow_ray(&sample(i), light).origin).collect();
@@ -177,7 +177,7 @@ const SHARE: usize = 4;
 struct Group<'a, 'm> {
     /// The first block.
     first: usize,
-    rows: &'a [SampleRows],
+    pieces: Pieces<'a>,
     previous: &'a [Points],
     visibility: &'a mut [f32],
     is_doubted: &'a mut [bool],
@@ -190,7 +190,7 @@ impl Group<'_, '_> {
         let pieces = number * PIECES..(number + 1) * PIECES;
         Block {
             index: self.first + number,
-            rows: &self.rows[pieces.clone()],
+            pieces: self.pieces.range(pieces.clone()),
             previous: self.previous.get(pieces).unwrap_or(&[]),
             visibility: &mut self.visibility[range.clone()],
             is_doubted: &mut self.is_doubted[range],
@@ -202,7 +202,7 @@ impl Group<'_, '_> {
 /// A block's pixels on their way through the passes.
 struct Block<'a> {
     index: usize,
-    rows: &'a [SampleRows],
+    pieces: Pieces<'a>,
     previous: &'a [Points],
     visibility: &'a mut [f32],
     is_doubted: &'a mut [bool],
@@ -268,10 +268,10 @@ impl Passes<'_> {
 
     /// Estimates, doubts and corrects, and collects the rays that are left to trace.
     fn run_block(&self, block: Block<'_>, mut rays: RaysOfBlock<'_>) -> [f64; 3] {
-        let Block { index, rows, previous, visibility, is_doubted, mut memory } = block;
+        let Block { index, pieces, previous, visibility, is_doubted, mut memory } = block;
         let start = Instant::now();
         match &self.estimator {
-            Some(estimate) => estimate(rows, visibility, is_doubted),
+            Some(estimate) => estimate(pieces, visibility, is_doubted),
             None => is_doubted.fill(false),
         }
         let estimated = Instant::now();
@@ -279,13 +279,14 @@ impl Passes<'_> {
             (Some(frames), Some(Memory { bits, depths })) => mask_block(
                 frames,
                 index,
-                BlockPixels { rows, previous, visibility, is_doubted, bits, depths },
+                BlockPixels { pieces, previous, visibility, is_doubted, bits, depths },
             ),
             _ => asking_pieces(is_doubted),
         };
         let corrected = Instant::now();
         if self.traces_all {
-            for (piece, (samples, visibility)) in rows.iter().zip(visibility.as_chunks_mut().0).enumerate() {
+            for (piece, (samples, visibility)) in pieces.iter().zip(visibility.as_chunks_mut().0).enumerate()
+            {
                 let states = samples.settle(&self.light);
                 *visibility = states.map(|state| if state == LIT { 1.0 } else { 0.0 });
                 for i in (0..PIECE).filter(|&i| states[i] == MAPPED) {
@@ -296,7 +297,7 @@ impl Passes<'_> {
             for piece in (0..PIECES).filter(|piece| asking >> piece & 1 != 0) {
                 let is_doubted = &is_doubted[piece * PIECE..][..PIECE];
                 for (i, _) in is_doubted.iter().enumerate().filter(|(_, asks)| **asks) {
-                    rays.push(piece * PIECE + i, shadow_ray(&rows[piece].sample(i), &self.light));
+                    rays.push(piece * PIECE + i, shadow_ray(&pieces.piece(piece).sample(i), &self.light));
                 }
             }
         }

@@ -11,7 +11,7 @@ use lt_shaders::resolve::{may_be_tinted, shadow_ray, trace_tint};
 use lt_shaders::surface::Translucence;
 use rayon::prelude::*;
 
-use super::samples::{SampleRows, sample_at};
+use super::samples::Pieces;
 use super::tiles::{BLOCK, PIECES};
 use crate::light_space::transmitted;
 use crate::{FrameJob, PackedScene, Resolve};
@@ -20,7 +20,7 @@ use crate::{FrameJob, PackedScene, Resolve};
 pub fn trace(
     scene: &PackedScene,
     job: &FrameJob,
-    rows: &[SampleRows],
+    pieces: Pieces<'_>,
     visibility: &[f32],
     tint: &mut [Vec3],
 ) -> u64 {
@@ -34,10 +34,10 @@ pub fn trace(
         color_texels: scene.color_texels(),
     };
     if job.plan.resolve == Resolve::AliasFree {
-        let reached = |&i: &usize| may_be_tinted(&sample_at(rows, i), light, visibility[i]);
+        let reached = |&i: &usize| may_be_tinted(&pieces.sample(i), light, visibility[i]);
         let pixels: Vec<usize> = (0..visibility.len()).into_par_iter().filter(reached).collect();
         let origins: Vec<Vec3> =
-            pixels.par_iter().map(|&i| shadow_ray(&sample_at(rows, i), light).origin).collect();
+            pixels.par_iter().map(|&i| shadow_ray(&pieces.sample(i), light).origin).collect();
         let mut passes = vec![Vec3::ONE; pixels.len()];
         let triangles = Casters::of_tree(&bvh.nodes()[0], bvh.triangles());
         transmitted(scene, triangles, light.place, &origins, casters, &mut passes);
@@ -47,26 +47,27 @@ pub fn trace(
         }
         return pixels.len() as u64;
     }
-    let blocks = tint.par_chunks_mut(BLOCK).zip(rows.par_chunks(PIECES)).zip(visibility.par_chunks(BLOCK));
-    blocks.map(|((tint, rows), visibility)| trace_block(bvh, casters, light, rows, visibility, tint)).sum()
+    let blocks = tint.par_chunks_mut(BLOCK).zip(visibility.par_chunks(BLOCK)).enumerate();
+    let of_block = |block: usize| pieces.range(block * PIECES..(block + 1) * PIECES);
+    blocks.map(|(i, (tint, lit))| trace_block(bvh, casters, light, of_block(i), lit, tint)).sum()
 }
 
 fn trace_block(
     bvh: &Bvh,
     casters: Translucence<'_>,
     light: &LightParams,
-    rows: &[SampleRows],
+    pieces: Pieces<'_>,
     visibility: &[f32],
     tint: &mut [Vec3],
 ) -> u64 {
     tint.fill(Vec3::ONE);
     let reached: Vec<usize> =
-        (0..tint.len()).filter(|&i| may_be_tinted(&sample_at(rows, i), light, visibility[i])).collect();
-    let rays: Vec<Ray> = reached.iter().map(|&i| shadow_ray(&sample_at(rows, i), light)).collect();
+        (0..tint.len()).filter(|&i| may_be_tinted(&pieces.sample(i), light, visibility[i])).collect();
+    let rays: Vec<Ray> = reached.iter().map(|&i| shadow_ray(&pieces.sample(i), light)).collect();
     let mut meets = vec![false; rays.len()];
     Simd::new(bvh).occluded_batch(&rays, Opaque, &mut meets);
     for (&i, _) in reached.iter().zip(&meets).filter(|(_, meets)| **meets) {
-        tint[i] = trace_tint(&sample_at(rows, i), light, visibility[i], bvh.nodes(), casters);
+        tint[i] = trace_tint(&pieces.sample(i), light, visibility[i], bvh.nodes(), casters);
     }
     rays.len() as u64
 }
