@@ -24,12 +24,6 @@ pub const RECEIVER_ROUNDING: f32 = 4.768_371_6e-7;
 /// A minor below this is that of a single depth besides the receiver's, but for shares of no account.
 const SINGULAR: f32 = 1.0e-34;
 
-/// Nodes this near outside an interval's end, relatively, count as inside: an atom on the very end must.
-const END_TOLERANCE: f32 = 1.0e-5;
-
-/// Receivers nearer to an interval's end, in depth, are left to the Hamburger bound: the end's mass is rounding over this.
-const LEAST_END_DISTANCE: f32 = 1.0e-4;
-
 /// Hamburger bound on P(z ≥ d) from four depths in \[0, 1\], their weights, and the share `moment_bias` of a coin toss
 /// between the ends.
 ///
@@ -40,7 +34,7 @@ pub fn hamburger_upper_bound(depths: Vec4, weights: Vec4, receiver_depth: f32, m
 }
 
 /// Hausdorff bound on P(z ≥ d) from four depths in \[0, 1\], their weights, and the share `moment_bias` of a coin toss
-/// between the ends; never above [`hamburger_upper_bound`].
+/// between the ends; never above [`hamburger_upper_bound`] but for rounding (1e-6).
 ///
 /// 1 where no depth is in front of the receiver. NaN only for NaN.
 #[inline]
@@ -70,10 +64,13 @@ fn upper_bound<const IS_BOUNDED: bool>(
     if atoms.c0 < SINGULAR {
         return atoms.attained_bound();
     }
-    let nodes = atoms.inverse_nodes();
-    let line = atoms.line_bound(nodes);
-    let is_interval = IS_BOUNDED && !atoms.is_left_to_the_line(nodes);
-    float::saturate(if is_interval { float::min(atoms.interval_bound(), line) } else { line })
+    if IS_BOUNDED {
+        let interval = atoms.interval_bound();
+        if interval < 1.0 {
+            return float::saturate(interval);
+        }
+    }
+    float::saturate(atoms.line_bound(atoms.inverse_nodes()))
 }
 
 /// Whether the receiver is in front of, or at, all four depths.
@@ -235,21 +232,12 @@ impl Atoms {
         }
     }
 
-    /// Whether the bound on the interval is that on the line, or cannot be told from it: see [`LEAST_END_DISTANCE`].
-    #[inline]
-    fn is_left_to_the_line(&self, nodes: InverseNodes) -> bool {
-        let is_free = self.is_in_interval(nodes.near) && self.is_in_interval(nodes.far);
-        is_free || -self.near_end < LEAST_END_DISTANCE || self.far_end < LEAST_END_DISTANCE
-    }
-
-    /// Whether a node lies in the interval of possible depths; infinity does not.
-    #[inline]
-    fn is_in_interval(&self, inverse_node: f32) -> bool {
-        let y = inverse_node;
-        y * self.near_end >= 1.0 - END_TOLERANCE || y * self.far_end >= 1.0 - END_TOLERANCE
-    }
-
-    /// The bound where a node would leave the interval: the support is then {near end, inner, 0, far end} instead.
+    /// The bound where a node would leave the interval: the support is then {near end, inner, 0, far end} instead. 1 where
+    /// none would.
+    ///
+    /// Of the two supports, the one that the interval bears is the one whose masses are all positive (Karlin & Studden
+    /// 1966, ch. II). An end's mass is the other end's value in c₀ + c₁x + c₂x², over a common divisor: so this asks
+    /// which ends lie between the nodes, without the rounding of the nodes.
     #[inline]
     fn interval_bound(&self) -> f32 {
         let (x, l, r) = (self.x, self.near_end, self.far_end);
@@ -260,14 +248,21 @@ impl Atoms {
         if second < SINGULAR {
             return self.attained_bound();
         }
-        let j = first / second;
-        let tail = self.weights * x * (Vec4::ONE - j * x);
-        if j > 0.0 {
-            1.0 - self.end_mass - float::dot4(tail, self.from_far) / (l * (1.0 - l * j))
+        let (to_near, to_far) = (second - l * first, r * first - second);
+        let on_near = self.end_mass + self.pairs(self.weights * x * self.from_far) / (l * to_near);
+        let on_far = self.end_mass + self.pairs(self.weights * x * self.from_near) / (r * to_far);
+        let is_inner_behind = first > 0.0;
+        let is_inner_inside = if is_inner_behind { to_far > 0.0 } else { to_near < 0.0 };
+        if is_inner_inside && on_near >= 0.0 && on_far >= 0.0 {
+            if is_inner_behind { 1.0 - on_near } else { self.pairs(q) / (second * (-l * r)) + on_far }
         } else {
-            let pairs = q * (q.yzwx() * self.ring + 0.5 * q.zwxy() * self.diagonals);
-            let on_receiver = float::dot4(pairs, Vec4::ONE) / (second * (-l * r));
-            on_receiver + self.end_mass + float::dot4(tail, self.from_near) / (r * (1.0 - j * r))
+            1.0
         }
+    }
+
+    /// Σ `m`ᵢ`m`ⱼ(xᵢ − xⱼ)² over the six pairs of depths.
+    #[inline]
+    fn pairs(&self, m: Vec4) -> f32 {
+        float::dot4(m, m.yzwx() * self.ring + 0.5 * m.zwxy() * self.diagonals)
     }
 }

@@ -59,6 +59,31 @@ fn a_receiver_at_a_sample_counts_that_sample_as_lit() {
     }
 }
 
+/// Two layers, one on an end of the range: no other distribution on the range has their moments, so the bound is the lit
+/// fraction, however near to the end the receiver is.
+#[test]
+fn a_layer_on_an_end_of_the_range_is_known_exactly_beside_it() {
+    let test = MsmHausdorff::default();
+    for w in [0.003, 0.1, 0.4, 0.9] {
+        let weights = Vec4::new(w, 0.5 * (1.0 - w), 0.3 * (1.0 - w), 0.2 * (1.0 - w));
+        for layer in [0.05, 0.3, 0.53, 0.94] {
+            for step in 0..60 {
+                let gap = 10.0f32.powf(-5.0 + step as f32 / 15.0);
+                let near = Vec4::new(0.0, layer, layer, layer);
+                if gap < layer {
+                    let v = test.visibility_of_gather(near, weights, gap);
+                    assert!((v - (1.0 - w)).abs() < 4e-6, "{w} {layer} {gap}: {v}");
+                }
+                let far = Vec4::new(1.0, layer, layer, layer);
+                if 1.0 - gap > layer + 1e-5 {
+                    let v = test.visibility_of_gather(far, weights, 1.0 - gap);
+                    assert!((v - w).abs() < 4e-6, "{w} {layer} 1-{gap}: {v}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn a_weight_of_one_sees_one_texel_only() {
     let z = Vec4::new(0.1, 0.3, 0.6, 0.9);

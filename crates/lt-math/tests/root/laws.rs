@@ -8,8 +8,9 @@ use lt_math::{
 };
 use proptest::prelude::*;
 
+/// Also at the ends of the range and beside them, where bounds on the interval divide by small distances.
 fn depth() -> impl Strategy<Value = f32> {
-    prop_oneof![8 => 0.0f32..=1.0, 1 => Just(0.0), 1 => Just(1.0)]
+    prop_oneof![8 => 0.0f32..=1.0, 1 => Just(0.0), 1 => Just(1.0), 1 => 0.0f32..1e-3, 1 => 0.999f32..=1.0]
 }
 
 fn depths() -> impl Strategy<Value = Vec4> {
@@ -40,7 +41,7 @@ fn is_in_range(v: f32) -> bool {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 20_000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn visibility_is_in_range(z in depths(), w in weights(), d in depth()) {
@@ -87,14 +88,14 @@ proptest! {
         prop_assert!(falls(both(Evsm::default(), z, w, near), both(Evsm::default(), z, w, far)));
     }
 
-    /// To 1e-4; 1.3e-5 was seen in 80 000 cases, near an end of the interval.
+    /// To 1e-5; 1e-6 was seen in 60 million cases.
     #[test]
     fn moment_bounds_of_depths_fall_with_the_receivers_depth(z in depths(), w in weights(), a in depth(), b in depth()) {
         let v = |d| [
             MsmHamburger::default().visibility_of_gather(z, w, d), MsmHausdorff::default().visibility_of_gather(z, w, d),
         ];
         let (near, far) = (v(a.min(b)), v(a.max(b)));
-        prop_assert!(near[0] >= far[0] - 1e-4 && near[1] >= far[1] - 1e-4, "{near:?} {far:?}");
+        prop_assert!(near[0] >= far[0] - 1e-5 && near[1] >= far[1] - 1e-5, "{near:?} {far:?}");
     }
 
     /// One layer is decided exactly, outside the band of doubt behind it; moments may fail, but only to a ray.
@@ -124,7 +125,7 @@ proptest! {
         prop_assert!(line.is_nan() || interval.is_nan() || interval <= line, "{interval} {line}");
         let line = MsmHamburger::default().visibility_of_gather(z, w, d);
         let interval = MsmHausdorff::default().visibility_of_gather(z, w, d);
-        prop_assert!(interval <= line, "{interval} {line}");
+        prop_assert!(interval <= line + 1e-6, "{interval} {line}");
     }
 
     #[test]
