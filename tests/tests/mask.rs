@@ -7,6 +7,7 @@ use lt_render::{
 };
 use lt_scene::{CameraPath, Scene, Source};
 use lt_tests::{cpu_session, gpu_session, ppm, twin_ppm};
+use std::collections::HashMap;
 
 /// Every built-in place, small enough for a test.
 const PLACES: [&str; 8] =
@@ -49,7 +50,7 @@ fn open(name: &str, width: u32, height: u32, map_size: u32) -> (Source, Scene, S
 #[test]
 fn a_still_view_has_no_wrong_pixel_in_any_frame_and_never_flips() {
     for name in PLACES {
-        let (_, scene, setup) = open(name, 240, 136, 256);
+        let (_, scene, setup) = open(name, 240, 136, 128);
         let mut session = Session::new(&scene, setup, BackendKind::Cpu).expect("session");
         session.play(STILL);
         let truth = session.render(&Technique::RAY).expect("frame");
@@ -143,14 +144,14 @@ fn the_published_removal_errs_where_the_doubt_alone_does_not() {
 #[test]
 fn a_kept_map_is_drawn_once_while_it_fits_and_every_frame_without_reuse() {
     for (id, maps) in [("lt-evsm:cascades=1", 1), ("lt-evsm", 3)] {
-        let mut draws = [0, 0];
-        play("street:6", 6, &[id, &format!("{id}:no-reuse")], |_, _, frames| {
-            draws[0] += frames[1].map_draws;
-            draws[1] += frames[2].map_draws;
+        let mut draws = 0;
+        play("street:6", 6, &[id, &format!("{id}:no-reuse")], |i, _, frames| {
+            draws += frames[1].map_draws;
             let has_drawn = frames[1].passes.iter().any(|p| p.kind == PassKind::DepthMap);
             assert_eq!(has_drawn, frames[1].map_draws > 0);
+            assert!(i == 0 || frames[2].map_draws > 0, "{id} frame {i}");
         });
-        assert!(draws[0] < draws[1] && draws[1] == 6 * maps, "{id}: {draws:?}");
+        assert!((1..=maps).contains(&draws), "{id}: {draws}");
     }
 }
 
@@ -343,7 +344,8 @@ fn cpu_and_gpu_remember_the_same() {
         for session in [&mut cpu, &mut gpu] {
             session.play(MOVING);
         }
-        let mut last: std::collections::HashMap<&str, Vec<usize>> = std::collections::HashMap::new();
+        let mut last: HashMap<&str, Vec<usize>> = HashMap::new();
+        let mut new_on_path: HashMap<&str, usize> = HashMap::new();
         for i in 0..5 {
             // The last two views are one: removal gets its turn.
             let camera = path.at(way * i.min(3) as f32);
@@ -367,10 +369,7 @@ fn cpu_and_gpu_remember_the_same() {
                 let before = last.insert(id, differ.clone()).unwrap_or_default();
                 let is_new = |k: &&usize| before.iter().all(|&j| distance(**k, j, 640) > REACH_PX);
                 let new = differ.iter().filter(is_new).count();
-                assert!(
-                    ppm(new, a.mask.len()) <= twin_ppm(),
-                    "{name} {id} frame {i}: {new} masks newly differ"
-                );
+                *new_on_path.entry(id).or_default() += new;
                 assert!(
                     differ.len() <= new + 25 * before.len(),
                     "{name} {id} frame {i}: {differ:?} after {before:?}"
@@ -383,6 +382,10 @@ fn cpu_and_gpu_remember_the_same() {
                     b.passes.iter().map(|p| p.kind).collect::<Vec<_>>()
                 );
             }
+        }
+        let pixels = 5 * cpu.samples().len();
+        for (id, new) in new_on_path {
+            assert!(ppm(new, pixels) <= twin_ppm(), "{name} {id}: {new} masks newly differ");
         }
     }
 }

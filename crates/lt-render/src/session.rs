@@ -281,7 +281,7 @@ mod tests {
     /// A level that is drawn anew sees other parts of thin things, and decides otherwise; what rays found must survive it.
     #[test]
     fn a_still_view_stays_right_while_levels_are_drawn_anew() {
-        for place in ["street:6", "square:8", "forest:20"] {
+        for place in ["street:7", "square:8", "forest:20"] {
             let scene = Source::open(place, 1).and_then(|s| s.pose(0.0)).expect("a place");
             let setup = Setup { map_size: 256, ..Setup::for_scene(&scene, 240, 136) };
             let mut session = Session::new(&scene, setup, BackendKind::Cpu).expect("session");
