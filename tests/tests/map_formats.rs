@@ -108,8 +108,8 @@ fn sixteen_bits_of_depth_cost_rays_and_no_more_errors_once_the_least_variance_kn
             };
             let exact = row(Format::F32, false);
             let unorm = row(Format::Unorm16, false);
-            // Four pixels, and a quarter of the errors: thin things that a rounded depth happens to reveal or to hide.
-            let is_near = |rounded: f64, exact: f64| rounded <= exact * 1.25 + 64.0;
+            // One pixel, and a quarter of the errors: thin things that a rounded depth happens to reveal or to hide.
+            let is_near = |rounded: f64, exact: f64| rounded <= exact * 1.25 + 16.0;
             let is_as_right = |o: Outcome| {
                 is_near(o.false_lit, exact.false_lit) && is_near(o.false_shadowed, exact.false_shadowed)
             };

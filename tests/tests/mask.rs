@@ -370,6 +370,11 @@ fn cpu_and_gpu_remember_the_same() {
                 let is_new = |k: &&usize| before.iter().all(|&j| distance(**k, j, 640) > REACH_PX);
                 let new = differ.iter().filter(is_new).count();
                 *new_on_path.entry(id).or_default() += new;
+                // Twice the path's bound: one frame is few pixels.
+                assert!(
+                    ppm(new, a.mask.len()) <= 2.0 * twin_ppm(),
+                    "{name} {id} frame {i}: {new} masks newly differ"
+                );
                 assert!(
                     differ.len() <= new + 25 * before.len(),
                     "{name} {id} frame {i}: {differ:?} after {before:?}"
