@@ -10,7 +10,7 @@ use std::time::Duration;
 use lt_math::glam::UVec2;
 use lt_math::{Esm, Evsm, Levels, LightProjection, MsmHamburger, Vsm};
 use lt_render::cpu::{
-    BatchTest, CpuBackend, SampleRows, evaluate_batch, evaluate_batch_levels, maps_to_rows,
+    BatchTest, CpuBackend, Pieces, SampleRows, evaluate_batch, evaluate_batch_levels, maps_to_rows,
 };
 use lt_render::{Backend, BackendKind, PackedScene, PassKind, Session, Setup};
 use lt_scene::Source;
@@ -64,7 +64,7 @@ fn row<T: BatchTest, const LTT: bool>(id: &str, samples: &[Sample], maps: Maps<'
     let mut cache = vec![1u64; 32 << 20];
     let rows = SampleRows::of(samples);
     let pieces = rows.pieces();
-    let new = || (vec![0.0f32; samples.len()], vec![false; samples.len()]);
+    let new = || (vec![0.0f32; samples.len()], vec![0; pieces.len()]);
     let mut answers = [new(), new()];
     let mut times = [Vec::new(), Vec::new()];
     for round in 0..=REPEATS {
@@ -105,10 +105,11 @@ fn one_by_one<T: BatchTest, const LTT: bool>(
     samples: &[Sample],
     Maps { p, levels, rows, .. }: Maps<'_>,
     visibility: &mut [f32],
-    is_doubted: &mut [bool],
+    doubted: &mut [u64],
 ) {
     let map = GatheredDepths { depths: rows };
-    for ((sample, visibility), is_doubted) in samples.iter().zip(visibility).zip(is_doubted) {
+    doubted.fill(0);
+    for (i, (sample, visibility)) in samples.iter().zip(visibility).enumerate() {
         let verdict = match levels {
             None => evaluate::<T, _, LTT>(sample, p, map),
             Some(all) => {
@@ -117,7 +118,8 @@ fn one_by_one<T: BatchTest, const LTT: bool>(
             }
         };
         *visibility = verdict.visibility;
-        *is_doubted = verdict.is_doubted;
+        let (piece, bit) = (i / Pieces::SAMPLES, i % Pieces::SAMPLES);
+        doubted[piece] |= u64::from(verdict.is_doubted) << bit;
     }
 }
 

@@ -8,8 +8,9 @@ use lt_math::glam::Vec4;
 use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Pcf, ShadowTest, Sm, Vsm, chebyshev, float, six_atoms};
 use lt_shaders::evaluate::TestFromParams;
 
+use super::bits::{pack, places};
 use super::footprints::Footprints;
-use super::samples::{Lanes, MAPPED};
+use super::samples::Lanes;
 use super::shortcut::Shortcut;
 use super::tiles::PIECE;
 
@@ -41,7 +42,7 @@ impl BatchTest for Evsm {
     fn visibility_of_footprints<const LTT: bool>(&self, footprints: &Footprints, epsilon: f32) -> Lanes {
         let shortcut = Shortcut::new(self, epsilon);
         let mut v = [0.0; PIECE];
-        let mut is_open = [false; PIECE];
+        let mut is_open = [0; PIECE];
         for i in 0..PIECE {
             let offsets = footprints.offsets(i);
             let spread = Spread::of(offsets, footprints.weights(i));
@@ -51,20 +52,20 @@ impl BatchTest for Evsm {
                 let is_surely_lit = is_lit | shortcut.is_lit(offsets, spread.mean, spread.variance);
                 let is_surely_dark = shortcut.is_dark(offsets, spread.variance);
                 v[i] = if is_surely_lit { 1.0 } else { 0.0 };
-                is_open[i] = !(is_surely_lit | is_surely_dark) & (footprints.states[i] == MAPPED);
+                is_open[i] = u8::from(!(is_surely_lit | is_surely_dark));
             } else {
                 v[i] = 1.0;
-                is_open[i] = !is_lit & (footprints.states[i] == MAPPED);
+                is_open[i] = u8::from(!is_lit);
             }
         }
-        let open_count = is_open.iter().map(|&is_open| u32::from(is_open)).sum::<u32>() as usize;
-        if open_count >= DENSE {
+        let open = pack(&is_open) & footprints.mapped;
+        if open.count_ones() as usize >= DENSE {
             let answers = bounds(self, &footprints.offsets, &footprints.weights, PIECE);
             for i in 0..PIECE {
-                v[i] = if is_open[i] { answers[i] } else { v[i] };
+                v[i] = if is_open[i] != 0 { answers[i] } else { v[i] };
             }
-        } else if open_count > 0 {
-            answer_some(self, footprints, &is_open, &mut v);
+        } else if open != 0 {
+            answer_some(self, footprints, open, &mut v);
         }
         v
     }
@@ -104,7 +105,7 @@ impl BatchTest for Sm {
     const FROM_RECEIVERS: bool = false;
     #[inline(always)]
     fn visibility_of_footprints<const LTT: bool>(&self, footprints: &Footprints, _: f32) -> Lanes {
-        one_by_one(self, footprints, |i| footprints.states[i] == MAPPED)
+        one_by_one(self, footprints, footprints.mapped)
     }
 }
 
@@ -112,29 +113,29 @@ impl BatchTest for Pcf {
     const FROM_RECEIVERS: bool = false;
     #[inline(always)]
     fn visibility_of_footprints<const LTT: bool>(&self, footprints: &Footprints, _: f32) -> Lanes {
-        one_by_one(self, footprints, |i| footprints.states[i] == MAPPED)
+        one_by_one(self, footprints, footprints.mapped)
     }
 }
 
 /// Bounds by four moments: 1 where no depth is in front of the receiver.
 #[inline(always)]
 fn moment_bounds(test: &impl ShadowTest, footprints: &Footprints) -> Lanes {
-    let mut is_open = [false; PIECE];
+    let mut is_open = [0; PIECE];
     for (i, is_open) in is_open.iter_mut().enumerate() {
         let receiver = footprints.receivers[i] - six_atoms::RECEIVER_ROUNDING;
         let x = footprints.offsets(i).map(|depth| depth - receiver);
         let is_lit = (x[0] >= 0.0) & (x[1] >= 0.0) & (x[2] >= 0.0) & (x[3] >= 0.0);
         let is_number = !float::is_nan(dot(x, footprints.weights(i)));
-        *is_open = !(is_lit & is_number) & (footprints.states[i] == MAPPED);
+        *is_open = u8::from(!(is_lit & is_number));
     }
-    one_by_one(test, footprints, |i| is_open[i])
+    one_by_one(test, footprints, pack(&is_open) & footprints.mapped)
 }
 
 /// The shared test's answers for the pixels that are asked about, and 1 for others.
 #[inline(always)]
-fn one_by_one(test: &impl ShadowTest, footprints: &Footprints, is_asked: impl Fn(usize) -> bool) -> Lanes {
+fn one_by_one(test: &impl ShadowTest, footprints: &Footprints, asked: u64) -> Lanes {
     let mut v = [1.0; PIECE];
-    for i in (0..PIECE).filter(|&i| is_asked(i)) {
+    for i in places(asked) {
         let (depths, weights) = (Vec4::from(footprints.offsets(i)), Vec4::from(footprints.weights(i)));
         v[i] = test.visibility_of_gather(depths, weights, footprints.receivers[i]);
     }
@@ -146,24 +147,18 @@ const DENSE: usize = PIECE * 3 / 4;
 
 /// The full formula for the open pixels of a batch, picked together.
 #[inline(always)]
-fn answer_some(test: &Evsm, footprints: &Footprints, is_open: &[bool; PIECE], v: &mut Lanes) {
-    let mut open = [0u8; PIECE];
-    let mut count = 0;
-    for (i, &is_open) in is_open.iter().enumerate() {
-        open[count & (PIECE - 1)] = i as u8;
-        count += usize::from(is_open);
-    }
-    let open = &open[..count];
+fn answer_some(test: &Evsm, footprints: &Footprints, open: u64, v: &mut Lanes) {
     let (mut offsets, mut weights) = ([[0.0; PIECE]; 4], [[0.0; PIECE]; 4]);
-    for k in 0..4 {
-        for (j, &i) in open.iter().enumerate() {
-            offsets[k][j] = footprints.offsets[k][usize::from(i)];
-            weights[k][j] = footprints.weights[k][usize::from(i)];
+    for (j, i) in places(open).enumerate() {
+        for k in 0..4 {
+            offsets[k][j] = footprints.offsets[k][i];
+            weights[k][j] = footprints.weights[k][i];
         }
     }
-    let answers = bounds(test, &offsets, &weights, count.next_multiple_of(16).min(PIECE));
-    for (&i, &answer) in open.iter().zip(&answers) {
-        v[usize::from(i)] = answer;
+    let count = open.count_ones().next_multiple_of(16) as usize;
+    let answers = bounds(test, &offsets, &weights, count.min(PIECE));
+    for (i, answer) in places(open).zip(answers) {
+        v[i] = answer;
     }
 }
 

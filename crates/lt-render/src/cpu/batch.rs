@@ -11,16 +11,16 @@
 use lt_bvh::lanes::{Chosen, NodeLanes, Work};
 use lt_math::LightProjection;
 use lt_shaders::abi::ShadowParams;
-use lt_shaders::evaluate::{Verdict, doubt};
 
 use super::answers::BatchTest;
+use super::bits;
 use super::footprints::{Footprints, Maps, Texels};
-use super::samples::{BLOCKED, MAPPED, OUTSIDE, Pieces};
+use super::samples::Pieces;
 use super::tiles::PIECE;
 
 /// Estimate and doubt of many pixels from a map of plain depths.
 ///
-/// `depths` are `p.map_size`², in the order of [`maps_to_tiles`](super::maps_to_tiles); `visibility` and `is_doubted` have 64 places for each of `pieces`. Gives the bits of
+/// `depths` are `p.map_size`², in the order of [`maps_to_tiles`](super::maps_to_tiles); `visibility` has 64 places for each of `pieces`, `doubted` a word of as many bits. Gives the bits of
 /// [`evaluate`](lt_shaders::evaluate::evaluate) for each sample, in any order of samples; samples in tile order find their texels in the cache.
 ///
 /// # Panics
@@ -30,9 +30,9 @@ pub fn evaluate_batch<T: BatchTest, const LTT: bool>(
     p: &ShadowParams,
     depths: &[f32],
     visibility: &mut [f32],
-    is_doubted: &mut [bool],
+    doubted: &mut [u64],
 ) {
-    evaluate_on::<T, LTT>(pieces, p, Maps::one(p, Texels::Depths(depths)), visibility, is_doubted);
+    evaluate_on::<T, LTT>(pieces, p, Maps::one(p, Texels::Depths(depths)), visibility, doubted);
 }
 
 /// [`evaluate_batch`] from the levels of a directional light, finest first, with the bits of
@@ -48,14 +48,14 @@ pub fn evaluate_batch_levels<T: BatchTest, const LTT: bool>(
     projections: &[LightProjection],
     depths: &[f32],
     visibility: &mut [f32],
-    is_doubted: &mut [bool],
+    doubted: &mut [u64],
 ) {
     evaluate_on::<T, LTT>(
         pieces,
         p,
         Maps::levels(p, projections, Texels::Depths(depths)),
         visibility,
-        is_doubted,
+        doubted,
     );
 }
 
@@ -65,14 +65,14 @@ pub(super) fn evaluate_on<T: BatchTest, const LTT: bool>(
     p: &ShadowParams,
     maps: Maps<'_>,
     visibility: &mut [f32],
-    is_doubted: &mut [bool],
+    doubted: &mut [u64],
 ) {
     let expected = (p.map_size as usize).pow(2) * maps.projections.len();
     assert!(maps.texels.len() == expected, "{} texels, {expected} expected", maps.texels.len());
-    let len = pieces.len() * PIECE;
-    assert!(visibility.len() == len && is_doubted.len() == len, "unequal lengths");
+    let len = pieces.len();
+    assert!(visibility.len() == len * PIECE && doubted.len() == len, "unequal lengths");
     let test = T::from_params(p.test);
-    Chosen::best().run(Evaluate::<T, LTT> { test, pieces, p, maps, visibility, is_doubted });
+    Chosen::best().run(Evaluate::<T, LTT> { test, pieces, p, maps, visibility, doubted });
 }
 
 /// The work of [`evaluate_on`].
@@ -82,46 +82,35 @@ struct Evaluate<'a, T, const LTT: bool> {
     p: &'a ShadowParams,
     maps: Maps<'a>,
     visibility: &'a mut [f32],
-    is_doubted: &'a mut [bool],
+    doubted: &'a mut [u64],
 }
 
 impl<T: BatchTest, const LTT: bool> Work for Evaluate<'_, T, LTT> {
     type Output = ();
     #[inline(always)]
-    fn run<L: NodeLanes>(self, _: L) {
-        let Evaluate { test, pieces, p, maps, visibility, is_doubted } = self;
+    fn run<L: NodeLanes>(self, lanes: L) {
+        let Evaluate { test, pieces, p, maps, visibility, doubted } = self;
         let visibility = visibility.as_chunks_mut::<PIECE>().0;
-        let is_doubted = is_doubted.as_chunks_mut::<PIECE>().0;
         let mut footprints = Footprints::new();
-        for ((piece, visibility), is_doubted) in pieces.iter().zip(visibility).zip(is_doubted) {
-            footprints.find(piece, p, maps);
+        for ((piece, visibility), doubted) in pieces.iter().zip(visibility).zip(doubted) {
+            footprints.find(lanes.rays(), piece, p, maps);
             // Whole batches of sky, or of what faces away, need no map.
-            let mut answers = [0.0; PIECE];
-            if footprints.is_any_open {
-                if T::PLANE_BIAS_TEXELS > 0.0 {
-                    footprints.bias_receivers(T::PLANE_BIAS_TEXELS, piece, p, maps);
+            if footprints.facing.open == 0 {
+                bits::paint(lanes.rays(), footprints.facing.lit, visibility);
+                *doubted = 0;
+                continue;
+            }
+            if T::PLANE_BIAS_TEXELS > 0.0 {
+                footprints.bias_receivers(T::PLANE_BIAS_TEXELS, piece, p, maps);
+            }
+            let answers = match maps.texels {
+                Texels::Depths(depths) => {
+                    footprints.gather(depths, T::FROM_RECEIVERS);
+                    test.visibility_of_footprints::<LTT>(&footprints, p.epsilon)
                 }
-                answers = match maps.texels {
-                    Texels::Depths(depths) => {
-                        footprints.gather(depths, T::FROM_RECEIVERS);
-                        test.visibility_of_footprints::<LTT>(&footprints, p.epsilon)
-                    }
-                    Texels::Vectors(vectors) => footprints.filtered(&test, vectors),
-                };
-            }
-            let states = &footprints.states;
-            for i in 0..PIECE {
-                let v = answers[i];
-                let verdict = doubt(v, p.epsilon);
-                visibility[i] = match states[i] {
-                    MAPPED if LTT => verdict.visibility,
-                    MAPPED => v,
-                    BLOCKED => 0.0,
-                    OUTSIDE if LTT => Verdict::UNJUDGED,
-                    _ => 1.0,
-                };
-                is_doubted[i] = LTT && ((states[i] == MAPPED && verdict.is_doubted) || states[i] == OUTSIDE);
-            }
+                Texels::Vectors(vectors) => footprints.filtered(&test, vectors),
+            };
+            *doubted = footprints.judge::<_, LTT>(lanes.rays(), &answers, p.epsilon, visibility);
         }
     }
 }
@@ -268,14 +257,12 @@ mod tests {
         for level in SimdLevel::available() {
             let rows = SampleRows::of(samples);
             let pieces = rows.pieces();
-            let (mut lit, mut doubted) =
-                (vec![0.25; pieces.len() * PIECE], vec![false; pieces.len() * PIECE]);
-            let (visibility, is_doubted) = (&mut lit[..], &mut doubted[..]);
-            let work = Evaluate::<T, LTT> { test, pieces, p, maps, visibility, is_doubted };
+            let (mut lit, mut words) = (vec![0.25; pieces.len() * PIECE], vec![7; pieces.len()]);
+            let (visibility, doubted) = (&mut lit[..], &mut words[..]);
+            let work = Evaluate::<T, LTT> { test, pieces, p, maps, visibility, doubted };
             Chosen::new(level).expect("an available level").run(work);
-            for (i, (&(v, is_doubted), (&lit, &doubted))) in
-                expected.iter().zip(lit.iter().zip(&doubted)).enumerate()
-            {
+            for (i, (&(v, is_doubted), &lit)) in expected.iter().zip(&lit).enumerate() {
+                let doubted = words[i / PIECE] >> (i % PIECE) & 1 != 0;
                 let is_same = v.to_bits() == lit.to_bits() || (v.is_nan() && lit.is_nan());
                 assert!(
                     is_same && is_doubted == doubted,

@@ -11,7 +11,7 @@ use super::samples::Pieces;
 use crate::{MapSource, MapTest};
 
 /// Estimate and doubt of a block's samples.
-pub(super) type Estimator<'a> = Box<dyn Fn(Pieces<'_>, &mut [f32], &mut [bool]) + Sync + 'a>;
+pub(super) type Estimator<'a> = Box<dyn Fn(Pieces<'_>, &mut [f32], &mut [u64]) + Sync + 'a>;
 
 /// What a frame's evaluate pass reads.
 #[derive(Clone, Copy)]
@@ -56,8 +56,8 @@ impl<'a> LightMaps<'a> {
             None => Maps::one(p, texels),
             Some(projections) => Maps::levels(p, projections, texels),
         };
-        Box::new(move |pieces, visibility, is_doubted| {
-            evaluate_on::<T, LTT>(pieces, p, maps, visibility, is_doubted);
+        Box::new(move |pieces, visibility, doubted| {
+            evaluate_on::<T, LTT>(pieces, p, maps, visibility, doubted);
         })
     }
 }

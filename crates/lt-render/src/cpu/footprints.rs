@@ -2,13 +2,16 @@
 //!
 //! The stages are those of [`super::batch`], which has the story.
 
+use lt_bvh::lanes;
 use lt_math::glam::{Vec2, Vec3, Vec4};
 use lt_math::{LightPoint, LightProjection, ShadowTest, blend, float, level_margin_uv};
 use lt_shaders::abi::ShadowParams;
-use lt_shaders::evaluate::{plane_slope, plane_slope_at};
+use lt_shaders::evaluate::{Verdict, plane_slope, plane_slope_at};
 
+use super::bits::{self, places};
+use super::heads::Facing;
 use super::map_tiles::{column_start, row_start};
-use super::samples::{BLOCKED, Lanes, MAPPED, OUTSIDE, Piece};
+use super::samples::{Lanes, Piece};
 use super::tiles::PIECE;
 
 /// What a batch reads of a light's maps.
@@ -52,9 +55,10 @@ impl<'a> Maps<'a> {
 /// A batch's pixels on the levels that answer for them, first where they lie ([`Footprints::find`]), then what is there
 /// ([`Footprints::gather`]). Pixels that no level answers have numbers, too.
 pub struct Footprints {
-    pub(super) states: [u32; PIECE],
-    /// Whether any is for the map to say.
-    pub(super) is_any_open: bool,
+    /// Who is settled.
+    pub(super) facing: Facing,
+    /// Who is for the map to say: of those not settled, whoever lies on a level.
+    pub(super) mapped: u64,
     u: Lanes,
     v: Lanes,
     pub(super) receivers: Lanes,
@@ -70,8 +74,8 @@ pub struct Footprints {
 impl Footprints {
     pub(super) fn new() -> Self {
         Self {
-            states: [BLOCKED; PIECE],
-            is_any_open: false,
+            facing: Facing::default(),
+            mapped: 0,
             u: [0.0; PIECE],
             v: [0.0; PIECE],
             receivers: [0.0; PIECE],
@@ -82,30 +86,32 @@ impl Footprints {
         }
     }
 
-    /// Settles and projects, and finds who is `OUTSIDE`.
+    /// Settles and projects, and finds who lies on a level.
     #[inline(always)]
-    pub(super) fn find(&mut self, piece: Piece<'_>, p: &ShadowParams, maps: Maps<'_>) {
-        self.states = piece.settle(&p.light);
-        self.is_any_open = self.states.iter().fold(false, |any, &s| any | (s == MAPPED));
-        if !self.is_any_open {
+    pub(super) fn find<L: lanes::Lanes>(
+        &mut self,
+        lanes: L,
+        piece: Piece<'_>,
+        p: &ShadowParams,
+        maps: Maps<'_>,
+    ) {
+        self.facing = piece.facing(&p.light);
+        self.mapped = 0;
+        if self.facing.open == 0 {
             return;
         }
         (self.u, self.v, self.receivers) = ([0.0; PIECE], [0.0; PIECE], [0.0; PIECE]);
         self.first_texels = [0; PIECE];
-        let mut is_sought = self.states.map(|state| u32::from(state == MAPPED));
         for (level, projection) in maps.projections.iter().enumerate() {
             let first_texel = level as u32 * p.map_size * p.map_size;
             if projection.row_w == Vec4::W {
-                self.try_level::<true>(piece, projection, maps.margin_uv, first_texel, &mut is_sought);
+                self.try_level::<_, true>(lanes, piece, projection, maps.margin_uv, first_texel);
             } else {
-                self.try_level::<false>(piece, projection, maps.margin_uv, first_texel, &mut is_sought);
+                self.try_level::<_, false>(lanes, piece, projection, maps.margin_uv, first_texel);
             }
-            if is_sought.iter().fold(0, |any, &sought| any | sought) == 0 {
+            if self.mapped == self.facing.open {
                 break;
             }
-        }
-        for (state, sought) in self.states.iter_mut().zip(&is_sought) {
-            *state = if *sought != 0 { OUTSIDE } else { *state };
         }
         self.find_texels(p.map_size);
     }
@@ -113,33 +119,43 @@ impl Footprints {
     /// Moves pixels that are still sought, and that a level holds, onto it. A directional light's last row is (0, 0, 0, 1), which divides
     /// by 1: `PARALLEL` leaves that out.
     #[inline(always)]
-    fn try_level<const PARALLEL: bool>(
+    fn try_level<L: lanes::Lanes, const PARALLEL: bool>(
         &mut self,
+        lanes: L,
         piece: Piece<'_>,
         projection: &LightProjection,
         margin_uv: Option<f32>,
         first_texel: u32,
-        is_sought: &mut [u32; PIECE],
     ) {
-        let [x, y, z] = piece.position();
-        let [row_x, row_y, row_z, row_w] =
-            [projection.row_x, projection.row_y, projection.row_z, projection.row_w].map(|r| r.to_array());
+        let sought = self.facing.open & !self.mapped;
         // Without a margin all of [0, 1] is inside: the same comparisons.
         let margin = margin_uv.unwrap_or(0.0);
-        let (low, high) = (margin, 1.0 - margin);
-        for i in 0..PIECE {
-            let along = |r: [f32; 4]| r[0] * x[i] + r[1] * y[i] + r[2] * z[i] + r[3] * 1.0;
-            let w = if PARALLEL { 1.0 } else { along(row_w) };
-            let (at_u, at_v, depth) = (along(row_x) / w, along(row_y) / w, along(row_z));
-            let is_between = |x: f32| (x >= low) & (x <= high);
-            let is_unit = |x: f32| (0.0..=1.0).contains(&x);
-            let is_inside =
-                (is_sought[i] != 0) & (w > 0.0) & is_between(at_u) & is_between(at_v) & is_unit(depth);
-            self.u[i] = if is_inside { at_u } else { self.u[i] };
-            self.v[i] = if is_inside { at_v } else { self.v[i] };
-            self.receivers[i] = if is_inside { depth } else { self.receivers[i] };
-            self.first_texels[i] = if is_inside { first_texel } else { self.first_texels[i] };
-            is_sought[i] = if is_inside { 0 } else { is_sought[i] };
+        let (low, high) = (lanes.splat(margin), lanes.splat(1.0 - margin));
+        let (zero, one) = (lanes.splat(0.0), lanes.splat(1.0));
+        let [x, y, z] = piece.position();
+        for first in (0..PIECE).step_by(L::WIDTH) {
+            let at = [lanes.load(&x[first..]), lanes.load(&y[first..]), lanes.load(&z[first..])];
+            let mut u = along(lanes, projection.row_x, at);
+            let mut v = along(lanes, projection.row_y, at);
+            let depth = along(lanes, projection.row_z, at);
+            let mut inside = (sought >> first) as u32 & L::ALL;
+            if !PARALLEL {
+                let w = along(lanes, projection.row_w, at);
+                (u, v) = (lanes.div(u, w), lanes.div(v, w));
+                inside &= lanes.lt(zero, w);
+            }
+            inside &= lanes.le(low, u) & lanes.le(u, high) & lanes.le(low, v) & lanes.le(v, high);
+            inside &= lanes.le(zero, depth) & lanes.le(depth, one);
+            settle(lanes, inside, u, &mut self.u[first..]);
+            settle(lanes, inside, v, &mut self.v[first..]);
+            settle(lanes, inside, depth, &mut self.receivers[first..]);
+            self.mapped |= u64::from(inside) << first;
+            // Those of the first level are there already.
+            if first_texel != 0 {
+                for i in places(u64::from(inside)) {
+                    self.first_texels[first + i] = first_texel;
+                }
+            }
         }
     }
 
@@ -170,7 +186,7 @@ impl Footprints {
     ///
     /// [`TestFromParams::PLANE_BIAS_TEXELS`]: lt_shaders::evaluate::TestFromParams::PLANE_BIAS_TEXELS
     pub(super) fn bias_receivers(&mut self, texels: f32, piece: Piece<'_>, p: &ShadowParams, maps: Maps<'_>) {
-        for i in (0..PIECE).filter(|&i| self.states[i] == MAPPED) {
+        for i in places(self.mapped) {
             let level = self.first_texels[i] / (p.map_size * p.map_size);
             let (projection, sample) = (&maps.projections[level as usize], piece.sample(i));
             let is_straight = maps.margin_uv.is_none() || projection.row_w.truncate() == Vec3::ZERO;
@@ -204,11 +220,42 @@ impl Footprints {
     /// The blended vectors' answers for pixels that are for the map to say, 0 for others.
     pub(super) fn filtered(&self, test: &impl ShadowTest, vectors: &[Vec4]) -> Lanes {
         let mut v = [0.0; PIECE];
-        for i in (0..PIECE).filter(|&i| self.states[i] == MAPPED) {
+        for i in places(self.mapped) {
             let [a, b, c, d] = self.texels.each_ref().map(|texels| vectors[texels[i] as usize]);
             v[i] = test.visibility(blend(a, b, c, d, self.weights(i).into()), self.receivers[i]);
         }
         v
+    }
+
+    /// Writes what comes of answers, and of pixels that no map is asked about; who is doubted. With `LTT` by
+    /// [`doubt`](lt_shaders::evaluate::doubt).
+    #[inline(always)]
+    pub(super) fn judge<L: lanes::Lanes, const LTT: bool>(
+        &self,
+        lanes: L,
+        answers: &Lanes,
+        epsilon: f32,
+        visibility: &mut Lanes,
+    ) -> u64 {
+        let Facing { open, lit } = self.facing;
+        let outside = open & !self.mapped;
+        if !LTT {
+            bits::paint(lanes, lit | outside, visibility);
+            bits::put(lanes, self.mapped, answers, visibility);
+            return 0;
+        }
+        let is_confident =
+            bits::at_most(lanes, answers, epsilon) | bits::at_least(lanes, answers, 1.0 - epsilon);
+        let sure = self.mapped & is_confident;
+        bits::paint(lanes, lit | sure & bits::more(lanes, answers, 0.5), visibility);
+        let doubted = open & !sure;
+        if doubted != 0 {
+            let is_between = bits::more(lanes, answers, 0.0) & bits::less(lanes, answers, 1.0);
+            let judged = doubted & self.mapped & is_between;
+            bits::put(lanes, judged, answers, visibility);
+            bits::put(lanes, doubted & !judged, &[Verdict::UNJUDGED; PIECE], visibility);
+        }
+        doubted
     }
 
     #[inline(always)]
@@ -220,4 +267,18 @@ impl Footprints {
     pub(super) fn weights(&self, i: usize) -> [f32; 4] {
         [self.weights[0][i], self.weights[1][i], self.weights[2][i], self.weights[3][i]]
     }
+}
+
+/// Writes the lanes whose bit is set.
+#[inline(always)]
+fn settle<L: lanes::Lanes>(lanes: L, mask: u32, found: L::F, to: &mut [f32]) {
+    lanes.store(lanes.pick(mask, found, lanes.load(to)), to);
+}
+
+/// A row of a projection times positions, in the order of operations of [`float::dot4`].
+#[inline(always)]
+fn along<L: lanes::Lanes>(lanes: L, row: Vec4, at: [L::F; 3]) -> L::F {
+    let [x, y, z] = [row.x, row.y, row.z].map(|x| lanes.splat(x));
+    let sum = lanes.add(lanes.mul(x, at[0]), lanes.mul(y, at[1]));
+    lanes.add(lanes.add(sum, lanes.mul(z, at[2])), lanes.splat(row.w))
 }

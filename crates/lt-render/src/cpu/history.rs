@@ -5,8 +5,9 @@ use lt_shaders::abi::MaskParams;
 use rayon::prelude::*;
 
 use super::asks::Asks;
+use super::bits::pack;
 use super::mask_batch::Frames;
-use super::planes::{BlockBits, load_piece, pack, store_piece};
+use super::planes::{BlockBits, load_piece, store_piece};
 use super::tiles::{BLOCK, PIECE, Tiles};
 use crate::MaskEffects;
 

@@ -9,7 +9,7 @@ use lt_shaders::layers::{Surfaces, layer_at_hit, next_ray};
 use lt_shaders::shade::{LinearSource, color, layer_color, light_on};
 use rayon::prelude::*;
 
-use super::samples::{Look, Points, SampleRows, keep, points};
+use super::samples::{Kept, Look, Points, SampleRows, keep, points};
 use super::tiles::{BLOCK, PIECE, Tiles};
 use super::{View, resize, tracer};
 use crate::ShadedLight;
@@ -29,7 +29,8 @@ pub struct Seen {
 impl Seen {
     /// Makes room for so many samples, and drops what is not needed.
     pub fn resize(&mut self, len: usize, object_motion: bool, has_layers: bool) {
-        resize(&mut self.rows.places, len / PIECE);
+        resize(&mut self.rows.heads, len / PIECE);
+        resize(&mut self.rows.positions, len / PIECE);
         resize(&mut self.rows.parts, len / PIECE);
         resize(&mut self.looks, len);
         resize(&mut self.previous, if object_motion { len / PIECE } else { 0 });
@@ -59,14 +60,14 @@ pub fn see(view: View<'_>, seen: &mut [Seen]) {
         let Seen { rows, looks, previous, sights } = &mut seen[layer];
         trace(View { params: &p, ..view }, sights, &mut hits);
         let found = hits.par_chunks(PIECE).zip(sights.par_chunks(PIECE));
-        let rows = rows.places.par_iter_mut().zip(&mut rows.parts);
+        let rows = rows.heads.par_iter_mut().zip(&mut rows.positions).zip(&mut rows.parts);
         let pieces = rows.zip(looks.par_chunks_mut(PIECE)).zip(beyond.par_chunks_mut(PIECE));
-        pieces.zip(found).for_each(|((((places, parts), looks), beyond), (hits, sights))| {
+        pieces.zip(found).for_each(|(((((head, position), parts), looks), beyond), (hits, sights))| {
             let mut samples = [Sample::default(); PIECE];
             for (((sample, beyond), sight), hit) in samples.iter_mut().zip(beyond).zip(sights).zip(hits) {
                 (*sample, *beyond) = layer_at_hit(hit, &p, sight, geometry, surfaces);
             }
-            (*places, *parts) = keep(&samples, looks);
+            Kept { head: *head, position: *position, parts: *parts } = keep(&samples, looks);
         });
         // Empty where nothing moves.
         previous.par_iter_mut().zip(hits.par_chunks(PIECE)).for_each(|(previous, hits)| {

@@ -3,16 +3,18 @@
 //! What the shared function reads neighbour by neighbour is one bit of [`Asks`] here. The stages are plain loops without
 //! branches, compiled for several instruction sets as [`super::batch`]'s are: place in the last frame, ask, decide.
 
-use lt_bvh::lanes::{Chosen, NodeLanes, Work};
+use lt_bvh::lanes::{self, Chosen, NodeLanes, Work};
 use lt_math::glam::UVec2;
 use lt_shaders::abi::MaskParams;
 use lt_shaders::evaluate::Verdict;
 use lt_shaders::neighbours::asking_word;
 
 use super::asks::Asks;
+use super::bits::{less, more, pack, paint, same};
+use super::heads::Facing;
 use super::places::{IN_PIECE, Places, depth_along, in_this_frame};
-use super::planes::{BlockBits, load_piece, pack, place_in_block, store_piece};
-use super::samples::{LIT, MAPPED, Pieces, Points};
+use super::planes::{BlockBits, place_in_block};
+use super::samples::{Pieces, Points};
 use super::tiles::{PIECE, SIDE, Tiles};
 use crate::MaskEffects;
 
@@ -41,17 +43,16 @@ pub struct BlockPixels<'a> {
     pub previous: &'a [Points],
     /// The estimate; becomes 0 or 1.
     pub visibility: &'a mut [f32],
-    /// Becomes who needs a ray.
-    pub is_doubted: &'a mut [bool],
+    /// Becomes who needs a ray, a word for each piece.
+    pub doubted: &'a mut [u64],
     /// Becomes what to remember if every ray finds the light.
     pub bits: &'a mut BlockBits,
     /// Becomes what the next frame's depth test compares with; empty without it.
     pub depths: &'a mut [f32],
 }
 
-/// Runs the mask over block `block`, by the best instructions that the processor has. Returns a bit for each piece in which any
-/// pixel needs a ray.
-pub fn mask_block(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) -> u16 {
+/// Runs the mask over block `block`, by the best instructions that the processor has.
+pub fn mask_block(frames: Frames<'_>, block: usize, pixels: BlockPixels<'_>) {
     Chosen::best().run(Mask { frames, block, pixels })
 }
 
@@ -63,103 +64,76 @@ struct Mask<'a> {
 }
 
 impl Work for Mask<'_> {
-    type Output = u16;
+    type Output = ();
     #[inline(always)]
-    fn run<L: NodeLanes>(self, _: L) -> u16 {
-        let Mask { frames, block, pixels } = self;
-        let effects = frames.effects;
+    fn run<L: NodeLanes>(self, lanes: L) {
+        let effects = self.frames.effects;
         match (effects.motion, effects.depth_test) {
-            (false, false) => mask_all::<false, false>(frames, block, pixels),
-            (false, true) => mask_all::<false, true>(frames, block, pixels),
-            (true, false) => mask_all::<true, false>(frames, block, pixels),
-            (true, true) => mask_all::<true, true>(frames, block, pixels),
+            (false, false) => self.mask_all::<_, false, false>(lanes.rays()),
+            (false, true) => self.mask_all::<_, false, true>(lanes.rays()),
+            (true, false) => self.mask_all::<_, true, false>(lanes.rays()),
+            (true, true) => self.mask_all::<_, true, true>(lanes.rays()),
         }
     }
 }
 
-#[inline(always)]
-fn mask_all<const MOTION: bool, const DEPTH: bool>(
-    frames: Frames<'_>,
-    block: usize,
-    pixels: BlockPixels<'_>,
-) -> u16 {
-    let Frames { tiles, params: p, effects, .. } = frames;
-    let BlockPixels { pieces, previous, visibility, is_doubted, bits, depths } = pixels;
-    let origin = tiles.origin(block);
-    let mut asking = 0;
-    let turns = (p.refresh != 0).then(|| Turns::of(p.refresh, p.frame));
-    let pieces = pieces.iter().zip(visibility.as_chunks_mut::<PIECE>().0);
-    for (piece, ((samples, estimates), is_doubted)) in
-        pieces.zip(is_doubted.as_chunks_mut::<PIECE>().0).enumerate()
-    {
-        let states = samples.settle(&p.light);
-        let is_any_open = states.iter().fold(false, |any, &s| any | (s == MAPPED));
-        if DEPTH {
-            let depths = &mut depths[piece * PIECE..][..PIECE];
-            let (depth, valid) = (depth_along(samples.position(), &p.current), samples.valid());
-            for i in 0..PIECE {
-                depths[i] = if valid[i] { depth[i] } else { 0.0 };
-            }
-        }
-        if !is_any_open {
-            for i in 0..PIECE {
-                estimates[i] = if states[i] == LIT { 1.0 } else { 0.0 };
-                is_doubted[i] = false;
-            }
-            store_piece(&mut bits.shadowed, piece, 0);
-            store_piece(&mut bits.traced, piece, 0);
-            store_piece(&mut bits.hit, piece, 0);
-            continue;
-        }
-        let before = previous.get(piece).unwrap_or(samples.position());
-        let mut places = in_this_frame(tiles, origin, piece);
-        let is_due = turns.as_ref().map_or([0; PIECE], |turns| turns.due(origin, piece));
-        if MOTION {
-            places.follow(samples.position(), before, p);
-        }
-        if DEPTH {
-            places.compare_depths(tiles, frames.last_depths, &depth_along(before, &p.previous), p);
-        }
-        let has_history = u32::from(p.flags & MaskParams::HAS_HISTORY != 0);
+impl Mask<'_> {
+    #[inline(always)]
+    fn mask_all<L: lanes::Lanes, const MOTION: bool, const DEPTH: bool>(self, lanes: L) {
+        let Mask { frames, block, pixels } = self;
+        let Frames { tiles, params: p, effects, .. } = frames;
+        let BlockPixels { pieces, previous, visibility, doubted, bits, depths } = pixels;
+        let origin = tiles.origin(block);
+        let turns = (p.refresh != 0).then(|| Turns::of(p.refresh, p.frame));
+        // All ones where a condition of the whole frame holds.
+        let when = |holds: bool| if holds { !0u64 } else { 0 };
         let has_flag = |flag| p.flags & flag != 0;
-        let may_remove = u32::from(effects.removes && has_flag(MaskParams::REMOVES_AS_PUBLISHED));
-        let (mut known_rays, mut known_hits) = (0, 0);
-        if effects.removes && has_flag(MaskParams::KEEPS_ANSWERS) {
-            let last = &frames.last[block];
-            (known_rays, known_hits) = (load_piece(&last.traced, piece), load_piece(&last.hit, piece));
+        let (has_history, expands) = (when(has_flag(MaskParams::HAS_HISTORY)), when(effects.expands));
+        let may_remove = when(effects.removes && has_flag(MaskParams::REMOVES_AS_PUBLISHED));
+        let keeps_answers = effects.removes && has_flag(MaskParams::KEEPS_ANSWERS);
+        let pieces = pieces.iter().zip(visibility.as_chunks_mut::<PIECE>().0).zip(doubted);
+        for (piece, ((samples, estimates), doubted)) in pieces.enumerate() {
+            let Facing { open, lit } = samples.facing(&p.light);
+            if DEPTH {
+                let depths = &mut depths[piece * PIECE..][..PIECE];
+                let (depth, valid) = (depth_along(samples.position(), &p.current), samples.valid());
+                for i in 0..PIECE {
+                    depths[i] = if valid[i] { depth[i] } else { 0.0 };
+                }
+            }
+            if open == 0 {
+                paint(lanes, lit, estimates);
+                *doubted = 0;
+                bits.store(piece, [0; 3]);
+                continue;
+            }
+            let before = previous.get(piece).unwrap_or(samples.position());
+            let mut places = in_this_frame(tiles, origin, piece);
+            let due = turns.as_ref().map_or(0, |turns| turns.due(origin, piece));
+            if MOTION {
+                places.follow(lanes, samples.position(), before, p);
+            }
+            if DEPTH {
+                places.compare_depths(tiles, frames.last_depths, &depth_along(before, &p.previous), p);
+            }
+            let [_, last_rays, last_hits] =
+                if keeps_answers { frames.last[block].load(piece) } else { [0; 3] };
+            let shadowed = less(lanes, estimates, lt_mask::SHADOW_TEST_THRESHOLD);
+            let is_between = more(lanes, estimates, 0.0) & less(lanes, estimates, 1.0);
+            let unjudged = same(lanes, estimates, &[Verdict::UNJUDGED; PIECE]);
+            let asked = ask(frames, &places, shadowed);
+            let unseen = !(places.valid & has_history);
+            let known = last_rays & !(unseen | places.moved | due);
+            let removes = may_remove & !asked;
+            let by_rule = is_between & !removes | !is_between & expands & asked;
+            let traced = open & !known & (unjudged | unseen | due | by_rule);
+            let kept = open & known;
+            let dark = known & last_hits | !known & shadowed;
+            paint(lanes, open & !dark | lit, estimates);
+            *doubted = traced;
+            bits.store(piece, [open & shadowed, traced | kept, kept & last_hits]);
         }
-        let expands = u32::from(effects.expands);
-        let asked = ask(frames, &places, estimates);
-        let (mut shadowed, mut traced, mut kept) = ([0u8; PIECE], [0u8; PIECE], [0u8; PIECE]);
-        for i in 0..PIECE {
-            let v = estimates[i];
-            let st = u32::from(v < lt_mask::SHADOW_TEST_THRESHOLD);
-            let is_between = u32::from(v > 0.0) & u32::from(v < 1.0);
-            let is_unjudged = u32::from(v == Verdict::UNJUDGED);
-            let is_open = u32::from(states[i] == MAPPED);
-            let is_unseen = 1 ^ (places.is_valid[i] & has_history);
-            let removes = may_remove & (1 ^ asked[i]);
-            let known = (known_rays >> i) as u32 & (1 ^ (is_unseen | places.has_moved[i] | is_due[i])) & 1;
-            let is_hit = (known_hits >> i) as u32 & 1;
-            let by_rule = (is_between & (1 ^ removes)) | ((1 ^ is_between) & expands & asked[i]);
-            let needs_ray = is_open & (1 ^ known) & (is_unjudged | is_unseen | is_due[i] | by_rule);
-            shadowed[i] = (is_open & st) as u8;
-            traced[i] = needs_ray as u8;
-            kept[i] = (is_open & known) as u8;
-            let snapped = if (known & is_hit) | (1 ^ known) & st != 0 { 0.0 } else { 1.0 };
-            let settled = if states[i] == LIT { 1.0 } else { 0.0 };
-            estimates[i] = if is_open != 0 { snapped } else { settled };
-        }
-        for i in 0..PIECE {
-            is_doubted[i] = traced[i] != 0;
-        }
-        store_piece(&mut bits.shadowed, piece, pack(&shadowed));
-        let (traced, kept) = (pack(&traced), pack(&kept));
-        store_piece(&mut bits.traced, piece, traced | kept);
-        store_piece(&mut bits.hit, piece, kept & known_hits);
-        asking |= u16::from(traced != 0) << piece;
     }
-    asking
 }
 
 /// [`lt_mask::is_due`] of pieces, with one division for all of a piece's pixels.
@@ -179,32 +153,35 @@ impl Turns {
     }
 
     #[inline(always)]
-    fn due(&self, origin: UVec2, piece: usize) -> [u32; PIECE] {
+    fn due(&self, origin: UVec2, piece: usize) -> u64 {
         let corner = place_in_block((piece * PIECE) as u32);
         let (x, y) = (origin.x + corner.0, origin.y + corner.1);
         let period = self.period;
         let first = (x + y * lt_mask::refresh_stride(period) + self.frame % period) % period;
-        self.offsets.map(|offset| u32::from(first + offset == 0) | u32::from(first + offset == period))
+        pack(&self.offsets.map(|offset| u8::from((first + offset == 0) | (first + offset == period))))
     }
 }
 
-/// Per pixel, whether its neighbourhood contradicts its shadow test.
+/// Whose neighbourhood contradicts their shadow test.
 #[inline(always)]
-fn ask(frames: Frames<'_>, places: &Places, estimates: &[f32; PIECE]) -> [u32; PIECE] {
+fn ask(frames: Frames<'_>, places: &Places, shadowed: u64) -> u64 {
     let words = frames.asks.rows().as_flattened();
     let columns = frames.tiles.columns();
     let mut at = [0; PIECE];
-    for i in 0..PIECE {
-        let (x, y) = (places.x[i], places.y[i]);
-        let st = lt_mask::is_test_shadowed(estimates[i]);
-        let row = ((y / SIDE) * columns + x / SIDE) * SIDE + y % SIDE;
-        at[i] = row * 4 + asking_word(st, places.has_moved[i] != 0);
+    for (half, at) in at.as_chunks_mut::<32>().0.iter_mut().enumerate() {
+        let [shadowed, moved] = [shadowed, places.moved].map(|bits| (bits >> (32 * half)) as u32);
+        let (xs, ys) = (&places.x[32 * half..][..32], &places.y[32 * half..][..32]);
+        for i in 0..32 {
+            let is_set = |bits: u32| bits >> i as u32 & 1 != 0;
+            let row = ((ys[i] / SIDE) * columns + xs[i] / SIDE) * SIDE + ys[i] % SIDE;
+            at[i] = row * 4 + asking_word(is_set(shadowed), is_set(moved));
+        }
     }
     let mut asked = at.map(|at| words[at as usize]);
     for (asked, x) in asked.iter_mut().zip(&places.x) {
         *asked = *asked >> (x % SIDE) & 1;
     }
-    asked
+    pack(&asked.map(|asked| asked as u8))
 }
 
 #[cfg(test)]
@@ -333,7 +310,7 @@ mod tests {
                 .collect();
             let rows = SampleRows::of(&to_tiles(tiles, &case.0));
             let previous = if object_motion { pieces_of(&to_tiles(tiles, &case.1)) } else { Vec::new() };
-            let (mut lit, mut doubted) = (to_tiles(tiles, &case.2), vec![false; tiles.len()]);
+            let (mut lit, mut doubted) = (to_tiles(tiles, &case.2), vec![0; tiles.len() / PIECE]);
             history.begin(tiles, Some(effects));
             let seen_rays = to_tiles(tiles, &rays);
             let mut open = history.open(tiles, &p, effects);
@@ -343,20 +320,15 @@ mod tests {
                     pieces: rows.pieces().range(block * PIECES..(block + 1) * PIECES),
                     previous: previous.get(block * PIECES..(block + 1) * PIECES).unwrap_or(&[]),
                     visibility: &mut lit[range.clone()],
-                    is_doubted: &mut doubted[range.clone()],
+                    doubted: &mut doubted[block * PIECES..][..PIECES],
                     bits: memory.bits,
                     depths: memory.depths,
                 };
-                let asking = mask_block(open.frames, block, pixels);
-                for (piece, doubted) in doubted[range.clone()].chunks(PIECE).enumerate() {
-                    assert_eq!(
-                        asking >> piece & 1 != 0,
-                        doubted.contains(&true),
-                        "block {block} piece {piece}"
-                    );
-                }
+                mask_block(open.frames, block, pixels);
                 memory.learn(&seen_rays[range]);
             }
+            let doubted: Vec<bool> =
+                (0..tiles.len()).map(|i| doubted[i / PIECE] >> (i % PIECE) & 1 != 0).collect();
             let (lit, doubted) = (tiles.to_rows(&lit), tiles.to_rows(&doubted));
             let learnt = history.rows(tiles);
             for (i, m) in expected.iter().enumerate() {
@@ -440,29 +412,23 @@ mod tests {
         let effects = MaskEffects { motion: true, depth_test: true, expands: true, removes: true };
         let frames =
             Frames { tiles, params: &p, effects, asks: &asks, last: &last, last_depths: &last_depths };
-        let by = |run: &dyn Fn(usize, BlockPixels<'_>) -> u16| {
+        let by = |run: &dyn Fn(usize, BlockPixels<'_>)| {
             let mut all = Vec::new();
             for block in 0..tiles.len() / BLOCK {
                 let range = block * BLOCK..(block + 1) * BLOCK;
                 let mut visibility = to_tiles(tiles, &case.2)[range.clone()].to_vec();
-                let (mut is_doubted, mut depths) = (vec![false; BLOCK], vec![0.0; BLOCK]);
+                let (mut doubted, mut depths) = (vec![7; PIECES], vec![0.0; BLOCK]);
                 let mut bits = BlockBits::default();
                 let pixels = BlockPixels {
                     pieces: rows.pieces().range(block * PIECES..(block + 1) * PIECES),
                     previous: &previous[block * PIECES..(block + 1) * PIECES],
                     visibility: &mut visibility,
-                    is_doubted: &mut is_doubted,
+                    doubted: &mut doubted,
                     bits: &mut bits,
                     depths: &mut depths,
                 };
-                let asking = run(block, pixels);
-                all.push((
-                    asking,
-                    visibility,
-                    is_doubted,
-                    bits,
-                    depths.iter().map(|d| d.to_bits()).collect::<Vec<_>>(),
-                ));
+                run(block, pixels);
+                all.push((visibility, doubted, bits, depths.iter().map(|d| d.to_bits()).collect::<Vec<_>>()));
             }
             all
         };

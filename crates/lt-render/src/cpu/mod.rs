@@ -6,9 +6,11 @@
 mod answers;
 mod asks;
 mod batch;
+mod bits;
 mod estimator;
 mod fill;
 mod footprints;
+mod heads;
 mod history;
 mod kept_map;
 mod layers;
@@ -29,6 +31,7 @@ mod tint;
 use std::time::Instant;
 
 use bytemuck::Zeroable;
+use heads::Head;
 use history::History;
 use kept_map::{Draw, StillMap};
 use layers::{LitTiles, Seen};
@@ -45,7 +48,7 @@ use lt_shaders::filter::{filter_x, filter_y};
 use lt_shaders::geometry::{FlatGeometry, Geometry, InstancedGeometry};
 use lt_shaders::shade::shade_mean;
 use rayon::prelude::*;
-use samples::{Look, MAPPED, Parts, Piece, Places, Points, keep, points};
+use samples::{Kept, Look, Parts, Points, keep, points};
 use shadow::PixelMs;
 use tiles::{BLOCK, PIECE, PIECES, Tiles};
 
@@ -72,7 +75,8 @@ pub struct CpuBackend {
     visibility: Vec<f32>,
     /// Empty while nothing tints light.
     tint: Vec<Vec3>,
-    is_doubted: Vec<bool>,
+    /// Who is doubted, or traced where all are: a bit each, by pieces.
+    doubted: Vec<u64>,
     /// What techniques keep between frames, by the job's slot.
     slots: Vec<Slot>,
     /// The running frame's slot.
@@ -115,7 +119,7 @@ impl CpuBackend {
             layer: 0,
             visibility: Vec::new(),
             tint: Vec::new(),
-            is_doubted: Vec::new(),
+            doubted: Vec::new(),
             slots: Vec::new(),
             slot: 0,
             rows: Vec::new(),
@@ -177,7 +181,7 @@ impl Backend for CpuBackend {
         self.seen.resize_with(layers, Seen::default);
         self.seen.iter_mut().for_each(|seen| seen.resize(len, plan.object_motion, layers > 1));
         resize(&mut self.visibility, len);
-        self.is_doubted.resize(len, false);
+        self.doubted.resize(len / PIECE, 0);
         let start = Instant::now();
         let covers = self.scene.coverage(0);
         let view = View { scene: &self.scene, tiles: self.tiles, params };
@@ -287,16 +291,12 @@ impl Backend for CpuBackend {
             + slot.still.iter().map(StillMap::bytes).sum::<usize>()
             // As many rows as vectors, lent to it.
             + 2 * size_of_val(&slot.vectors[..]);
-        let mut doubt = self.tiles.to_rows(&self.is_doubted);
-        if job.plan.trace_all {
-            let is_traced = |piece: Piece<'_>| piece.settle(&job.shadow.light).map(|state| state == MAPPED);
-            let traced: Vec<bool> = self.seen[self.layer].rows.pieces().iter().flat_map(is_traced).collect();
-            doubt = self.tiles.to_rows(&traced);
-        }
+        let doubt: Vec<bool> =
+            self.doubted.iter().flat_map(|bits| (0..PIECE).map(move |i| bits >> i & 1 != 0)).collect();
         Ok(Frame {
             visibility: self.tiles.to_rows(&self.visibility),
             tint: if self.tint.is_empty() { Vec::new() } else { self.tiles.to_rows(&self.tint) },
-            doubt,
+            doubt: self.tiles.to_rows(&doubt),
             rays: self.rays,
             passes: std::mem::take(&mut self.passes),
             map_bytes: bytes as u64,
@@ -397,12 +397,12 @@ fn see_geometry<G: Geometry + Sync, A: AnyHit + Sync, C: ColorSource + Sync>(
             pixels.iter().map(|px| px.map_or(Ray::default(), |px| primary_ray(px, p))).collect();
         let mut hits = vec![Hit::miss(0.0); BLOCK];
         tracer.closest_batch(&rays, any_hit, &mut hits);
-        let rows = rows.0.iter_mut().zip(rows.1);
+        let rows = rows.0.iter_mut().zip(rows.1).zip(rows.2);
         let pieces = rows.zip(looks.chunks_exact_mut(PIECE)).zip(hits.as_chunks::<PIECE>().0);
-        for (((places, parts), looks), hits) in pieces {
+        for ((((head, position), parts), looks), hits) in pieces {
             let samples =
                 hits.map(|hit| sample_at_hit(&hit, p, geometry, scene.vertices(), scene.materials(), colors));
-            (*places, *parts) = keep(&samples, looks);
+            Kept { head: *head, position: *position, parts: *parts } = keep(&samples, looks);
         }
         for (previous, hits) in previous.iter_mut().zip(hits.chunks_exact(PIECE)) {
             let before = |hit| previous_position(hit, geometry, scene.previous_positions());
@@ -410,7 +410,9 @@ fn see_geometry<G: Geometry + Sync, A: AnyHit + Sync, C: ColorSource + Sync>(
         }
     };
     let Seen { rows, looks, previous, .. } = seen;
-    let rows = rows.places.par_chunks_mut(PIECES).zip(rows.parts.par_chunks_mut(PIECES));
+    let heads = rows.heads.par_chunks_mut(PIECES);
+    let rows = heads.zip(rows.positions.par_chunks_mut(PIECES)).zip(rows.parts.par_chunks_mut(PIECES));
+    let rows = rows.map(|((heads, positions), parts)| (heads, positions, parts));
     let blocks = rows.zip(looks.par_chunks_mut(BLOCK));
     if previous.is_empty() {
         blocks.enumerate().for_each(|(block, (rows, looks))| see_block(block, rows, looks, &mut []));
@@ -420,8 +422,8 @@ fn see_geometry<G: Geometry + Sync, A: AnyHit + Sync, C: ColorSource + Sync>(
     }
 }
 
-/// A block's places and parts.
-type Rows<'a> = (&'a mut [Places], &'a mut [Parts]);
+/// A block's heads, positions and parts.
+type Rows<'a> = (&'a mut [Head], &'a mut [Points], &'a mut [Parts]);
 
 fn milliseconds(start: Instant) -> f64 {
     start.elapsed().as_secs_f64() * 1e3

@@ -1,10 +1,12 @@
 //! Where the pixels of a batch were in the last frame: [`lt_mask::reproject`] and the temporal depth test, 64 at a time.
 
+use lt_bvh::lanes;
 use lt_math::float;
 use lt_math::glam::UVec2;
 use lt_shaders::abi::{CameraParams, MaskParams};
 use lt_shaders::sampling::sample_place;
 
+use super::bits::{at_least, less, more, pack, same};
 use super::planes::place_in_block;
 use super::samples::{Lanes, Points};
 use super::tiles::{PIECE, Tiles};
@@ -13,9 +15,9 @@ use super::tiles::{PIECE, Tiles};
 pub struct Places {
     pub x: [u32; PIECE],
     pub y: [u32; PIECE],
-    /// 1 where that is on the screen and the same surface, else 0; x and y are then on the screen all the same.
-    pub is_valid: [u32; PIECE],
-    pub has_moved: [u32; PIECE],
+    /// Where that is on the screen and the same surface; x and y are on the screen all the same elsewhere.
+    pub valid: u64,
+    pub moved: u64,
 }
 
 /// The pixels themselves: where they were if nothing moved.
@@ -23,7 +25,7 @@ pub struct Places {
 pub fn in_this_frame(tiles: Tiles, origin: UVec2, piece: usize) -> Places {
     let corner = place_in_block((piece * PIECE) as u32);
     let last = tiles.size() - 1;
-    let mut places = Places { x: [0; PIECE], y: [0; PIECE], is_valid: [1; PIECE], has_moved: [0; PIECE] };
+    let mut places = Places { x: [0; PIECE], y: [0; PIECE], valid: !0, moved: 0 };
     let [columns, rows] = &IN_PIECE;
     for i in 0..PIECE {
         // Padding has nothing to say, but must not read outside.
@@ -52,35 +54,55 @@ pub const IN_PIECE: [[u32; PIECE]; 2] = {
 impl Places {
     /// [`lt_mask::reproject`] to [`lt_shaders::mask::place_px`], and not behind the last camera.
     #[inline(always)]
-    pub fn follow(&mut self, position: &Points, before: &Points, p: &MaskParams) {
+    pub fn follow<L: lanes::Lanes>(&mut self, lanes: L, position: &Points, before: &Points, p: &MaskParams) {
         let (then_x, then_y, depth) = place_px(before, &p.previous);
-        let (width, height) = (p.current.size.x as f32, p.current.size.y as f32);
-        let camera_rests = p.flags & MaskParams::CAMERA_RESTS != 0;
+        let (mut way_x, mut way_y, mut to_x, mut to_y) =
+            ([0.0; PIECE], [0.0; PIECE], [0.0; PIECE], [0.0; PIECE]);
         for i in 0..PIECE {
-            let is_same = |axis: usize| position[axis][i] == before[axis][i];
-            let rests = camera_rests & is_same(0) & is_same(1) & is_same(2);
             let from = sample_place(UVec2::new(self.x[i], self.y[i]), p.current.grid);
-            let (x, y) = (then_x[i] - from.x, then_y[i] - from.y);
-            let (to_x, to_y) = (from.x + x, from.y + y);
-            // The floor of these is on the screen exactly where they are.
-            let is_on_screen = (to_x >= 0.0) & (to_y >= 0.0) & (to_x < width) & (to_y < height);
-            let whole = |at: f32| float::whole_lane(float::floor_lane(at)) as u32;
-            let is_led = is_on_screen & !rests;
-            self.x[i] = if is_led { whole(to_x) } else { self.x[i] };
-            self.y[i] = if is_led { whole(to_y) } else { self.y[i] };
-            self.is_valid[i] = u32::from(rests | (is_on_screen & (depth[i] > 0.0)));
-            self.has_moved[i] = u32::from(!rests & ((x != 0.0) | (y != 0.0)));
+            (way_x[i], way_y[i]) = (then_x[i] - from.x, then_y[i] - from.y);
+            (to_x[i], to_y[i]) = (from.x + way_x[i], from.y + way_y[i]);
         }
+        let resting = if p.flags & MaskParams::CAMERA_RESTS != 0 {
+            same(lanes, &position[0], &before[0])
+                & same(lanes, &position[1], &before[1])
+                & same(lanes, &position[2], &before[2])
+        } else {
+            0
+        };
+        // The floor of these is on the screen exactly where they are.
+        let (width, height) = (p.current.size.x as f32, p.current.size.y as f32);
+        let on_screen = at_least(lanes, &to_x, 0.0)
+            & at_least(lanes, &to_y, 0.0)
+            & less(lanes, &to_x, width)
+            & less(lanes, &to_y, height);
+        let led = on_screen & !resting;
+        let floored = |to: &Lanes| to.map(|at| float::whole_lane(float::floor_lane(at)) as u32);
+        if led == !0 {
+            (self.x, self.y) = (floored(&to_x), floored(&to_y));
+        } else {
+            let (x, y) = (floored(&to_x), floored(&to_y));
+            for i in 0..PIECE {
+                let is_led = led >> i & 1 != 0;
+                self.x[i] = if is_led { x[i] } else { self.x[i] };
+                self.y[i] = if is_led { y[i] } else { self.y[i] };
+            }
+        }
+        self.valid = resting | on_screen & more(lanes, &depth, 0.0);
+        let zero = &[0.0; PIECE];
+        self.moved = !resting & !(same(lanes, &way_x, zero) & same(lanes, &way_y, zero));
     }
 
     /// Keeps valid what had about this depth in the last frame ([`lt_mask::is_depth_consistent`]).
     #[inline(always)]
     pub fn compare_depths(&mut self, tiles: Tiles, last: &[f32], expected: &Lanes, p: &MaskParams) {
+        let mut is_consistent = [0; PIECE];
         for (i, &expected) in expected.iter().enumerate() {
             let seen = last[tiles.index(UVec2::new(self.x[i], self.y[i]))];
             let is_same = lt_mask::is_depth_consistent(expected, seen, p.depth_tolerance);
-            self.is_valid[i] &= u32::from(is_same);
+            is_consistent[i] = u8::from(is_same);
         }
+        self.valid &= pack(&is_consistent);
     }
 }
 

@@ -26,6 +26,20 @@ impl BlockBits {
         MaskRow { shadowed: self.shadowed[y], traced: self.traced[y], hit: self.hit[y] }
     }
 
+    /// Piece `piece` < 16 of the three planes, in tile order.
+    #[inline(always)]
+    pub fn load(&self, piece: usize) -> [u64; 3] {
+        [load_piece(&self.shadowed, piece), load_piece(&self.traced, piece), load_piece(&self.hit, piece)]
+    }
+
+    /// The inverse of [`BlockBits::load`].
+    #[inline(always)]
+    pub fn store(&mut self, piece: usize, [shadowed, traced, hit]: [u64; 3]) {
+        store_piece(&mut self.shadowed, piece, shadowed);
+        store_piece(&mut self.traced, piece, traced);
+        store_piece(&mut self.hit, piece, hit);
+    }
+
     /// The whole block in tile order.
     pub fn in_tile_order(&self) -> impl Iterator<Item = MaskBits> + '_ {
         (0..BLOCK).map(|i| {
@@ -59,17 +73,6 @@ pub fn load_piece(rows: &[u32; SIDE as usize], piece: usize) -> u64 {
         *byte = (row >> x) as u8;
     }
     morton_of_rows(u64::from_le_bytes(bytes))
-}
-
-/// 64 zeros and ones as bits.
-#[inline(always)]
-pub fn pack(ones: &[u8; PIECE]) -> u64 {
-    let mut bits = 0;
-    for (i, eight) in ones.as_chunks::<8>().0.iter().enumerate() {
-        // The product's highest byte collects one bit of each.
-        bits |= (u64::from_le_bytes(*eight).wrapping_mul(0x0102_0408_1020_4080) >> 56) << (8 * i);
-    }
-    bits
 }
 
 /// 64 bits of an eight by eight square from Morton order (y₂x₂y₁x₁y₀x₀) to rows (y₂y₁y₀x₂x₁x₀): index bits change places
@@ -115,7 +118,6 @@ mod tests {
     fn pieces_are_turned_to_rows() {
         for piece in 0..BLOCK / PIECE {
             for i in 0..PIECE {
-                assert_eq!(pack(&std::array::from_fn(|k| u8::from(k == i))), 1 << i);
                 let mut rows = [0; SIDE as usize];
                 store_piece(&mut rows, piece, 1 << i);
                 let (x, y) = place_in_block((piece * PIECE + i) as u32);

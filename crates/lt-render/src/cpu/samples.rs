@@ -7,9 +7,12 @@
 use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
+use lt_bvh::lanes::{Chosen, NodeLanes, Work, prefetch};
 use lt_math::glam::{Mat4, Vec3, Vec4};
 use lt_shaders::abi::{LightParams, Sample};
 
+use super::bits::pack;
+use super::heads::{Facing, Head};
 use super::tiles::PIECE;
 
 /// A number for every sample of a piece.
@@ -30,29 +33,7 @@ pub(super) fn points(points: impl Iterator<Item = Vec3>) -> Points {
     rows
 }
 
-/// Settled: nothing visible, or facing away.
-pub(super) const BLOCKED: u32 = 0;
-/// Settled: receives no shadow.
-pub(super) const LIT: u32 = 1;
-/// Not settled, and outside the map.
-pub(super) const OUTSIDE: u32 = 2;
-/// For the map to say.
-pub(super) const MAPPED: u32 = 3;
-
-/// What every pass reads of a piece.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub(super) struct Places {
-    pub(super) position: Points,
-    /// Of all samples, where the piece is even.
-    normal: [f32; 3],
-    flags: u32,
-    /// 1 where all samples have these normal and flags, bit by bit, and finite positions; else 0.
-    is_even: u32,
-    pad: [u32; 11],
-}
-
-/// What rays, and passes over pieces that are not even, read as well.
+/// What rays read as well, and passes over pieces whose [`Head`] does not tell.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub(super) struct Parts {
@@ -64,21 +45,24 @@ pub(super) struct Parts {
 /// Samples as the passes of lights read them, all but for what shading alone asks for.
 #[derive(Clone, Debug, Default)]
 pub struct SampleRows {
-    pub(super) places: Vec<Places>,
+    pub(super) heads: Vec<Head>,
+    pub(super) positions: Vec<Points>,
     pub(super) parts: Vec<Parts>,
 }
 
 /// Some of their pieces, one after the other.
 #[derive(Clone, Copy, Debug)]
 pub struct Pieces<'a> {
-    places: &'a [Places],
+    heads: &'a [Head],
+    positions: &'a [Points],
     parts: &'a [Parts],
 }
 
 /// A piece's samples; the parts are those of [`Sample`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece<'a> {
-    places: &'a Places,
+    head: &'a Head,
+    position: &'a Points,
     parts: &'a Parts,
 }
 
@@ -91,23 +75,41 @@ pub(super) struct Look {
 }
 
 /// A piece's samples, part by part.
-pub(super) fn keep(samples: &[Sample; PIECE], looks: &mut [Look]) -> (Places, Parts) {
+pub(super) struct Kept {
+    pub(super) head: Head,
+    pub(super) position: Points,
+    pub(super) parts: Parts,
+}
+
+/// Samples part by part.
+pub(super) fn keep(samples: &[Sample; PIECE], looks: &mut [Look]) -> Kept {
     for (look, sample) in looks.iter_mut().zip(samples) {
         *look = Look { shading_normal: sample.shading_normal, albedo: sample.albedo };
     }
-    rows_of(samples)
+    Chosen::best().run(Keep(samples))
+}
+
+/// The work of [`keep`].
+struct Keep<'a>(&'a [Sample; PIECE]);
+
+impl Work for Keep<'_> {
+    type Output = Kept;
+    #[inline(always)]
+    fn run<L: NodeLanes>(self, _: L) -> Self::Output {
+        rows_of(self.0)
+    }
 }
 
 /// By four samples at a time, whose vectors are transposed in registers: left alone, compilers make seven gathers.
 #[inline(always)]
-fn rows_of(samples: &[Sample; PIECE]) -> (Places, Parts) {
-    let (mut places, mut parts) = (Places::zeroed(), Parts::zeroed());
+fn rows_of(samples: &[Sample; PIECE]) -> Kept {
+    let (mut position, mut parts) = ([[0.0; PIECE]; 3], Parts::zeroed());
     for (group, four) in samples.as_chunks::<4>().0.iter().enumerate() {
         let at = 4 * group..4 * group + 4;
         let [x, y, z, magnitude] = transposed(four.map(|s| s.position.extend(s.magnitude)));
-        places.position[0][at.clone()].copy_from_slice(&x);
-        places.position[1][at.clone()].copy_from_slice(&y);
-        places.position[2][at.clone()].copy_from_slice(&z);
+        position[0][at.clone()].copy_from_slice(&x);
+        position[1][at.clone()].copy_from_slice(&y);
+        position[2][at.clone()].copy_from_slice(&z);
         parts.magnitude[at.clone()].copy_from_slice(&magnitude);
         let [x, y, z, flags] = transposed(four.map(|s| s.normal.extend(f32::from_bits(s.flags))));
         parts.normal[0][at.clone()].copy_from_slice(&x);
@@ -115,14 +117,7 @@ fn rows_of(samples: &[Sample; PIECE]) -> (Places, Parts) {
         parts.normal[2][at.clone()].copy_from_slice(&z);
         parts.flags[at].copy_from_slice(&flags.map(f32::to_bits));
     }
-    let is_one = |row: &Lanes| row.iter().fold(true, |one, x| one & (x.to_bits() == row[0].to_bits()));
-    let is_finite = |row: &Lanes| row.iter().fold(true, |finite, x| finite & x.is_finite());
-    let has_one_flag = parts.flags.iter().fold(true, |one, flags| one & (*flags == parts.flags[0]));
-    places.normal = parts.normal.map(|row| row[0]);
-    places.flags = parts.flags[0];
-    places.is_even =
-        u32::from(parts.normal.iter().all(is_one) & has_one_flag & places.position.iter().all(is_finite));
-    (places, parts)
+    Kept { head: Head::of(&position, &parts.normal, &parts.flags), position, parts }
 }
 
 impl SampleRows {
@@ -132,14 +127,20 @@ impl SampleRows {
         let mut last = [Sample::default(); PIECE];
         last[..rest.len()].copy_from_slice(rest);
         let last = (!rest.is_empty()).then_some(&last);
-        let (places, parts) = pieces.iter().chain(last).map(rows_of).unzip();
-        Self { places, parts }
+        let mut rows = Self::default();
+        for piece in pieces.iter().chain(last) {
+            let Kept { head, position, parts } = rows_of(piece);
+            rows.heads.push(head);
+            rows.positions.push(position);
+            rows.parts.push(parts);
+        }
+        rows
     }
 
     /// All of them.
     #[inline]
     pub fn pieces(&self) -> Pieces<'_> {
-        Pieces { places: &self.places, parts: &self.parts }
+        Pieces { heads: &self.heads, positions: &self.positions, parts: &self.parts }
     }
 }
 
@@ -150,29 +151,34 @@ impl<'a> Pieces<'a> {
     /// How many pieces.
     #[inline]
     pub fn len(self) -> usize {
-        self.places.len()
+        self.positions.len()
     }
 
     /// Whether there is none.
     #[inline]
     pub fn is_empty(self) -> bool {
-        self.places.is_empty()
+        self.positions.is_empty()
     }
 
     /// Some of them.
     #[inline]
     pub(super) fn range(self, pieces: Range<usize>) -> Self {
-        Self { places: &self.places[pieces.clone()], parts: &self.parts[pieces] }
+        Self {
+            heads: &self.heads[pieces.clone()],
+            positions: &self.positions[pieces.clone()],
+            parts: &self.parts[pieces],
+        }
     }
 
     #[inline(always)]
     pub(super) fn piece(self, i: usize) -> Piece<'a> {
-        Piece { places: &self.places[i], parts: &self.parts[i] }
+        Piece { head: &self.heads[i], position: &self.positions[i], parts: &self.parts[i] }
     }
 
     #[inline(always)]
     pub(super) fn iter(self) -> impl ExactSizeIterator<Item = Piece<'a>> {
-        self.places.iter().zip(self.parts).map(|(places, parts)| Piece { places, parts })
+        let all = self.heads.iter().zip(self.positions).zip(self.parts);
+        all.map(|((head, position), parts)| Piece { head, position, parts })
     }
 
     /// The sample at a place in tile order, as shadows know it: what shading alone asks for is 0.
@@ -185,41 +191,23 @@ impl<'a> Pieces<'a> {
 impl<'a> Piece<'a> {
     #[inline(always)]
     pub(super) fn position(self) -> &'a Points {
-        &self.places.position
+        self.position
     }
 
+    /// Has the processor fetch what only rays read.
     #[inline(always)]
-    fn is_even(self) -> bool {
-        self.places.is_even != 0
-    }
-
-    /// Normal and flags of one of them.
-    #[inline(always)]
-    fn facet(self, i: usize) -> (Vec3, u32) {
-        match self.is_even() {
-            true => (self.places.normal.into(), self.places.flags),
-            false => (vector(&self.parts.normal, i), self.parts.flags[i]),
-        }
-    }
-
-    /// Normals in rows.
-    #[inline(always)]
-    fn normals(self) -> Points {
-        match self.is_even() {
-            true => self.places.normal.map(|x| [x; PIECE]),
-            false => self.parts.normal,
-        }
+    pub(super) fn prefetch(self) {
+        prefetch(&self.parts.magnitude);
     }
 
     /// One of them, as shadows know it: what shading alone asks for is 0.
     #[inline(always)]
     pub(super) fn sample(self, i: usize) -> Sample {
-        let (normal, flags) = self.facet(i);
         Sample {
-            position: vector(&self.places.position, i),
+            position: vector(self.position, i),
             magnitude: self.parts.magnitude[i],
-            normal,
-            flags,
+            normal: self.head.normal(i).map_or_else(|| vector(&self.parts.normal, i), Vec3::from),
+            flags: self.parts.flags[i],
             ..Sample::default()
         }
     }
@@ -232,28 +220,23 @@ impl<'a> Piece<'a> {
     /// Which of them show anything ([`Sample::is_valid`]).
     #[inline(always)]
     pub(super) fn valid(self) -> [bool; PIECE] {
-        let [x, y, z] = self.normals();
+        let [x, y, z] = &self.parts.normal;
         std::array::from_fn(|i| (x[i] != 0.0) | (y[i] != 0.0) | (z[i] != 0.0))
     }
 
-    /// [`lt_shaders::evaluate::settle`]: `BLOCKED`, `LIT`, or `MAPPED` if that settles nothing.
+    /// [`lt_shaders::evaluate::settle`]: who is not settled, and who is lit; the others are blocked.
     #[inline(always)]
-    pub(super) fn settle(self, light: &LightParams) -> [u32; PIECE] {
+    pub(super) fn facing(self, light: &LightParams) -> Facing {
         let [lx, ly, lz, lw] = light.place.to_array();
-        if self.is_even() && lw == 0.0 {
-            return [self.settle_at_once([lx, ly, lz]); PIECE];
+        if lw == 0.0
+            && let Some(facing) = self.head.facing([lx, ly, lz])
+        {
+            return facing;
         }
-        let [x, y, z] = self.position();
-        let [nx, ny, nz] = &self.normals();
+        let [x, y, z] = self.position;
+        let Parts { normal: [nx, ny, nz], flags, .. } = self.parts;
         let [ax, ay, az] = light.axis.to_array();
-        let mut states = [BLOCKED; PIECE];
-        // Of what is turned away from the sun wherever it may be, the rest is not read.
-        let turned = |i: usize| nx[i] * lx + ny[i] * ly + nz[i] * lz;
-        if lw == 0.0 && !(0..PIECE).fold(false, |any, i| any | (turned(i) > 0.0)) {
-            return states;
-        }
-        let even = [self.places.flags; PIECE];
-        let flags = if self.is_even() { &even } else { &self.parts.flags };
+        let (mut is_reached, mut receives) = ([0; PIECE], [0; PIECE]);
         for i in 0..PIECE {
             let is_valid = (nx[i] != 0.0) | (ny[i] != 0.0) | (nz[i] != 0.0);
             let (tx, ty, tz) = (lx - x[i] * lw, ly - y[i] * lw, lz - z[i] * lw);
@@ -262,22 +245,11 @@ impl<'a> Piece<'a> {
             let along = -(tx * ax + ty * ay + tz * az);
             let reaches = (lw == 0.0)
                 | ((squared <= light.range_squared) & (along >= light.cos_outer * squared.sqrt()));
-            let open = if flags[i] & Sample::RECEIVES == 0 { LIT } else { MAPPED };
-            states[i] = if is_valid & (facing > 0.0) & reaches { open } else { BLOCKED };
+            is_reached[i] = u8::from(is_valid & (facing > 0.0) & reaches);
+            receives[i] = u8::from(flags[i] & Sample::RECEIVES != 0);
         }
-        states
-    }
-
-    /// The state of all samples of an even piece under a sun, which lies in the direction `to_light`. A normal of zeros faces nothing.
-    #[inline(always)]
-    fn settle_at_once(self, to_light: [f32; 3]) -> u32 {
-        let n = self.places.normal;
-        let facing = n[0] * to_light[0] + n[1] * to_light[1] + n[2] * to_light[2];
-        match (facing > 0.0, self.places.flags & Sample::RECEIVES) {
-            (false, _) => BLOCKED,
-            (true, 0) => LIT,
-            (true, _) => MAPPED,
-        }
+        let (reached, receives) = (pack(&is_reached), pack(&receives));
+        Facing { open: reached & receives, lit: reached & !receives }
     }
 }
 
@@ -315,8 +287,8 @@ mod tests {
         }
         let first: &[Sample; PIECE] = samples.first_chunk().expect("a piece");
         let mut looks = [Look::default(); PIECE];
-        let (places, parts) = keep(first, &mut looks);
-        let piece = Piece { places: &places, parts: &parts };
+        let Kept { head, position, parts } = keep(first, &mut looks);
+        let piece = Piece { head: &head, position: &position, parts: &parts };
         assert!((0..PIECE).all(|i| piece.shaded_sample(i, &looks[i]) == samples[i]));
     }
 
@@ -348,7 +320,7 @@ mod tests {
             Sample { position: Vec3::new(0.0, 0.0, f32::NAN), ..even },
         ];
         let kinds = others.map(|all| others.map(|one| (all, one)));
-        let (mut even_pieces, mut tally) = (0, [0; 3]);
+        let mut tally = [0; 3];
         for (all, one) in kinds.into_iter().flatten() {
             let mut samples = [all; PIECE];
             samples[37] = one;
@@ -356,25 +328,17 @@ mod tests {
                 sample.position.x += 0.01 * i as f32;
             }
             let rows = SampleRows::of(&samples);
-            even_pieces += rows.places[0].is_even;
             for light in [sun(0.2, 1.0, 0.1), sun(-0.2, -1.0, 0.3), sun(0.0, 0.0, 1.0), lamp] {
-                let states = rows.pieces().piece(0).settle(&light);
-                for (sample, state) in samples.iter().zip(states) {
-                    let expected = match lt_shaders::evaluate::settle(sample, &light) {
-                        (_, false) => MAPPED,
-                        (v, true) => {
-                            if v.visibility > 0.0 {
-                                LIT
-                            } else {
-                                BLOCKED
-                            }
-                        }
-                    };
-                    assert_eq!(state, expected, "{sample:?} {light:?}");
-                    tally[usize::from(state == LIT) + 2 * usize::from(state == MAPPED)] += 1;
+                let facing = rows.pieces().piece(0).facing(&light);
+                for (i, sample) in samples.iter().enumerate() {
+                    let (verdict, is_settled) = lt_shaders::evaluate::settle(sample, &light);
+                    let [open, lit] = [facing.open, facing.lit].map(|bits| bits >> i & 1 != 0);
+                    let expected = (!is_settled, is_settled && verdict.visibility > 0.0);
+                    assert_eq!((open, lit), expected, "{sample:?} {light:?}");
+                    tally[usize::from(lit) + 2 * usize::from(open)] += 1;
                 }
             }
         }
-        assert!(even_pieces >= 4 && tally.iter().all(|&n| n > 100), "{even_pieces} {tally:?}");
+        assert!(tally.iter().all(|&n| n > 100), "{tally:?}");
     }
 }

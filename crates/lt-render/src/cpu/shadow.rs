@@ -10,14 +10,14 @@ use lt_bvh::{AnyHit, Opaque, Ray, RayOrder, Simd, Tracer};
 use lt_irregular::{Casters, LightBvh, Scratch, Workspace};
 use lt_math::glam::Vec3;
 use lt_shaders::abi::{LightParams, Material};
-use lt_shaders::evaluate::settle;
 use lt_shaders::resolve::shadow_ray;
 use rayon::prelude::*;
 
+use super::bits::places;
 use super::estimator::{Estimator, LightMaps};
 use super::history::Memory;
 use super::mask_batch::{BlockPixels, Frames, mask_block};
-use super::samples::{LIT, MAPPED, Pieces, Points};
+use super::samples::{Pieces, Points};
 use super::tiles::{BLOCK, PIECE, PIECES};
 use super::{CpuBackend, milliseconds, tracer};
 use crate::light_space::{casters, occluded};
@@ -82,15 +82,15 @@ impl CpuBackend {
         let groups = memories
             .par_chunks_mut(GROUP)
             .zip(self.visibility.par_chunks_mut(GROUP * BLOCK))
-            .zip(self.is_doubted.par_chunks_mut(GROUP * BLOCK))
+            .zip(self.doubted.par_chunks_mut(GROUP * PIECES))
             .enumerate();
         let pieces = seen.rows.pieces();
-        let groups = groups.map(|(index, ((memories, visibility), is_doubted))| Group {
+        let groups = groups.map(|(index, ((memories, visibility), doubted))| Group {
             first: index * GROUP,
             pieces: pieces.range(index * GROUP * PIECES..index * GROUP * PIECES + memories.len() * PIECES),
             previous: previous.get(index * GROUP * PIECES..).unwrap_or(&[]),
             visibility,
-            is_doubted,
+            doubted,
             memories,
         });
         let start = Instant::now();
@@ -106,7 +106,7 @@ impl CpuBackend {
         if is_later {
             let later = Later { scene: &self.scene, job, pieces };
             let workspace = &mut self.workspace;
-            self.rays = later.resolve(&mut self.visibility, &self.is_doubted, &mut memories, workspace);
+            self.rays = later.resolve(&mut self.visibility, &self.doubted, &mut memories, workspace);
         }
         let later_ms = if is_later { milliseconds(start) } else { 0.0 };
         self.pixel_ms = Some(PixelMs { evaluate, mask: mask + listen_ms, resolve: resolve + later_ms });
@@ -121,18 +121,18 @@ struct Later<'a> {
 }
 
 impl Later<'_> {
-    /// Answers the doubted pixels, or every one that faces the light, and lets memories learn of it; how many they are.
+    /// Answers the doubted pixels, and lets memories learn of it; how many they are.
     fn resolve(
         &self,
         visibility: &mut [f32],
-        is_doubted: &[bool],
+        doubted: &[u64],
         memories: &mut [Option<Memory<'_>>],
         workspace: &mut Workspace,
     ) -> u64 {
-        let (light, all) = (&self.job.shadow.light, self.job.plan.trace_all);
+        let light = &self.job.shadow.light;
         let sample = |i: usize| self.pieces.sample(i);
-        let asked = |i: &usize| if all { !settle(&sample(*i), light).1 } else { is_doubted[*i] };
-        let pixels: Vec<usize> = (0..visibility.len()).into_par_iter().filter(asked).collect();
+        let of_piece = |(piece, &bits): (usize, &u64)| places(bits).map(move |i| piece * PIECE + i);
+        let pixels: Vec<usize> = doubted.par_iter().enumerate().flat_map_iter(of_piece).collect();
         let origins: Vec<Vec3> = pixels.par_iter().map(|&i| shadow_ray(&sample(i), light).origin).collect();
         let mut is_blocked = vec![false; origins.len()];
         let (resolve, to) = (self.job.plan.resolve, (&mut is_blocked[..], workspace));
@@ -180,7 +180,7 @@ struct Group<'a, 'm> {
     pieces: Pieces<'a>,
     previous: &'a [Points],
     visibility: &'a mut [f32],
-    is_doubted: &'a mut [bool],
+    doubted: &'a mut [u64],
     memories: &'a mut [Option<Memory<'m>>],
 }
 
@@ -191,9 +191,9 @@ impl Group<'_, '_> {
         Block {
             index: self.first + number,
             pieces: self.pieces.range(pieces.clone()),
-            previous: self.previous.get(pieces).unwrap_or(&[]),
-            visibility: &mut self.visibility[range.clone()],
-            is_doubted: &mut self.is_doubted[range],
+            previous: self.previous.get(pieces.clone()).unwrap_or(&[]),
+            visibility: &mut self.visibility[range],
+            doubted: &mut self.doubted[pieces],
             memory: self.memories[number].as_mut().map(Memory::reborrow),
         }
     }
@@ -205,7 +205,7 @@ struct Block<'a> {
     pieces: Pieces<'a>,
     previous: &'a [Points],
     visibility: &'a mut [f32],
-    is_doubted: &'a mut [bool],
+    doubted: &'a mut [u64],
     memory: Option<Memory<'a>>,
 }
 
@@ -268,49 +268,40 @@ impl Passes<'_> {
 
     /// Estimates, doubts and corrects, and collects the rays that are left to trace.
     fn run_block(&self, block: Block<'_>, mut rays: RaysOfBlock<'_>) -> [f64; 3] {
-        let Block { index, pieces, previous, visibility, is_doubted, mut memory } = block;
+        let Block { index, pieces, previous, visibility, doubted, mut memory } = block;
         let start = Instant::now();
         match &self.estimator {
-            Some(estimate) => estimate(pieces, visibility, is_doubted),
-            None => is_doubted.fill(false),
+            Some(estimate) => estimate(pieces, visibility, doubted),
+            None => doubted.fill(0),
         }
         let estimated = Instant::now();
-        let asking = match (self.frames, &mut memory) {
-            (Some(frames), Some(Memory { bits, depths })) => mask_block(
-                frames,
-                index,
-                BlockPixels { pieces, previous, visibility, is_doubted, bits, depths },
-            ),
-            _ => asking_pieces(is_doubted),
-        };
+        if let (Some(frames), Some(Memory { bits, depths })) = (self.frames, &mut memory) {
+            mask_block(frames, index, BlockPixels { pieces, previous, visibility, doubted, bits, depths });
+        }
         let corrected = Instant::now();
         if self.traces_all {
-            for (piece, (samples, visibility)) in pieces.iter().zip(visibility.as_chunks_mut().0).enumerate()
-            {
-                let states = samples.settle(&self.light);
-                *visibility = states.map(|state| if state == LIT { 1.0 } else { 0.0 });
-                for i in (0..PIECE).filter(|&i| states[i] == MAPPED) {
-                    rays.push(piece * PIECE + i, shadow_ray(&samples.sample(i), &self.light));
+            let all = pieces.iter().zip(visibility.as_chunks_mut::<PIECE>().0).zip(&mut *doubted);
+            for ((samples, visibility), doubted) in all {
+                let facing = samples.facing(&self.light);
+                *doubted = facing.open;
+                for (i, visibility) in visibility.iter_mut().enumerate() {
+                    *visibility = if facing.lit >> i & 1 != 0 { 1.0 } else { 0.0 };
                 }
             }
-        } else if self.traces_doubted {
-            for piece in (0..PIECES).filter(|piece| asking >> piece & 1 != 0) {
-                let is_doubted = &is_doubted[piece * PIECE..][..PIECE];
-                for (i, _) in is_doubted.iter().enumerate().filter(|(_, asks)| **asks) {
-                    rays.push(piece * PIECE + i, shadow_ray(&pieces.piece(piece).sample(i), &self.light));
+        }
+        if self.traces_all || self.traces_doubted {
+            let asking = || pieces.iter().zip(&*doubted).enumerate().filter(|(_, (_, bits))| **bits != 0);
+            // What nobody has read before: all of it is on its way when the first is needed.
+            asking().for_each(|(_, (samples, _))| samples.prefetch());
+            for (piece, (samples, &bits)) in asking() {
+                for i in places(bits) {
+                    rays.push(piece * PIECE + i, shadow_ray(&samples.sample(i), &self.light));
                 }
             }
         }
         let collected = Instant::now();
         [estimated - start, corrected - estimated, collected - corrected].map(|d| d.as_secs_f64())
     }
-}
-
-/// A bit for each piece of a block in which any pixel is doubted.
-fn asking_pieces(is_doubted: &[bool]) -> u16 {
-    let any = |piece: &[bool; PIECE]| piece.iter().fold(false, |any, doubted| any | doubted);
-    let pieces = is_doubted.as_chunks::<PIECE>().0.iter().enumerate();
-    pieces.fold(0, |asking, (piece, doubted)| asking | u16::from(any(doubted)) << piece)
 }
 
 /// The rays of a group, as one of its blocks adds to them.
