@@ -2,7 +2,7 @@
 
 use lt_math::{Esm, Evsm, Levels, MsmHamburger, MsmHausdorff, Pcf, Sm, Vsm};
 use lt_render::cpu::{
-    BatchTest, CpuBackend, SampleRows, evaluate_batch, evaluate_batch_levels, maps_to_rows,
+    BatchTest, CpuBackend, Pieces, SampleRows, evaluate_batch, evaluate_batch_levels, maps_to_rows,
 };
 use lt_render::{Backend, PackedScene, PassKind, Sample};
 use lt_shaders::abi::ShadowParams;
@@ -49,16 +49,21 @@ fn batches_have_the_bits_of_the_shared_function_on_every_built_in_scene() {
         let levels = Levels { projections: &projections, count: projections.len() as u32 };
         for (i, sample) in samples.iter().enumerate() {
             let v = evaluate_levels::<Evsm, _, _, true>(sample, p, GatheredDepths { depths }, levels);
-            assert_eq!((v.visibility.to_bits(), v.is_doubted), (lit[i].to_bits(), doubted[i]), "{name} {i}");
+            let answer = (lit[i].to_bits(), is_doubted(&doubted, i));
+            assert_eq!((v.visibility.to_bits(), v.is_doubted), answer, "{name} {i}");
         }
     }
 }
 
 /// Samples in pieces, and room for their visibilities and doubts.
-fn pieces_of(samples: &[Sample]) -> (SampleRows, Vec<f32>, Vec<bool>) {
+fn pieces_of(samples: &[Sample]) -> (SampleRows, Vec<f32>, Vec<u64>) {
     let rows = SampleRows::of(samples);
-    let len = 64 * rows.pieces().len();
-    (rows, vec![0.0; len], vec![false; len])
+    let len = rows.pieces().len();
+    (rows, vec![0.0; Pieces::SAMPLES * len], vec![0; len])
+}
+
+fn is_doubted(doubted: &[u64], i: usize) -> bool {
+    doubted[i / Pieces::SAMPLES] >> (i % Pieces::SAMPLES) & 1 != 0
 }
 
 fn differences<T: BatchTest, const LTT: bool>(samples: &[Sample], p: &ShadowParams, depths: &[f32]) -> usize {
@@ -68,7 +73,7 @@ fn differences<T: BatchTest, const LTT: bool>(samples: &[Sample], p: &ShadowPara
     let map = GatheredDepths { depths: &maps_to_rows(depths, p.map_size) };
     let is_different = |(i, sample): (usize, &Sample)| {
         let v = evaluate::<T, _, LTT>(sample, p, map);
-        v.visibility.to_bits() != lit[i].to_bits() || v.is_doubted != doubted[i]
+        v.visibility.to_bits() != lit[i].to_bits() || v.is_doubted != is_doubted(&doubted, i)
     };
     samples.iter().enumerate().filter(|&s| is_different(s)).count()
 }

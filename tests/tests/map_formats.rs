@@ -62,20 +62,21 @@ fn outcome(scene: &str, id: &str, format: Format, is_widened: bool) -> Outcome {
     let rows = SampleRows::of(session.samples());
     let pieces = rows.pieces();
     let projections = job.searched_levels().expect("cascades");
-    let (mut lit, mut doubted) = (vec![0.0; 64 * pieces.len()], vec![false; 64 * pieces.len()]);
-    let evaluate = |lit: &mut [f32], doubted: &mut [bool]| match id {
+    let (mut lit, mut doubted) = (vec![0.0; Pieces::SAMPLES * pieces.len()], vec![0; pieces.len()]);
+    let evaluate = |lit: &mut [f32], doubted: &mut [u64]| match id {
         "ltt-vsm" => batch::<Vsm>(pieces, &job.shadow, &projections, &depths, lit, doubted),
         "ltt-evsm" => batch::<Evsm>(pieces, &job.shadow, &projections, &depths, lit, doubted),
         _ => batch::<MsmHamburger>(pieces, &job.shadow, &projections, &depths, lit, doubted),
     };
     evaluate(&mut lit, &mut doubted);
+    let is_doubted = |i: usize| doubted[i / Pieces::SAMPLES] >> (i % Pieces::SAMPLES) & 1 != 0;
     let share = |is_meant: &dyn Fn(usize) -> bool| {
         ppm((0..truth.len()).filter(|&i| is_meant(i)).count(), truth.len())
     };
     Outcome {
-        false_lit: share(&|i| !doubted[i] && lit[i] > 0.5 && truth[i] < 0.5),
-        false_shadowed: share(&|i| !doubted[i] && lit[i] < 0.5 && truth[i] > 0.5),
-        doubted: share(&|i| doubted[i]),
+        false_lit: share(&|i| !is_doubted(i) && lit[i] > 0.5 && truth[i] < 0.5),
+        false_shadowed: share(&|i| !is_doubted(i) && lit[i] < 0.5 && truth[i] > 0.5),
+        doubted: share(&is_doubted),
     }
 }
 
@@ -85,7 +86,7 @@ fn batch<T: BatchTest>(
     projections: &[lt_math::LightProjection],
     depths: &[f32],
     lit: &mut [f32],
-    doubted: &mut [bool],
+    doubted: &mut [u64],
 ) {
     evaluate_batch_levels::<T, true>(pieces, p, projections, depths, lit, doubted);
 }

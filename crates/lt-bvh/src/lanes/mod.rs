@@ -77,6 +77,16 @@ pub trait Lanes: Copy {
     fn compress(self, mask: u32, from: Self::F, to: &mut [f32]);
     /// The same of the first [`Lanes::WIDTH`] words of `from`.
     fn compress_words(self, mask: u32, from: &[u32], to: &mut [u32]);
+    /// Copies the words of `from` at the first [`Lanes::WIDTH`] places of `at` to the start of `to`, in order.
+    ///
+    /// # Panics
+    /// If a place lies outside `from`.
+    #[inline(always)]
+    fn gather_words(self, from: &[u32], at: &[u32], to: &mut [u32]) {
+        for (to, at) in to[..Self::WIDTH].iter_mut().zip(&at[..Self::WIDTH]) {
+            *to = from[*at as usize];
+        }
+    }
 }
 
 /// Eight lanes for the children of a node or the triangles of a block, with the ray lanes of the same processor.
@@ -105,4 +115,41 @@ pub fn prefetch<T>(value: &T) {
     x86::prefetch(value);
     #[cfg(not(all(feature = "std", target_arch = "x86_64")))]
     let _ = value;
+}
+
+#[cfg(all(test, feature = "std"))]
+mod tests {
+    use super::*;
+
+    /// [`Lanes::gather_words`] of both kinds of lanes.
+    struct Gather<'a>(&'a [u32], &'a [u32]);
+
+    impl Work for Gather<'_> {
+        type Output = [[u32; 16]; 2];
+        fn run<L: NodeLanes>(self, lanes: L) -> Self::Output {
+            let mut words = [[0; 16]; 2];
+            lanes.gather_words(self.0, self.1, &mut words[0]);
+            lanes.rays().gather_words(self.0, self.1, &mut words[1]);
+            words
+        }
+    }
+
+    #[test]
+    fn words_are_gathered_from_their_places_and_from_no_other() {
+        let from: [u32; 1000] = core::array::from_fn(|i| i as u32 * 0x9e37 + 1);
+        let at: [u32; 16] = core::array::from_fn(|i| (i as u32 * 377 + 999) % 1000);
+        for level in SimdLevel::available() {
+            let chosen = Chosen::new(level).expect("an available level");
+            for words in chosen.run(Gather(&from, &at)) {
+                let count = if words[8..] == [0; 8] { 8 } else { 16 };
+                assert!((0..count).all(|i| words[i] == from[at[i] as usize]), "{level:?}: {words:?}");
+            }
+            for outside in [1000, 1 << 31, u32::MAX] {
+                let mut at = at;
+                at[5] = outside;
+                let gathered = std::panic::catch_unwind(|| chosen.run(Gather(&from, &at)));
+                assert!(gathered.is_err(), "{level:?} reads place {outside} of {}", from.len());
+            }
+        }
+    }
 }

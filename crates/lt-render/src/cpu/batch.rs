@@ -105,7 +105,7 @@ impl<T: BatchTest, const LTT: bool> Work for Evaluate<'_, T, LTT> {
             }
             let answers = match maps.texels {
                 Texels::Depths(depths) => {
-                    footprints.gather(depths, T::FROM_RECEIVERS);
+                    footprints.gather(lanes.rays(), depths, T::FROM_RECEIVERS);
                     test.visibility_of_footprints::<LTT>(&footprints, p.epsilon)
                 }
                 Texels::Vectors(vectors) => footprints.filtered(&test, vectors),

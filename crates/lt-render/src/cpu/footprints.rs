@@ -203,10 +203,12 @@ impl Footprints {
 
     /// Fetches depths, and takes the receivers' from them if asked to.
     #[inline(always)]
-    pub(super) fn gather(&mut self, depths: &[f32], from_receivers: bool) {
-        for i in 0..PIECE {
-            for (offsets, texels) in self.offsets.iter_mut().zip(&self.texels) {
-                offsets[i] = depths[texels[i] as usize];
+    pub(super) fn gather<L: lanes::Lanes>(&mut self, lanes: L, depths: &[f32], from_receivers: bool) {
+        let depths: &[u32] = bytemuck::cast_slice(depths);
+        for (offsets, texels) in self.offsets.iter_mut().zip(&self.texels) {
+            let offsets: &mut [u32; PIECE] = bytemuck::cast_mut(offsets);
+            for first in (0..PIECE).step_by(L::WIDTH) {
+                lanes.gather_words(depths, &texels[first..], &mut offsets[first..]);
             }
         }
         for row in &mut self.offsets {

@@ -121,7 +121,7 @@ impl Mask<'_> {
             let shadowed = less(lanes, estimates, lt_mask::SHADOW_TEST_THRESHOLD);
             let is_between = more(lanes, estimates, 0.0) & less(lanes, estimates, 1.0);
             let unjudged = same(lanes, estimates, &[Verdict::UNJUDGED; PIECE]);
-            let asked = ask(frames, &places, shadowed);
+            let asked = ask(lanes, frames, &places, shadowed);
             let unseen = !(places.valid & has_history);
             let known = last_rays & !(unseen | places.moved | due);
             let removes = may_remove & !asked;
@@ -164,7 +164,7 @@ impl Turns {
 
 /// Whose neighbourhood contradicts their shadow test.
 #[inline(always)]
-fn ask(frames: Frames<'_>, places: &Places, shadowed: u64) -> u64 {
+fn ask<L: lanes::Lanes>(lanes: L, frames: Frames<'_>, places: &Places, shadowed: u64) -> u64 {
     let words = frames.asks.rows().as_flattened();
     let columns = frames.tiles.columns();
     let mut at = [0; PIECE];
@@ -177,7 +177,10 @@ fn ask(frames: Frames<'_>, places: &Places, shadowed: u64) -> u64 {
             at[i] = row * 4 + asking_word(is_set(shadowed), is_set(moved));
         }
     }
-    let mut asked = at.map(|at| words[at as usize]);
+    let mut asked = [0; PIECE];
+    for first in (0..PIECE).step_by(L::WIDTH) {
+        lanes.gather_words(words, &at[first..], &mut asked[first..]);
+    }
     for (asked, x) in asked.iter_mut().zip(&places.x) {
         *asked = *asked >> (x % SIDE) & 1;
     }
