@@ -146,9 +146,9 @@ impl Footprints {
             }
             inside &= lanes.le(low, u) & lanes.le(u, high) & lanes.le(low, v) & lanes.le(v, high);
             inside &= lanes.le(zero, depth) & lanes.le(depth, one);
-            settle(lanes, inside, u, &mut self.u[first..]);
-            settle(lanes, inside, v, &mut self.v[first..]);
-            settle(lanes, inside, depth, &mut self.receivers[first..]);
+            write(lanes, inside, u, &mut self.u[first..]);
+            write(lanes, inside, v, &mut self.v[first..]);
+            write(lanes, inside, depth, &mut self.receivers[first..]);
             self.mapped |= u64::from(inside) << first;
             // Those of the first level are there already.
             if first_texel != 0 {
@@ -273,7 +273,7 @@ impl Footprints {
 
 /// Writes the lanes whose bit is set.
 #[inline(always)]
-fn settle<L: lanes::Lanes>(lanes: L, mask: u32, found: L::F, to: &mut [f32]) {
+fn write<L: lanes::Lanes>(lanes: L, mask: u32, found: L::F, to: &mut [f32]) {
     lanes.store(lanes.pick(mask, found, lanes.load(to)), to);
 }
 
