@@ -2,7 +2,7 @@
 //!
 //! [`lt_shaders::evaluate::evaluate`] answers one pixel; this file answers the same for 64 at once, in stages that each
 //! run over arrays: settle and project, footprint, gather, bound. Stages are plain loops without branches over numbers,
-//! which the compiler turns into SIMD; [`evaluate_batch`] holds them compiled for several instruction sets and takes the
+//! which the compiler turns into SIMD, or explicit lanes where conditions become [`super::bits`]; [`evaluate_batch`] holds them compiled for several instruction sets and takes the
 //! best that the processor has. No instruction set contracts a product and a sum, so that every one gives the bits of
 //! the shared function. Tests hold that on every built-in scene.
 //!

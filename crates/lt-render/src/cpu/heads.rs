@@ -1,6 +1,6 @@
 //! Whose is which of a piece's few normals: what a sun asks of a piece, in two lines of the cache in place of sixteen.
 //!
-//! Most pieces show one to eight planes. [`Head`] has their normals, and which of them each sample lies on.
+//! A piece that shows one to eight planes has their normals in its [`Head`], and which of them each sample lies on.
 
 use bytemuck::{Pod, Zeroable};
 use lt_shaders::abi::Sample;
@@ -37,6 +37,7 @@ pub(super) struct Facing {
 }
 
 impl Head {
+    /// From the parts of a piece's samples.
     #[inline(always)]
     pub(super) fn of(position: &Points, normals: &Points, flags: &[u32; PIECE]) -> Self {
         let is_finite = |row: &Lanes| row.iter().fold(true, |finite, x| finite & x.is_finite());

@@ -1,6 +1,6 @@
 //! The mask pass in batches: 64 pixels at a time, in stages over arrays, with the bits of [`lt_shaders::mask::mask`].
 //!
-//! What the shared function reads neighbour by neighbour is one bit of [`Asks`] here. The stages are plain loops without
+//! What the shared function reads neighbour by neighbour is one bit of [`Asks`] here, and its rules are words of [`super::bits`]. The stages are loops without
 //! branches, compiled for several instruction sets as [`super::batch`]'s are: place in the last frame, ask, decide.
 
 use lt_bvh::lanes::{self, Chosen, NodeLanes, Work};

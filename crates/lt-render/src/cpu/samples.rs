@@ -1,8 +1,8 @@
 //! What the camera sees, as the passes of lights read it: pieces of eight by eight samples, each part in a row of its own.
 //!
-//! Most pieces lie on one plane and receive: one normal and one word of flags are all of theirs ([`Places::is_even`]). A sun's light asks such a piece for
-//! 13 lines of memory in place of 28, and settles it at once. What only rays ask for, and what pieces of several normals ask for, lies in an array of its
-//! own, and what shading alone asks for in a third: memory that is skipped is not fetched ahead by the processor itself.
+//! Whom a sun faces is told by a piece's [`Head`], where it shows few planes, so that a sun's light asks for 14 lines of memory in place of 28. What only rays
+//! ask for, and what pieces of many planes ask for, lies in an array of its own, and what shading alone asks for in a third: memory that is skipped is not
+//! fetched ahead by the processor itself.
 
 use std::ops::Range;
 
@@ -74,7 +74,7 @@ pub(super) struct Look {
     albedo: u32,
 }
 
-/// A piece's samples, part by part.
+/// A piece as it is kept.
 pub(super) struct Kept {
     pub(super) head: Head,
     pub(super) position: Points,
