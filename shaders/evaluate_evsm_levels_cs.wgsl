@@ -64,10 +64,8 @@ struct type_31 {
     member: abi_ShadowParams,
 }
 
-struct lt_math_Evsm {
-    positive_exponent: f32,
-    negative_exponent: f32,
-    min_variance: f32,
+struct type_35 {
+    member: array<lt_math_LightProjection>,
 }
 
 struct lt_math_LightPoint {
@@ -76,13 +74,15 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_38 {
-    member: array<lt_math_LightProjection>,
-}
-
 struct lt_math_LevelPoint {
     level: u32,
     point: lt_math_LightPoint,
+}
+
+struct lt_math_Evsm {
+    positive_exponent: f32,
+    negative_exponent: f32,
+    min_variance: f32,
 }
 
 var<private> id_1: vec3<u32>;
@@ -96,7 +96,7 @@ var<storage> map: type_19;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_19;
 @group(0) @binding(4) 
-var<storage> levels: type_38;
+var<storage> levels: type_35;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
     var phi_162_: lt_bvh_traverse_Tree;

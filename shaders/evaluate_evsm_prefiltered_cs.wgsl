@@ -68,14 +68,14 @@ struct type_35 {
     member: abi_ShadowParams,
 }
 
+struct lt_math_OneLevel {
+    projection: lt_math_LightProjection,
+}
+
 struct lt_math_Evsm {
     positive_exponent: f32,
     negative_exponent: f32,
     min_variance: f32,
-}
-
-struct lt_math_OneLevel {
-    projection: lt_math_LightProjection,
 }
 
 var<private> id_1: vec3<u32>;

@@ -68,10 +68,8 @@ struct type_35 {
     member: abi_ShadowParams,
 }
 
-struct lt_math_Evsm {
-    positive_exponent: f32,
-    negative_exponent: f32,
-    min_variance: f32,
+struct type_39 {
+    member: array<lt_math_LightProjection>,
 }
 
 struct lt_math_LightPoint {
@@ -80,13 +78,15 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_42 {
-    member: array<lt_math_LightProjection>,
-}
-
 struct lt_math_LevelPoint {
     level: u32,
     point: lt_math_LightPoint,
+}
+
+struct lt_math_Evsm {
+    positive_exponent: f32,
+    negative_exponent: f32,
+    min_variance: f32,
 }
 
 var<private> id_1: vec3<u32>;
@@ -98,7 +98,7 @@ var<uniform> p: type_35;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_19;
 @group(0) @binding(4) 
-var<storage> levels: type_42;
+var<storage> levels: type_39;
 @group(0) @binding(2) 
 var<storage> map: type_31;
 

@@ -80,37 +80,37 @@ var<storage> map: type_19;
 var<storage, read_write> visibility: type_19;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_142_: lt_bvh_traverse_Tree;
-    var phi_143_: bool;
-    var phi_144_: lt_bvh_traverse_Tree;
-    var phi_145_: bool;
-    var phi_150_: lt_bvh_traverse_Tree;
+    var phi_146_: lt_bvh_traverse_Tree;
+    var phi_147_: bool;
+    var phi_148_: lt_bvh_traverse_Tree;
+    var phi_149_: bool;
+    var phi_154_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_142_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_143_ = false;
+            phi_146_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_147_ = false;
         } else {
-            phi_142_ = lt_bvh_traverse_Tree();
-            phi_143_ = true;
+            phi_146_ = lt_bvh_traverse_Tree();
+            phi_147_ = true;
         }
-        let _e59 = phi_142_;
-        let _e61 = phi_143_;
-        phi_144_ = _e59;
-        phi_145_ = _e61;
+        let _e62 = phi_146_;
+        let _e64 = phi_147_;
+        phi_148_ = _e62;
+        phi_149_ = _e64;
     } else {
-        phi_144_ = lt_bvh_traverse_Tree();
-        phi_145_ = true;
+        phi_148_ = lt_bvh_traverse_Tree();
+        phi_149_ = true;
     }
-    let _e63 = phi_144_;
-    let _e65 = phi_145_;
-    if _e65 {
-        phi_150_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e66 = phi_148_;
+    let _e68 = phi_149_;
+    if _e68 {
+        phi_154_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_150_ = _e63;
+        phi_154_ = _e66;
     }
-    let _e70 = phi_150_;
-    return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
+    let _e73 = phi_154_;
+    return lt_bvh_traverse_Tree(_e73.root, _e73.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -118,845 +118,889 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_173_: bool;
-    var phi_177_: f32;
-    var phi_192_: f32;
-    var phi_193_: f32;
-    var phi_194_: f32;
-    var phi_210_: f32;
-    var phi_211_: f32;
-    var phi_212_: f32;
-    var phi_228_: f32;
-    var phi_229_: f32;
-    var phi_230_: f32;
-    var phi_246_: f32;
-    var phi_247_: f32;
-    var phi_248_: f32;
-    var phi_264_: f32;
-    var phi_265_: f32;
-    var phi_266_: f32;
-    var phi_285_: f32;
-    var phi_290_: f32;
-    var phi_312_: f32;
-    var phi_317_: f32;
-    var phi_318_: bool;
-    var phi_319_: f32;
-    var phi_320_: bool;
-    var phi_324_: f32;
-    var phi_362_: f32;
-    var phi_373_: f32;
-    var phi_378_: f32;
-    var phi_400_: f32;
-    var phi_405_: f32;
-    var phi_406_: bool;
-    var phi_407_: f32;
-    var phi_408_: bool;
-    var phi_412_: f32;
-    var phi_450_: f32;
-    var phi_461_: f32;
-    var phi_466_: f32;
-    var phi_488_: f32;
-    var phi_493_: f32;
-    var phi_494_: bool;
-    var phi_495_: f32;
-    var phi_496_: bool;
-    var phi_500_: f32;
-    var phi_538_: f32;
-    var phi_549_: f32;
-    var phi_554_: f32;
-    var phi_576_: f32;
-    var phi_581_: f32;
-    var phi_582_: bool;
-    var phi_583_: f32;
-    var phi_584_: bool;
-    var phi_588_: f32;
-    var phi_626_: f32;
-    var phi_652_: f32;
-    var phi_653_: f32;
-    var phi_654_: f32;
+    var phi_177_: bool;
+    var phi_181_: f32;
+    var phi_196_: f32;
+    var phi_197_: f32;
+    var phi_198_: f32;
+    var phi_214_: f32;
+    var phi_215_: f32;
+    var phi_216_: f32;
+    var phi_232_: f32;
+    var phi_233_: f32;
+    var phi_234_: f32;
+    var phi_250_: f32;
+    var phi_251_: f32;
+    var phi_252_: f32;
+    var phi_268_: f32;
+    var phi_269_: f32;
+    var phi_270_: f32;
+    var phi_289_: f32;
+    var phi_294_: f32;
+    var phi_316_: f32;
+    var phi_321_: f32;
+    var phi_322_: bool;
+    var phi_323_: f32;
+    var phi_324_: bool;
+    var phi_328_: f32;
+    var phi_366_: f32;
+    var phi_377_: f32;
+    var phi_382_: f32;
+    var phi_404_: f32;
+    var phi_409_: f32;
+    var phi_410_: bool;
+    var phi_411_: f32;
+    var phi_412_: bool;
+    var phi_416_: f32;
+    var phi_454_: f32;
+    var phi_465_: f32;
+    var phi_470_: f32;
+    var phi_492_: f32;
+    var phi_497_: f32;
+    var phi_498_: bool;
+    var phi_499_: f32;
+    var phi_500_: bool;
+    var phi_504_: f32;
+    var phi_542_: f32;
+    var phi_553_: f32;
+    var phi_558_: f32;
+    var phi_580_: f32;
+    var phi_585_: f32;
+    var phi_586_: bool;
+    var phi_587_: f32;
+    var phi_588_: bool;
+    var phi_592_: f32;
+    var phi_630_: f32;
+    var phi_656_: f32;
+    var phi_657_: f32;
+    var phi_658_: f32;
 
-    let _e50 = (*param_4);
+    let _e53 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_173_ = true;
+        phi_177_ = true;
     } else {
-        let _e54 = (84f < _e50);
-        if _e54 {
+        let _e57 = (84f < _e53);
+        if _e57 {
         }
-        phi_173_ = _e54;
+        phi_177_ = _e57;
     }
-    let _e56 = phi_173_;
-    if _e56 {
-        phi_177_ = 84f;
+    let _e59 = phi_177_;
+    if _e59 {
+        phi_181_ = 84f;
     } else {
-        phi_177_ = _e50;
+        phi_181_ = _e53;
     }
-    let _e58 = phi_177_;
+    let _e61 = phi_181_;
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_194_ = param_7;
+        phi_198_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_193_ = 0f;
+            phi_197_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_192_ = 1f;
+                phi_196_ = 1f;
             } else {
-                phi_192_ = param_7;
+                phi_196_ = param_7;
             }
-            let _e65 = phi_192_;
-            phi_193_ = _e65;
+            let _e68 = phi_196_;
+            phi_197_ = _e68;
         }
-        let _e67 = phi_193_;
-        phi_194_ = _e67;
+        let _e70 = phi_197_;
+        phi_198_ = _e70;
     }
-    let _e69 = phi_194_;
+    let _e72 = phi_198_;
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_212_ = param_5.x;
+        phi_216_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_211_ = 0f;
+            phi_215_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_210_ = 1f;
+                phi_214_ = 1f;
             } else {
-                phi_210_ = param_5.x;
+                phi_214_ = param_5.x;
             }
-            let _e77 = phi_210_;
-            phi_211_ = _e77;
+            let _e80 = phi_214_;
+            phi_215_ = _e80;
         }
-        let _e79 = phi_211_;
-        phi_212_ = _e79;
+        let _e82 = phi_215_;
+        phi_216_ = _e82;
     }
-    let _e81 = phi_212_;
+    let _e84 = phi_216_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_230_ = param_5.y;
+        phi_234_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_229_ = 0f;
+            phi_233_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_228_ = 1f;
+                phi_232_ = 1f;
             } else {
-                phi_228_ = param_5.y;
+                phi_232_ = param_5.y;
             }
-            let _e89 = phi_228_;
-            phi_229_ = _e89;
+            let _e92 = phi_232_;
+            phi_233_ = _e92;
         }
-        let _e91 = phi_229_;
-        phi_230_ = _e91;
+        let _e94 = phi_233_;
+        phi_234_ = _e94;
     }
-    let _e93 = phi_230_;
+    let _e96 = phi_234_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_248_ = param_5.z;
+        phi_252_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_247_ = 0f;
+            phi_251_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_246_ = 1f;
+                phi_250_ = 1f;
             } else {
-                phi_246_ = param_5.z;
+                phi_250_ = param_5.z;
             }
-            let _e101 = phi_246_;
-            phi_247_ = _e101;
+            let _e104 = phi_250_;
+            phi_251_ = _e104;
         }
-        let _e103 = phi_247_;
-        phi_248_ = _e103;
+        let _e106 = phi_251_;
+        phi_252_ = _e106;
     }
-    let _e105 = phi_248_;
+    let _e108 = phi_252_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_266_ = param_5.w;
+        phi_270_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_265_ = 0f;
+            phi_269_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_264_ = 1f;
+                phi_268_ = 1f;
             } else {
-                phi_264_ = param_5.w;
+                phi_268_ = param_5.w;
             }
-            let _e113 = phi_264_;
-            phi_265_ = _e113;
+            let _e116 = phi_268_;
+            phi_269_ = _e116;
         }
-        let _e115 = phi_265_;
-        phi_266_ = _e115;
+        let _e118 = phi_269_;
+        phi_270_ = _e118;
     }
-    let _e117 = phi_266_;
-    let _e122 = (_e58 * (_e81 - _e69));
-    let _e123 = (_e58 * (_e93 - _e69));
-    let _e124 = (_e58 * (_e105 - _e69));
-    let _e125 = (_e58 * (_e117 - _e69));
-    if ((bitcast<u32>(_e122) & 2147483647u) > 2139095040u) {
-        phi_362_ = _e122;
-    } else {
-        if (_e122 < -87f) {
-            phi_285_ = -87f;
-        } else {
-            phi_285_ = _e122;
-        }
-        let _e131 = phi_285_;
-        if (_e131 > 88f) {
-            phi_290_ = 88f;
-        } else {
-            phi_290_ = _e131;
-        }
-        let _e134 = phi_290_;
-        let _e136 = ((_e134 * 1.442695f) + 0.5f);
-        if (_e136 > -8388608f) {
-            let _e148 = f32(select(0i, select(select(i32(_e136), i32(-2147483648), (_e136 < bitcast<f32>(3472883712u))), 2147483647i, (_e136 > bitcast<f32>(1325400063u))), (_e136 == _e136)));
-            if (_e148 > _e136) {
-                phi_312_ = 1f;
-            } else {
-                phi_312_ = 0f;
-            }
-            let _e151 = phi_312_;
-            if (_e136 < 8388608f) {
-                phi_317_ = (_e148 - _e151);
-                phi_318_ = false;
-            } else {
-                phi_317_ = f32();
-                phi_318_ = true;
-            }
-            let _e154 = phi_317_;
-            let _e156 = phi_318_;
-            phi_319_ = _e154;
-            phi_320_ = _e156;
-        } else {
-            phi_319_ = f32();
-            phi_320_ = true;
-        }
-        let _e158 = phi_319_;
-        let _e160 = phi_320_;
-        if _e160 {
-            phi_324_ = _e136;
-        } else {
-            phi_324_ = _e158;
-        }
-        let _e162 = phi_324_;
-        let _e166 = ((_e134 - (_e162 * 0.69314575f)) - (_e162 * 0.0000014286068f));
-        phi_362_ = ((((((((((((((((1f / 5040f) * _e166) + (1f / 720f)) * _e166) + (1f / 120f)) * _e166) + (1f / 24f)) * _e166) + (1f / 6f)) * _e166) + 0.5f) * _e166) + 1f) * _e166) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e162), i32(-2147483648), (_e162 < bitcast<f32>(3472883712u))), 2147483647i, (_e162 > bitcast<f32>(1325400063u))), (_e162 == _e162)) + 127i)) << bitcast<u32>(23i))));
-    }
-    let _e202 = phi_362_;
-    if ((bitcast<u32>(_e123) & 2147483647u) > 2139095040u) {
-        phi_450_ = _e123;
-    } else {
-        if (_e123 < -87f) {
-            phi_373_ = -87f;
-        } else {
-            phi_373_ = _e123;
-        }
-        let _e208 = phi_373_;
-        if (_e208 > 88f) {
-            phi_378_ = 88f;
-        } else {
-            phi_378_ = _e208;
-        }
-        let _e211 = phi_378_;
-        let _e213 = ((_e211 * 1.442695f) + 0.5f);
-        if (_e213 > -8388608f) {
-            let _e225 = f32(select(0i, select(select(i32(_e213), i32(-2147483648), (_e213 < bitcast<f32>(3472883712u))), 2147483647i, (_e213 > bitcast<f32>(1325400063u))), (_e213 == _e213)));
-            if (_e225 > _e213) {
-                phi_400_ = 1f;
-            } else {
-                phi_400_ = 0f;
-            }
-            let _e228 = phi_400_;
-            if (_e213 < 8388608f) {
-                phi_405_ = (_e225 - _e228);
-                phi_406_ = false;
-            } else {
-                phi_405_ = f32();
-                phi_406_ = true;
-            }
-            let _e231 = phi_405_;
-            let _e233 = phi_406_;
-            phi_407_ = _e231;
-            phi_408_ = _e233;
-        } else {
-            phi_407_ = f32();
-            phi_408_ = true;
-        }
-        let _e235 = phi_407_;
-        let _e237 = phi_408_;
-        if _e237 {
-            phi_412_ = _e213;
-        } else {
-            phi_412_ = _e235;
-        }
-        let _e239 = phi_412_;
-        let _e243 = ((_e211 - (_e239 * 0.69314575f)) - (_e239 * 0.0000014286068f));
-        phi_450_ = ((((((((((((((((1f / 5040f) * _e243) + (1f / 720f)) * _e243) + (1f / 120f)) * _e243) + (1f / 24f)) * _e243) + (1f / 6f)) * _e243) + 0.5f) * _e243) + 1f) * _e243) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e239), i32(-2147483648), (_e239 < bitcast<f32>(3472883712u))), 2147483647i, (_e239 > bitcast<f32>(1325400063u))), (_e239 == _e239)) + 127i)) << bitcast<u32>(23i))));
-    }
-    let _e279 = phi_450_;
-    if ((bitcast<u32>(_e124) & 2147483647u) > 2139095040u) {
-        phi_538_ = _e124;
-    } else {
-        if (_e124 < -87f) {
-            phi_461_ = -87f;
-        } else {
-            phi_461_ = _e124;
-        }
-        let _e285 = phi_461_;
-        if (_e285 > 88f) {
-            phi_466_ = 88f;
-        } else {
-            phi_466_ = _e285;
-        }
-        let _e288 = phi_466_;
-        let _e290 = ((_e288 * 1.442695f) + 0.5f);
-        if (_e290 > -8388608f) {
-            let _e302 = f32(select(0i, select(select(i32(_e290), i32(-2147483648), (_e290 < bitcast<f32>(3472883712u))), 2147483647i, (_e290 > bitcast<f32>(1325400063u))), (_e290 == _e290)));
-            if (_e302 > _e290) {
-                phi_488_ = 1f;
-            } else {
-                phi_488_ = 0f;
-            }
-            let _e305 = phi_488_;
-            if (_e290 < 8388608f) {
-                phi_493_ = (_e302 - _e305);
-                phi_494_ = false;
-            } else {
-                phi_493_ = f32();
-                phi_494_ = true;
-            }
-            let _e308 = phi_493_;
-            let _e310 = phi_494_;
-            phi_495_ = _e308;
-            phi_496_ = _e310;
-        } else {
-            phi_495_ = f32();
-            phi_496_ = true;
-        }
-        let _e312 = phi_495_;
-        let _e314 = phi_496_;
-        if _e314 {
-            phi_500_ = _e290;
-        } else {
-            phi_500_ = _e312;
-        }
-        let _e316 = phi_500_;
-        let _e320 = ((_e288 - (_e316 * 0.69314575f)) - (_e316 * 0.0000014286068f));
-        phi_538_ = ((((((((((((((((1f / 5040f) * _e320) + (1f / 720f)) * _e320) + (1f / 120f)) * _e320) + (1f / 24f)) * _e320) + (1f / 6f)) * _e320) + 0.5f) * _e320) + 1f) * _e320) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e316), i32(-2147483648), (_e316 < bitcast<f32>(3472883712u))), 2147483647i, (_e316 > bitcast<f32>(1325400063u))), (_e316 == _e316)) + 127i)) << bitcast<u32>(23i))));
-    }
-    let _e356 = phi_538_;
+    let _e120 = phi_270_;
+    let _e125 = (_e61 * (_e84 - _e72));
+    let _e126 = (_e61 * (_e96 - _e72));
+    let _e127 = (_e61 * (_e108 - _e72));
+    let _e128 = (_e61 * (_e120 - _e72));
     if ((bitcast<u32>(_e125) & 2147483647u) > 2139095040u) {
-        phi_626_ = _e125;
+        phi_366_ = _e125;
     } else {
         if (_e125 < -87f) {
-            phi_549_ = -87f;
+            phi_289_ = -87f;
         } else {
-            phi_549_ = _e125;
+            phi_289_ = _e125;
         }
-        let _e362 = phi_549_;
-        if (_e362 > 88f) {
-            phi_554_ = 88f;
+        let _e134 = phi_289_;
+        if (_e134 > 88f) {
+            phi_294_ = 88f;
         } else {
-            phi_554_ = _e362;
+            phi_294_ = _e134;
         }
-        let _e365 = phi_554_;
-        let _e367 = ((_e365 * 1.442695f) + 0.5f);
-        if (_e367 > -8388608f) {
-            let _e379 = f32(select(0i, select(select(i32(_e367), i32(-2147483648), (_e367 < bitcast<f32>(3472883712u))), 2147483647i, (_e367 > bitcast<f32>(1325400063u))), (_e367 == _e367)));
-            if (_e379 > _e367) {
-                phi_576_ = 1f;
+        let _e137 = phi_294_;
+        let _e139 = ((_e137 * 1.442695f) + 0.5f);
+        if (_e139 > -8388608f) {
+            let _e151 = f32(select(0i, select(select(i32(_e139), i32(-2147483648), (_e139 < bitcast<f32>(3472883712u))), 2147483647i, (_e139 > bitcast<f32>(1325400063u))), (_e139 == _e139)));
+            if (_e151 > _e139) {
+                phi_316_ = 1f;
             } else {
-                phi_576_ = 0f;
+                phi_316_ = 0f;
             }
-            let _e382 = phi_576_;
-            if (_e367 < 8388608f) {
-                phi_581_ = (_e379 - _e382);
-                phi_582_ = false;
+            let _e154 = phi_316_;
+            if (_e139 < 8388608f) {
+                phi_321_ = (_e151 - _e154);
+                phi_322_ = false;
             } else {
-                phi_581_ = f32();
-                phi_582_ = true;
+                phi_321_ = f32();
+                phi_322_ = true;
             }
-            let _e385 = phi_581_;
-            let _e387 = phi_582_;
-            phi_583_ = _e385;
-            phi_584_ = _e387;
+            let _e157 = phi_321_;
+            let _e159 = phi_322_;
+            phi_323_ = _e157;
+            phi_324_ = _e159;
         } else {
-            phi_583_ = f32();
-            phi_584_ = true;
+            phi_323_ = f32();
+            phi_324_ = true;
         }
-        let _e389 = phi_583_;
-        let _e391 = phi_584_;
-        if _e391 {
-            phi_588_ = _e367;
+        let _e161 = phi_323_;
+        let _e163 = phi_324_;
+        if _e163 {
+            phi_328_ = _e139;
         } else {
-            phi_588_ = _e389;
+            phi_328_ = _e161;
         }
-        let _e393 = phi_588_;
-        let _e397 = ((_e365 - (_e393 * 0.69314575f)) - (_e393 * 0.0000014286068f));
-        phi_626_ = ((((((((((((((((1f / 5040f) * _e397) + (1f / 720f)) * _e397) + (1f / 120f)) * _e397) + (1f / 24f)) * _e397) + (1f / 6f)) * _e397) + 0.5f) * _e397) + 1f) * _e397) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e393), i32(-2147483648), (_e393 < bitcast<f32>(3472883712u))), 2147483647i, (_e393 > bitcast<f32>(1325400063u))), (_e393 == _e393)) + 127i)) << bitcast<u32>(23i))));
+        let _e165 = phi_328_;
+        let _e169 = ((_e137 - (_e165 * 0.69314575f)) - (_e165 * 0.0000014286068f));
+        phi_366_ = ((((((((((((((((1f / 5040f) * _e169) + (1f / 720f)) * _e169) + (1f / 120f)) * _e169) + (1f / 24f)) * _e169) + (1f / 6f)) * _e169) + 0.5f) * _e169) + 1f) * _e169) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e165), i32(-2147483648), (_e165 < bitcast<f32>(3472883712u))), 2147483647i, (_e165 > bitcast<f32>(1325400063u))), (_e165 == _e165)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e433 = phi_626_;
-    let _e444 = ((((_e202 * param_6.x) + (_e279 * param_6.y)) + (_e356 * param_6.z)) + (_e433 * param_6.w));
-    if ((bitcast<u32>(_e444) & 2147483647u) > 2139095040u) {
-        phi_654_ = _e444;
+    let _e205 = phi_366_;
+    if ((bitcast<u32>(_e126) & 2147483647u) > 2139095040u) {
+        phi_454_ = _e126;
     } else {
-        if (_e444 < 0f) {
-            phi_653_ = 0f;
+        if (_e126 < -87f) {
+            phi_377_ = -87f;
         } else {
-            if (_e444 > 1f) {
-                phi_652_ = 1f;
-            } else {
-                phi_652_ = _e444;
-            }
-            let _e451 = phi_652_;
-            phi_653_ = _e451;
+            phi_377_ = _e126;
         }
-        let _e453 = phi_653_;
-        phi_654_ = _e453;
+        let _e211 = phi_377_;
+        if (_e211 > 88f) {
+            phi_382_ = 88f;
+        } else {
+            phi_382_ = _e211;
+        }
+        let _e214 = phi_382_;
+        let _e216 = ((_e214 * 1.442695f) + 0.5f);
+        if (_e216 > -8388608f) {
+            let _e228 = f32(select(0i, select(select(i32(_e216), i32(-2147483648), (_e216 < bitcast<f32>(3472883712u))), 2147483647i, (_e216 > bitcast<f32>(1325400063u))), (_e216 == _e216)));
+            if (_e228 > _e216) {
+                phi_404_ = 1f;
+            } else {
+                phi_404_ = 0f;
+            }
+            let _e231 = phi_404_;
+            if (_e216 < 8388608f) {
+                phi_409_ = (_e228 - _e231);
+                phi_410_ = false;
+            } else {
+                phi_409_ = f32();
+                phi_410_ = true;
+            }
+            let _e234 = phi_409_;
+            let _e236 = phi_410_;
+            phi_411_ = _e234;
+            phi_412_ = _e236;
+        } else {
+            phi_411_ = f32();
+            phi_412_ = true;
+        }
+        let _e238 = phi_411_;
+        let _e240 = phi_412_;
+        if _e240 {
+            phi_416_ = _e216;
+        } else {
+            phi_416_ = _e238;
+        }
+        let _e242 = phi_416_;
+        let _e246 = ((_e214 - (_e242 * 0.69314575f)) - (_e242 * 0.0000014286068f));
+        phi_454_ = ((((((((((((((((1f / 5040f) * _e246) + (1f / 720f)) * _e246) + (1f / 120f)) * _e246) + (1f / 24f)) * _e246) + (1f / 6f)) * _e246) + 0.5f) * _e246) + 1f) * _e246) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e242), i32(-2147483648), (_e242 < bitcast<f32>(3472883712u))), 2147483647i, (_e242 > bitcast<f32>(1325400063u))), (_e242 == _e242)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e455 = phi_654_;
-    return _e455;
+    let _e282 = phi_454_;
+    if ((bitcast<u32>(_e127) & 2147483647u) > 2139095040u) {
+        phi_542_ = _e127;
+    } else {
+        if (_e127 < -87f) {
+            phi_465_ = -87f;
+        } else {
+            phi_465_ = _e127;
+        }
+        let _e288 = phi_465_;
+        if (_e288 > 88f) {
+            phi_470_ = 88f;
+        } else {
+            phi_470_ = _e288;
+        }
+        let _e291 = phi_470_;
+        let _e293 = ((_e291 * 1.442695f) + 0.5f);
+        if (_e293 > -8388608f) {
+            let _e305 = f32(select(0i, select(select(i32(_e293), i32(-2147483648), (_e293 < bitcast<f32>(3472883712u))), 2147483647i, (_e293 > bitcast<f32>(1325400063u))), (_e293 == _e293)));
+            if (_e305 > _e293) {
+                phi_492_ = 1f;
+            } else {
+                phi_492_ = 0f;
+            }
+            let _e308 = phi_492_;
+            if (_e293 < 8388608f) {
+                phi_497_ = (_e305 - _e308);
+                phi_498_ = false;
+            } else {
+                phi_497_ = f32();
+                phi_498_ = true;
+            }
+            let _e311 = phi_497_;
+            let _e313 = phi_498_;
+            phi_499_ = _e311;
+            phi_500_ = _e313;
+        } else {
+            phi_499_ = f32();
+            phi_500_ = true;
+        }
+        let _e315 = phi_499_;
+        let _e317 = phi_500_;
+        if _e317 {
+            phi_504_ = _e293;
+        } else {
+            phi_504_ = _e315;
+        }
+        let _e319 = phi_504_;
+        let _e323 = ((_e291 - (_e319 * 0.69314575f)) - (_e319 * 0.0000014286068f));
+        phi_542_ = ((((((((((((((((1f / 5040f) * _e323) + (1f / 720f)) * _e323) + (1f / 120f)) * _e323) + (1f / 24f)) * _e323) + (1f / 6f)) * _e323) + 0.5f) * _e323) + 1f) * _e323) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e319), i32(-2147483648), (_e319 < bitcast<f32>(3472883712u))), 2147483647i, (_e319 > bitcast<f32>(1325400063u))), (_e319 == _e319)) + 127i)) << bitcast<u32>(23i))));
+    }
+    let _e359 = phi_542_;
+    if ((bitcast<u32>(_e128) & 2147483647u) > 2139095040u) {
+        phi_630_ = _e128;
+    } else {
+        if (_e128 < -87f) {
+            phi_553_ = -87f;
+        } else {
+            phi_553_ = _e128;
+        }
+        let _e365 = phi_553_;
+        if (_e365 > 88f) {
+            phi_558_ = 88f;
+        } else {
+            phi_558_ = _e365;
+        }
+        let _e368 = phi_558_;
+        let _e370 = ((_e368 * 1.442695f) + 0.5f);
+        if (_e370 > -8388608f) {
+            let _e382 = f32(select(0i, select(select(i32(_e370), i32(-2147483648), (_e370 < bitcast<f32>(3472883712u))), 2147483647i, (_e370 > bitcast<f32>(1325400063u))), (_e370 == _e370)));
+            if (_e382 > _e370) {
+                phi_580_ = 1f;
+            } else {
+                phi_580_ = 0f;
+            }
+            let _e385 = phi_580_;
+            if (_e370 < 8388608f) {
+                phi_585_ = (_e382 - _e385);
+                phi_586_ = false;
+            } else {
+                phi_585_ = f32();
+                phi_586_ = true;
+            }
+            let _e388 = phi_585_;
+            let _e390 = phi_586_;
+            phi_587_ = _e388;
+            phi_588_ = _e390;
+        } else {
+            phi_587_ = f32();
+            phi_588_ = true;
+        }
+        let _e392 = phi_587_;
+        let _e394 = phi_588_;
+        if _e394 {
+            phi_592_ = _e370;
+        } else {
+            phi_592_ = _e392;
+        }
+        let _e396 = phi_592_;
+        let _e400 = ((_e368 - (_e396 * 0.69314575f)) - (_e396 * 0.0000014286068f));
+        phi_630_ = ((((((((((((((((1f / 5040f) * _e400) + (1f / 720f)) * _e400) + (1f / 120f)) * _e400) + (1f / 24f)) * _e400) + (1f / 6f)) * _e400) + 0.5f) * _e400) + 1f) * _e400) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e396), i32(-2147483648), (_e396 < bitcast<f32>(3472883712u))), 2147483647i, (_e396 > bitcast<f32>(1325400063u))), (_e396 == _e396)) + 127i)) << bitcast<u32>(23i))));
+    }
+    let _e436 = phi_630_;
+    let _e447 = ((((_e205 * param_6.x) + (_e282 * param_6.y)) + (_e359 * param_6.z)) + (_e436 * param_6.w));
+    if ((bitcast<u32>(_e447) & 2147483647u) > 2139095040u) {
+        phi_658_ = _e447;
+    } else {
+        if (_e447 < 0f) {
+            phi_657_ = 0f;
+        } else {
+            if (_e447 > 1f) {
+                phi_656_ = 1f;
+            } else {
+                phi_656_ = _e447;
+            }
+            let _e454 = phi_656_;
+            phi_657_ = _e454;
+        }
+        let _e456 = phi_657_;
+        phi_658_ = _e456;
+    }
+    let _e458 = phi_658_;
+    return _e458;
 }
 
 fn function_() {
     var local: f32;
-    var phi_710_: bool;
-    var phi_711_: bool;
-    var phi_712_: bool;
-    var phi_713_: bool;
+    var phi_714_: bool;
+    var phi_715_: bool;
+    var phi_716_: bool;
     var phi_717_: bool;
-    var phi_787_: bool;
-    var phi_788_: bool;
-    var phi_799_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_800_: bool;
-    var phi_801_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_802_: bool;
-    var phi_809_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_721_: bool;
+    var phi_791_: bool;
+    var phi_792_: bool;
+    var phi_803_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_804_: bool;
+    var phi_805_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_806_: bool;
     var phi_813_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_887_: bool;
-    var phi_896_: bool;
-    var phi_905_: bool;
-    var phi_906_: bool;
-    var phi_907_: bool;
-    var phi_908_: bool;
+    var phi_817_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_891_: bool;
+    var phi_900_: bool;
     var phi_909_: bool;
     var phi_910_: bool;
     var phi_911_: bool;
+    var phi_912_: bool;
+    var phi_913_: bool;
+    var phi_914_: bool;
     var phi_915_: bool;
-    var phi_1005_: f32;
-    var phi_1008_: f32;
-    var phi_1037_: f32;
-    var phi_1042_: f32;
-    var phi_1043_: bool;
-    var phi_1044_: f32;
-    var phi_1045_: bool;
-    var phi_1049_: f32;
-    var phi_1069_: f32;
-    var phi_1074_: f32;
-    var phi_1075_: bool;
-    var phi_1076_: f32;
-    var phi_1077_: bool;
-    var phi_1081_: f32;
-    var phi_1129_: i32;
-    var phi_1134_: i32;
-    var phi_1139_: i32;
-    var phi_1144_: i32;
-    var phi_1153_: i32;
-    var phi_1158_: i32;
-    var phi_1163_: i32;
-    var phi_1168_: i32;
-    var phi_1219_: bool;
-    var phi_1227_: bool;
-    var phi_1239_: bool;
-    var phi_1240_: bool;
-    var phi_1244_: f32;
+    var phi_919_: bool;
+    var phi_1009_: f32;
+    var phi_1012_: f32;
+    var phi_1041_: f32;
+    var phi_1046_: f32;
+    var phi_1047_: bool;
+    var phi_1048_: f32;
+    var phi_1049_: bool;
+    var phi_1053_: f32;
+    var phi_1073_: f32;
+    var phi_1078_: f32;
+    var phi_1079_: bool;
+    var phi_1080_: f32;
+    var phi_1081_: bool;
+    var phi_1085_: f32;
+    var phi_1133_: i32;
+    var phi_1138_: i32;
+    var phi_1143_: i32;
+    var phi_1148_: i32;
+    var phi_1157_: i32;
+    var phi_1162_: i32;
+    var phi_1167_: i32;
+    var phi_1172_: i32;
+    var phi_1225_: bool;
+    var phi_1233_: bool;
+    var phi_1245_: bool;
+    var phi_1246_: bool;
     var phi_1250_: f32;
-    var phi_1252_: evaluate_Verdict;
-    var phi_1257_: evaluate_Verdict;
+    var phi_1256_: f32;
     var phi_1258_: evaluate_Verdict;
+    var phi_1268_: u32;
+    var phi_1277_: f32;
+    var phi_1279_: evaluate_Verdict;
+    var phi_1280_: bool;
+    var phi_1281_: evaluate_Verdict;
+    var phi_1282_: bool;
+    var phi_1287_: evaluate_Verdict;
+    var phi_1292_: evaluate_Verdict;
+    var phi_1293_: evaluate_Verdict;
 
-    let _e47 = id_1;
-    let _e54 = arrayLength((&map.member));
-    let _e60 = p.member.size[0u];
-    let _e62 = p.member.size[1u];
-    let _e63 = lt_shaders_entry_pixel_index(_e47, _e60, _e62);
-    if (bitcast<i32>(_e63.root) != 0i) {
-        let _e69 = p.member.projection;
-        if (_e63.first_primitive < arrayLength((&samples.member))) {
+    let _e50 = id_1;
+    let _e57 = arrayLength((&map.member));
+    let _e63 = p.member.size[0u];
+    let _e65 = p.member.size[1u];
+    let _e66 = lt_shaders_entry_pixel_index(_e50, _e63, _e65);
+    if (bitcast<i32>(_e66.root) != 0i) {
+        let _e72 = p.member.projection;
+        if (_e66.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e73 = lt_math_OneLevel(_e69);
-        let _e77 = samples.member[(0u + _e63.first_primitive)].normal[0u];
-        let _e79 = global[0u];
-        if (_e77 == _e79) {
-            let _e82 = samples.member[(0u + _e63.first_primitive)].normal[1u];
-            let _e84 = global[1u];
-            if (_e82 == _e84) {
-                let _e87 = samples.member[(0u + _e63.first_primitive)].normal[2u];
-                let _e89 = global[2u];
-                phi_710_ = (_e87 == _e89);
-                phi_711_ = false;
+        let _e76 = lt_math_OneLevel(_e72);
+        let _e80 = samples.member[(0u + _e66.first_primitive)].normal[0u];
+        let _e82 = global[0u];
+        if (_e80 == _e82) {
+            let _e85 = samples.member[(0u + _e66.first_primitive)].normal[1u];
+            let _e87 = global[1u];
+            if (_e85 == _e87) {
+                let _e90 = samples.member[(0u + _e66.first_primitive)].normal[2u];
+                let _e92 = global[2u];
+                phi_714_ = (_e90 == _e92);
+                phi_715_ = false;
             } else {
-                phi_710_ = bool();
-                phi_711_ = true;
+                phi_714_ = bool();
+                phi_715_ = true;
             }
-            let _e92 = phi_710_;
-            let _e94 = phi_711_;
-            phi_712_ = _e92;
-            phi_713_ = _e94;
+            let _e95 = phi_714_;
+            let _e97 = phi_715_;
+            phi_716_ = _e95;
+            phi_717_ = _e97;
         } else {
-            phi_712_ = bool();
-            phi_713_ = true;
+            phi_716_ = bool();
+            phi_717_ = true;
         }
-        let _e96 = phi_712_;
-        let _e98 = phi_713_;
-        if _e98 {
-            phi_717_ = false;
+        let _e99 = phi_716_;
+        let _e101 = phi_717_;
+        if _e101 {
+            phi_721_ = false;
         } else {
-            phi_717_ = _e96;
+            phi_721_ = _e99;
         }
-        let _e100 = phi_717_;
-        if !(_e100) {
-            let _e103 = samples.member[(0u + _e63.first_primitive)].position;
-            let _e105 = p.member.light.place;
-            let _e111 = p.member.light.place[3u];
-            let _e118 = (_e105.x - (_e103.x * _e111));
-            let _e119 = (_e105.y - (_e103.y * _e111));
-            let _e120 = (_e105.z - (_e103.z * _e111));
-            let _e122 = samples.member[(0u + _e63.first_primitive)].normal;
-            if ((((_e122.x * _e118) + (_e122.y * _e119)) + (_e122.z * _e120)) > 0f) {
-                let _e136 = (((_e118 * _e118) + (_e119 * _e119)) + (_e120 * _e120));
-                let _e138 = p.member.light.axis;
-                let _e150 = p.member.light.place[3u];
-                if (_e150 == 0f) {
-                    phi_788_ = true;
+        let _e103 = phi_721_;
+        if !(_e103) {
+            let _e106 = samples.member[(0u + _e66.first_primitive)].position;
+            let _e108 = p.member.light.place;
+            let _e114 = p.member.light.place[3u];
+            let _e121 = (_e108.x - (_e106.x * _e114));
+            let _e122 = (_e108.y - (_e106.y * _e114));
+            let _e123 = (_e108.z - (_e106.z * _e114));
+            let _e125 = samples.member[(0u + _e66.first_primitive)].normal;
+            if ((((_e125.x * _e121) + (_e125.y * _e122)) + (_e125.z * _e123)) > 0f) {
+                let _e139 = (((_e121 * _e121) + (_e122 * _e122)) + (_e123 * _e123));
+                let _e141 = p.member.light.axis;
+                let _e153 = p.member.light.place[3u];
+                if (_e153 == 0f) {
+                    phi_792_ = true;
                 } else {
-                    let _e153 = p.member.light.range_squared;
-                    if (_e136 <= _e153) {
-                        let _e156 = p.member.light.cos_outer;
-                        phi_787_ = (-((((_e118 * _e138.x) + (_e119 * _e138.y)) + (_e120 * _e138.z))) >= (_e156 * sqrt(_e136)));
+                    let _e156 = p.member.light.range_squared;
+                    if (_e139 <= _e156) {
+                        let _e159 = p.member.light.cos_outer;
+                        phi_791_ = (-((((_e121 * _e141.x) + (_e122 * _e141.y)) + (_e123 * _e141.z))) >= (_e159 * sqrt(_e139)));
                     } else {
-                        phi_787_ = false;
+                        phi_791_ = false;
                     }
-                    let _e161 = phi_787_;
-                    phi_788_ = _e161;
+                    let _e164 = phi_791_;
+                    phi_792_ = _e164;
                 }
-                let _e163 = phi_788_;
-                if _e163 {
-                    let _e165 = samples.member[(0u + _e63.first_primitive)].flags;
-                    let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
-                    phi_799_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
-                    phi_800_ = false;
+                let _e166 = phi_792_;
+                if _e166 {
+                    let _e168 = samples.member[(0u + _e66.first_primitive)].flags;
+                    let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e182 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e176.unnamed.visibility, false), _e176.unnamed_1);
+                    phi_803_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e182.unnamed, ((_e168 & 1u) == 0u));
+                    phi_804_ = false;
                 } else {
-                    phi_799_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_800_ = true;
+                    phi_803_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_804_ = true;
                 }
-                let _e184 = phi_799_;
-                let _e186 = phi_800_;
-                phi_801_ = _e184;
-                phi_802_ = _e186;
+                let _e187 = phi_803_;
+                let _e189 = phi_804_;
+                phi_805_ = _e187;
+                phi_806_ = _e189;
             } else {
-                phi_801_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_802_ = true;
+                phi_805_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_806_ = true;
             }
-            let _e188 = phi_801_;
-            let _e190 = phi_802_;
-            if _e190 {
-                let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e202 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e196.unnamed.visibility, false), _e196.unnamed_1);
-                phi_809_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e202.unnamed, true);
+            let _e191 = phi_805_;
+            let _e193 = phi_806_;
+            if _e193 {
+                let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e205 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e199.unnamed.visibility, false), _e199.unnamed_1);
+                phi_813_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e205.unnamed, true);
             } else {
-                phi_809_ = _e188;
+                phi_813_ = _e191;
             }
-            let _e207 = phi_809_;
-            phi_813_ = _e207;
+            let _e210 = phi_813_;
+            phi_817_ = _e210;
         } else {
-            let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
-            phi_813_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
+            let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e216.unnamed.visibility, false), _e216.unnamed_1);
+            phi_817_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e222.unnamed, true);
         }
-        let _e224 = phi_813_;
-        if _e224.unnamed_1 {
-            phi_1258_ = evaluate_Verdict(_e224.unnamed.visibility, _e224.unnamed.is_doubted);
+        let _e227 = phi_817_;
+        if _e227.unnamed_1 {
+            phi_1293_ = evaluate_Verdict(_e227.unnamed.visibility, _e227.unnamed.is_doubted);
         } else {
-            let _e232 = samples.member[(0u + _e63.first_primitive)].position;
-            let _e250 = ((((_e73.projection.row_w.x * _e232.x) + (_e73.projection.row_w.y * _e232.y)) + (_e73.projection.row_w.z * _e232.z)) + (_e73.projection.row_w.w * 1f));
-            let _e264 = (((((_e73.projection.row_x.x * _e232.x) + (_e73.projection.row_x.y * _e232.y)) + (_e73.projection.row_x.z * _e232.z)) + (_e73.projection.row_x.w * 1f)) / _e250);
-            let _e278 = (((((_e73.projection.row_y.x * _e232.x) + (_e73.projection.row_y.y * _e232.y)) + (_e73.projection.row_y.z * _e232.z)) + (_e73.projection.row_y.w * 1f)) / _e250);
-            let _e291 = ((((_e73.projection.row_z.x * _e232.x) + (_e73.projection.row_z.y * _e232.y)) + (_e73.projection.row_z.z * _e232.z)) + (_e73.projection.row_z.w * 1f));
-            if (_e250 > 0f) {
-                if (_e264 >= 0f) {
-                    phi_887_ = (_e264 <= 1f);
+            let _e235 = samples.member[(0u + _e66.first_primitive)].position;
+            let _e253 = ((((_e76.projection.row_w.x * _e235.x) + (_e76.projection.row_w.y * _e235.y)) + (_e76.projection.row_w.z * _e235.z)) + (_e76.projection.row_w.w * 1f));
+            let _e267 = (((((_e76.projection.row_x.x * _e235.x) + (_e76.projection.row_x.y * _e235.y)) + (_e76.projection.row_x.z * _e235.z)) + (_e76.projection.row_x.w * 1f)) / _e253);
+            let _e281 = (((((_e76.projection.row_y.x * _e235.x) + (_e76.projection.row_y.y * _e235.y)) + (_e76.projection.row_y.z * _e235.z)) + (_e76.projection.row_y.w * 1f)) / _e253);
+            let _e294 = ((((_e76.projection.row_z.x * _e235.x) + (_e76.projection.row_z.y * _e235.y)) + (_e76.projection.row_z.z * _e235.z)) + (_e76.projection.row_z.w * 1f));
+            if (_e253 > 0f) {
+                if (_e267 >= 0f) {
+                    phi_891_ = (_e267 <= 1f);
                 } else {
-                    phi_887_ = false;
+                    phi_891_ = false;
                 }
-                let _e296 = phi_887_;
-                if _e296 {
-                    if (_e278 >= 0f) {
-                        phi_896_ = (_e278 <= 1f);
+                let _e299 = phi_891_;
+                if _e299 {
+                    if (_e281 >= 0f) {
+                        phi_900_ = (_e281 <= 1f);
                     } else {
-                        phi_896_ = false;
+                        phi_900_ = false;
                     }
-                    let _e300 = phi_896_;
-                    if _e300 {
-                        if (_e291 >= 0f) {
-                            phi_905_ = (_e291 <= 1f);
+                    let _e303 = phi_900_;
+                    if _e303 {
+                        if (_e294 >= 0f) {
+                            phi_909_ = (_e294 <= 1f);
                         } else {
-                            phi_905_ = false;
+                            phi_909_ = false;
                         }
-                        let _e304 = phi_905_;
-                        phi_906_ = _e304;
-                        phi_907_ = false;
+                        let _e307 = phi_909_;
+                        phi_910_ = _e307;
+                        phi_911_ = false;
                     } else {
-                        phi_906_ = bool();
-                        phi_907_ = true;
+                        phi_910_ = bool();
+                        phi_911_ = true;
                     }
-                    let _e306 = phi_906_;
-                    let _e308 = phi_907_;
-                    phi_908_ = _e306;
-                    phi_909_ = _e308;
+                    let _e309 = phi_910_;
+                    let _e311 = phi_911_;
+                    phi_912_ = _e309;
+                    phi_913_ = _e311;
                 } else {
-                    phi_908_ = bool();
-                    phi_909_ = true;
+                    phi_912_ = bool();
+                    phi_913_ = true;
                 }
-                let _e310 = phi_908_;
-                let _e312 = phi_909_;
-                phi_910_ = _e310;
-                phi_911_ = _e312;
+                let _e313 = phi_912_;
+                let _e315 = phi_913_;
+                phi_914_ = _e313;
+                phi_915_ = _e315;
             } else {
-                phi_910_ = bool();
-                phi_911_ = true;
+                phi_914_ = bool();
+                phi_915_ = true;
             }
-            let _e314 = phi_910_;
-            let _e316 = phi_911_;
-            if _e316 {
-                phi_915_ = false;
+            let _e317 = phi_914_;
+            let _e319 = phi_915_;
+            if _e319 {
+                phi_919_ = false;
             } else {
-                phi_915_ = _e314;
+                phi_919_ = _e317;
             }
-            let _e318 = phi_915_;
-            if _e318 {
+            let _e321 = phi_919_;
+            if _e321 {
                 if (0f > 0f) {
-                    let _e321 = samples.member[(0u + _e63.first_primitive)].normal;
-                    let _e323 = p.member.map_size;
-                    let _e393 = ((abs(((((_e69.row_x.x * _e321.x) + (_e69.row_x.y * _e321.y)) + (_e69.row_x.z * _e321.z)) / (((_e69.row_x.x * _e69.row_x.x) + (_e69.row_x.y * _e69.row_x.y)) + (_e69.row_x.z * _e69.row_x.z)))) + abs(((((_e69.row_y.x * _e321.x) + (_e69.row_y.y * _e321.y)) + (_e69.row_y.z * _e321.z)) / (((_e69.row_y.x * _e69.row_y.x) + (_e69.row_y.y * _e69.row_y.y)) + (_e69.row_y.z * _e69.row_y.z))))) / (abs(((((_e69.row_z.x * _e321.x) + (_e69.row_z.y * _e321.y)) + (_e69.row_z.z * _e321.z)) / (((_e69.row_z.x * _e69.row_z.x) + (_e69.row_z.y * _e69.row_z.y)) + (_e69.row_z.z * _e69.row_z.z)))) * f32(_e323)));
-                    if (_e393 < 0.002f) {
-                        phi_1005_ = _e393;
+                    let _e324 = samples.member[(0u + _e66.first_primitive)].normal;
+                    let _e326 = p.member.map_size;
+                    let _e396 = ((abs(((((_e72.row_x.x * _e324.x) + (_e72.row_x.y * _e324.y)) + (_e72.row_x.z * _e324.z)) / (((_e72.row_x.x * _e72.row_x.x) + (_e72.row_x.y * _e72.row_x.y)) + (_e72.row_x.z * _e72.row_x.z)))) + abs(((((_e72.row_y.x * _e324.x) + (_e72.row_y.y * _e324.y)) + (_e72.row_y.z * _e324.z)) / (((_e72.row_y.x * _e72.row_y.x) + (_e72.row_y.y * _e72.row_y.y)) + (_e72.row_y.z * _e72.row_y.z))))) / (abs(((((_e72.row_z.x * _e324.x) + (_e72.row_z.y * _e324.y)) + (_e72.row_z.z * _e324.z)) / (((_e72.row_z.x * _e72.row_z.x) + (_e72.row_z.y * _e72.row_z.y)) + (_e72.row_z.z * _e72.row_z.z)))) * f32(_e326)));
+                    if (_e396 < 0.002f) {
+                        phi_1009_ = _e396;
                     } else {
-                        phi_1005_ = 0.002f;
+                        phi_1009_ = 0.002f;
                     }
-                    let _e396 = phi_1005_;
-                    phi_1008_ = (_e291 - (0f * _e396));
+                    let _e399 = phi_1009_;
+                    phi_1012_ = (_e294 - (0f * _e399));
                 } else {
-                    phi_1008_ = _e291;
+                    phi_1012_ = _e294;
                 }
-                let _e400 = phi_1008_;
-                let _e402 = p.member.map_size;
-                let _e403 = f32(_e402);
-                let _e406 = ((_e264 * _e403) - 0.5f);
-                let _e407 = ((_e278 * _e403) - 0.5f);
-                if (_e406 > -8388608f) {
-                    let _e419 = f32(select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406)));
-                    if (_e419 > _e406) {
-                        phi_1037_ = 1f;
+                let _e403 = phi_1012_;
+                let _e405 = p.member.map_size;
+                let _e406 = f32(_e405);
+                let _e409 = ((_e267 * _e406) - 0.5f);
+                let _e410 = ((_e281 * _e406) - 0.5f);
+                if (_e409 > -8388608f) {
+                    let _e422 = f32(select(0i, select(select(i32(_e409), i32(-2147483648), (_e409 < bitcast<f32>(3472883712u))), 2147483647i, (_e409 > bitcast<f32>(1325400063u))), (_e409 == _e409)));
+                    if (_e422 > _e409) {
+                        phi_1041_ = 1f;
                     } else {
-                        phi_1037_ = 0f;
+                        phi_1041_ = 0f;
                     }
-                    let _e422 = phi_1037_;
-                    if (_e406 < 8388608f) {
-                        phi_1042_ = (_e419 - _e422);
-                        phi_1043_ = false;
+                    let _e425 = phi_1041_;
+                    if (_e409 < 8388608f) {
+                        phi_1046_ = (_e422 - _e425);
+                        phi_1047_ = false;
                     } else {
-                        phi_1042_ = f32();
-                        phi_1043_ = true;
+                        phi_1046_ = f32();
+                        phi_1047_ = true;
                     }
-                    let _e425 = phi_1042_;
-                    let _e427 = phi_1043_;
-                    phi_1044_ = _e425;
-                    phi_1045_ = _e427;
+                    let _e428 = phi_1046_;
+                    let _e430 = phi_1047_;
+                    phi_1048_ = _e428;
+                    phi_1049_ = _e430;
                 } else {
-                    phi_1044_ = f32();
-                    phi_1045_ = true;
+                    phi_1048_ = f32();
+                    phi_1049_ = true;
                 }
-                let _e429 = phi_1044_;
-                let _e431 = phi_1045_;
-                if _e431 {
-                    phi_1049_ = _e406;
+                let _e432 = phi_1048_;
+                let _e434 = phi_1049_;
+                if _e434 {
+                    phi_1053_ = _e409;
                 } else {
-                    phi_1049_ = _e429;
+                    phi_1053_ = _e432;
                 }
-                let _e433 = phi_1049_;
-                if (_e407 > -8388608f) {
-                    let _e445 = f32(select(0i, select(select(i32(_e407), i32(-2147483648), (_e407 < bitcast<f32>(3472883712u))), 2147483647i, (_e407 > bitcast<f32>(1325400063u))), (_e407 == _e407)));
-                    if (_e445 > _e407) {
-                        phi_1069_ = 1f;
+                let _e436 = phi_1053_;
+                if (_e410 > -8388608f) {
+                    let _e448 = f32(select(0i, select(select(i32(_e410), i32(-2147483648), (_e410 < bitcast<f32>(3472883712u))), 2147483647i, (_e410 > bitcast<f32>(1325400063u))), (_e410 == _e410)));
+                    if (_e448 > _e410) {
+                        phi_1073_ = 1f;
                     } else {
-                        phi_1069_ = 0f;
+                        phi_1073_ = 0f;
                     }
-                    let _e448 = phi_1069_;
-                    if (_e407 < 8388608f) {
-                        phi_1074_ = (_e445 - _e448);
-                        phi_1075_ = false;
+                    let _e451 = phi_1073_;
+                    if (_e410 < 8388608f) {
+                        phi_1078_ = (_e448 - _e451);
+                        phi_1079_ = false;
                     } else {
-                        phi_1074_ = f32();
-                        phi_1075_ = true;
+                        phi_1078_ = f32();
+                        phi_1079_ = true;
                     }
-                    let _e451 = phi_1074_;
-                    let _e453 = phi_1075_;
-                    phi_1076_ = _e451;
-                    phi_1077_ = _e453;
+                    let _e454 = phi_1078_;
+                    let _e456 = phi_1079_;
+                    phi_1080_ = _e454;
+                    phi_1081_ = _e456;
                 } else {
-                    phi_1076_ = f32();
-                    phi_1077_ = true;
+                    phi_1080_ = f32();
+                    phi_1081_ = true;
                 }
-                let _e455 = phi_1076_;
-                let _e457 = phi_1077_;
-                if _e457 {
-                    phi_1081_ = _e407;
+                let _e458 = phi_1080_;
+                let _e460 = phi_1081_;
+                if _e460 {
+                    phi_1085_ = _e410;
                 } else {
-                    phi_1081_ = _e455;
+                    phi_1085_ = _e458;
                 }
-                let _e459 = phi_1081_;
-                let _e460 = (_e406 - _e433);
-                let _e461 = (_e407 - _e459);
-                let _e470 = select(0i, select(select(i32(_e433), i32(-2147483648), (_e433 < bitcast<f32>(3472883712u))), 2147483647i, (_e433 > bitcast<f32>(1325400063u))), (_e433 == _e433));
-                let _e479 = select(0i, select(select(i32(_e459), i32(-2147483648), (_e459 < bitcast<f32>(3472883712u))), 2147483647i, (_e459 > bitcast<f32>(1325400063u))), (_e459 == _e459));
-                let _e490 = p.member.test;
-                let _e491 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e490);
-                let _e493 = p.member.map_size;
-                local = _e491;
-                let _e495 = ((0u * _e493) * _e493);
-                let _e497 = (bitcast<i32>(_e493) - 1i);
-                if (_e470 > 0i) {
-                    phi_1129_ = _e470;
+                let _e462 = phi_1085_;
+                let _e463 = (_e409 - _e436);
+                let _e464 = (_e410 - _e462);
+                let _e473 = select(0i, select(select(i32(_e436), i32(-2147483648), (_e436 < bitcast<f32>(3472883712u))), 2147483647i, (_e436 > bitcast<f32>(1325400063u))), (_e436 == _e436));
+                let _e482 = select(0i, select(select(i32(_e462), i32(-2147483648), (_e462 < bitcast<f32>(3472883712u))), 2147483647i, (_e462 > bitcast<f32>(1325400063u))), (_e462 == _e462));
+                let _e493 = p.member.test;
+                let _e494 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e493);
+                let _e496 = p.member.map_size;
+                local = _e494;
+                let _e498 = ((0u * _e496) * _e496);
+                let _e500 = (bitcast<i32>(_e496) - 1i);
+                if (_e473 > 0i) {
+                    phi_1133_ = _e473;
                 } else {
-                    phi_1129_ = 0i;
+                    phi_1133_ = 0i;
                 }
-                let _e500 = phi_1129_;
-                if (_e479 > 0i) {
-                    phi_1134_ = _e479;
+                let _e503 = phi_1133_;
+                if (_e482 > 0i) {
+                    phi_1138_ = _e482;
                 } else {
-                    phi_1134_ = 0i;
+                    phi_1138_ = 0i;
                 }
-                let _e503 = phi_1134_;
-                if (_e500 < _e497) {
-                    phi_1139_ = _e500;
+                let _e506 = phi_1138_;
+                if (_e503 < _e500) {
+                    phi_1143_ = _e503;
                 } else {
-                    phi_1139_ = _e497;
+                    phi_1143_ = _e500;
                 }
-                let _e506 = phi_1139_;
-                if (_e503 < _e497) {
-                    phi_1144_ = _e503;
+                let _e509 = phi_1143_;
+                if (_e506 < _e500) {
+                    phi_1148_ = _e506;
                 } else {
-                    phi_1144_ = _e497;
+                    phi_1148_ = _e500;
                 }
-                let _e509 = phi_1144_;
-                let _e510 = bitcast<u32>(_e506);
-                let _e512 = (_e470 + 1i);
-                let _e513 = (_e479 + 1i);
-                if (_e512 > 0i) {
-                    phi_1153_ = _e512;
+                let _e512 = phi_1148_;
+                let _e513 = bitcast<u32>(_e509);
+                let _e515 = (_e473 + 1i);
+                let _e516 = (_e482 + 1i);
+                if (_e515 > 0i) {
+                    phi_1157_ = _e515;
                 } else {
-                    phi_1153_ = 0i;
+                    phi_1157_ = 0i;
                 }
-                let _e516 = phi_1153_;
-                if (_e513 > 0i) {
-                    phi_1158_ = _e513;
+                let _e519 = phi_1157_;
+                if (_e516 > 0i) {
+                    phi_1162_ = _e516;
                 } else {
-                    phi_1158_ = 0i;
+                    phi_1162_ = 0i;
                 }
-                let _e519 = phi_1158_;
-                if (_e516 < _e497) {
-                    phi_1163_ = _e516;
+                let _e522 = phi_1162_;
+                if (_e519 < _e500) {
+                    phi_1167_ = _e519;
                 } else {
-                    phi_1163_ = _e497;
+                    phi_1167_ = _e500;
                 }
-                let _e522 = phi_1163_;
-                if (_e519 < _e497) {
-                    phi_1168_ = _e519;
+                let _e525 = phi_1167_;
+                if (_e522 < _e500) {
+                    phi_1172_ = _e522;
                 } else {
-                    phi_1168_ = _e497;
+                    phi_1172_ = _e500;
                 }
-                let _e525 = phi_1168_;
-                let _e526 = bitcast<u32>(_e522);
-                let _e528 = (bitcast<u32>(_e509) * _e493);
-                let _e529 = (bitcast<u32>(_e525) * _e493);
-                let _e534 = ((_e528 + _e510) + _e495);
-                let _e535 = ((_e528 + _e526) + _e495);
-                let _e536 = ((_e529 + _e510) + _e495);
-                let _e537 = ((_e529 + _e526) + _e495);
-                if (_e534 < _e54) {
+                let _e528 = phi_1172_;
+                let _e529 = bitcast<u32>(_e525);
+                let _e531 = (bitcast<u32>(_e512) * _e496);
+                let _e532 = (bitcast<u32>(_e528) * _e496);
+                let _e537 = ((_e531 + _e513) + _e498);
+                let _e538 = ((_e531 + _e529) + _e498);
+                let _e539 = ((_e532 + _e513) + _e498);
+                let _e540 = ((_e532 + _e529) + _e498);
+                if (_e537 < _e57) {
                 } else {
                     return;
                 }
-                let _e541 = map.member[(0u + _e534)];
-                if (_e535 < _e54) {
+                let _e544 = map.member[(0u + _e537)];
+                if (_e538 < _e57) {
                 } else {
                     return;
                 }
-                let _e545 = map.member[(0u + _e535)];
-                if (_e536 < _e54) {
+                let _e548 = map.member[(0u + _e538)];
+                if (_e539 < _e57) {
                 } else {
                     return;
                 }
-                let _e549 = map.member[(0u + _e536)];
-                if (_e537 < _e54) {
+                let _e552 = map.member[(0u + _e539)];
+                if (_e540 < _e57) {
                 } else {
                     return;
                 }
-                let _e553 = map.member[(0u + _e537)];
-                let _e555 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e541, _e545, _e549, _e553), vec4<f32>(((1f - _e460) * (1f - _e461)), (_e460 * (1f - _e461)), ((1f - _e460) * _e461), (_e460 * _e461)), _e400);
-                let _e557 = p.member.epsilon;
-                if (_e555 <= _e557) {
-                    phi_1219_ = true;
+                let _e556 = map.member[(0u + _e540)];
+                let _e558 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e544, _e548, _e552, _e556), vec4<f32>(((1f - _e463) * (1f - _e464)), (_e463 * (1f - _e464)), ((1f - _e463) * _e464), (_e463 * _e464)), _e403);
+                let _e562 = p.member.epsilon;
+                if (_e558 <= _e562) {
+                    phi_1225_ = true;
                 } else {
-                    phi_1219_ = (_e555 >= (1f - _e557));
+                    phi_1225_ = (_e558 >= (1f - _e562));
                 }
-                let _e562 = phi_1219_;
-                if ((bitcast<u32>(_e555) & 2147483647u) > 2139095040u) {
-                    phi_1227_ = true;
+                let _e567 = phi_1225_;
+                if ((bitcast<u32>(_e558) & 2147483647u) > 2139095040u) {
+                    phi_1233_ = true;
                 } else {
-                    phi_1227_ = !(_e562);
+                    phi_1233_ = !(_e567);
                 }
-                let _e568 = phi_1227_;
-                if _e568 {
-                    if (_e555 > 0f) {
-                        if (_e555 < 1f) {
-                            phi_1239_ = false;
+                let _e573 = phi_1233_;
+                if _e573 {
+                    if (_e558 > 0f) {
+                        if (_e558 < 1f) {
+                            phi_1245_ = false;
                         } else {
-                            phi_1239_ = true;
+                            phi_1245_ = true;
                         }
-                        let _e572 = phi_1239_;
-                        phi_1240_ = _e572;
+                        let _e577 = phi_1245_;
+                        phi_1246_ = _e577;
                     } else {
-                        phi_1240_ = true;
+                        phi_1246_ = true;
                     }
-                    let _e574 = phi_1240_;
-                    if _e574 {
-                        phi_1244_ = 0.5f;
+                    let _e579 = phi_1246_;
+                    if _e579 {
+                        phi_1250_ = 0.5f;
                     } else {
-                        phi_1244_ = _e555;
+                        phi_1250_ = _e558;
                     }
-                    let _e576 = phi_1244_;
-                    phi_1252_ = evaluate_Verdict(_e576, true);
+                    let _e581 = phi_1250_;
+                    phi_1258_ = evaluate_Verdict(_e581, true);
                 } else {
-                    if (_e555 > 0.5f) {
-                        phi_1250_ = 1f;
+                    if (_e558 > 0.5f) {
+                        phi_1256_ = 1f;
                     } else {
-                        phi_1250_ = 0f;
+                        phi_1256_ = 0f;
                     }
-                    let _e580 = phi_1250_;
-                    phi_1252_ = evaluate_Verdict(_e580, false);
+                    let _e585 = phi_1256_;
+                    phi_1258_ = evaluate_Verdict(_e585, false);
                 }
-                let _e583 = phi_1252_;
-                phi_1257_ = evaluate_Verdict(_e583.visibility, _e583.is_doubted);
+                let _e588 = phi_1258_;
+                let _e591 = (_e588.visibility < 0.5f);
+                if _e588.is_doubted {
+                    phi_1281_ = evaluate_Verdict();
+                    phi_1282_ = true;
+                } else {
+                    if _e591 {
+                        phi_1268_ = 2u;
+                    } else {
+                        phi_1268_ = 1u;
+                    }
+                    let _e593 = phi_1268_;
+                    if ((0u & _e593) != 0u) {
+                        if _e591 {
+                            phi_1277_ = 0.000000059604645f;
+                        } else {
+                            phi_1277_ = 0.99999994f;
+                        }
+                        let _e597 = phi_1277_;
+                        phi_1279_ = evaluate_Verdict(_e597, true);
+                        phi_1280_ = false;
+                    } else {
+                        phi_1279_ = evaluate_Verdict();
+                        phi_1280_ = true;
+                    }
+                    let _e600 = phi_1279_;
+                    let _e602 = phi_1280_;
+                    phi_1281_ = _e600;
+                    phi_1282_ = _e602;
+                }
+                let _e604 = phi_1281_;
+                let _e606 = phi_1282_;
+                if _e606 {
+                    phi_1287_ = evaluate_Verdict(_e588.visibility, _e588.is_doubted);
+                } else {
+                    phi_1287_ = _e604;
+                }
+                let _e609 = phi_1287_;
+                phi_1292_ = evaluate_Verdict(_e609.visibility, _e609.is_doubted);
             } else {
-                phi_1257_ = evaluate_Verdict(0.5f, true);
+                phi_1292_ = evaluate_Verdict(0.5f, true);
             }
-            let _e589 = phi_1257_;
-            phi_1258_ = _e589;
+            let _e615 = phi_1292_;
+            phi_1293_ = _e615;
         }
-        let _e591 = phi_1258_;
-        if (_e63.first_primitive < arrayLength((&visibility.member))) {
+        let _e617 = phi_1293_;
+        if (_e66.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e63.first_primitive)] = _e591.visibility;
+        visibility.member[(0u + _e66.first_primitive)] = _e617.visibility;
     }
     return;
 }

@@ -64,14 +64,14 @@ struct type_31 {
     member: abi_ShadowParams,
 }
 
+struct type_35 {
+    member: array<lt_math_LightProjection>,
+}
+
 struct lt_math_LightPoint {
     uv: vec2<f32>,
     depth: f32,
     is_inside: bool,
-}
-
-struct type_37 {
-    member: array<lt_math_LightProjection>,
 }
 
 struct lt_math_LevelPoint {
@@ -90,40 +90,40 @@ var<storage> map: type_19;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_19;
 @group(0) @binding(4) 
-var<storage> levels: type_37;
+var<storage> levels: type_35;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_156_: lt_bvh_traverse_Tree;
-    var phi_157_: bool;
-    var phi_158_: lt_bvh_traverse_Tree;
-    var phi_159_: bool;
-    var phi_164_: lt_bvh_traverse_Tree;
+    var phi_160_: lt_bvh_traverse_Tree;
+    var phi_161_: bool;
+    var phi_162_: lt_bvh_traverse_Tree;
+    var phi_163_: bool;
+    var phi_168_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_156_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_157_ = false;
+            phi_160_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_161_ = false;
         } else {
-            phi_156_ = lt_bvh_traverse_Tree();
-            phi_157_ = true;
+            phi_160_ = lt_bvh_traverse_Tree();
+            phi_161_ = true;
         }
-        let _e65 = phi_156_;
-        let _e67 = phi_157_;
-        phi_158_ = _e65;
-        phi_159_ = _e67;
+        let _e68 = phi_160_;
+        let _e70 = phi_161_;
+        phi_162_ = _e68;
+        phi_163_ = _e70;
     } else {
-        phi_158_ = lt_bvh_traverse_Tree();
-        phi_159_ = true;
+        phi_162_ = lt_bvh_traverse_Tree();
+        phi_163_ = true;
     }
-    let _e69 = phi_158_;
-    let _e71 = phi_159_;
-    if _e71 {
-        phi_164_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e72 = phi_162_;
+    let _e74 = phi_163_;
+    if _e74 {
+        phi_168_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_164_ = _e69;
+        phi_168_ = _e72;
     }
-    let _e76 = phi_164_;
-    return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
+    let _e79 = phi_168_;
+    return lt_bvh_traverse_Tree(_e79.root, _e79.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -131,1048 +131,1092 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_187_: bool;
-    var phi_191_: f32;
-    var phi_206_: f32;
-    var phi_207_: f32;
-    var phi_208_: f32;
-    var phi_224_: f32;
-    var phi_225_: f32;
-    var phi_226_: f32;
-    var phi_242_: f32;
-    var phi_243_: f32;
-    var phi_244_: f32;
-    var phi_260_: f32;
-    var phi_261_: f32;
-    var phi_262_: f32;
-    var phi_278_: f32;
-    var phi_279_: f32;
-    var phi_280_: f32;
-    var phi_299_: f32;
-    var phi_304_: f32;
-    var phi_326_: f32;
-    var phi_331_: f32;
-    var phi_332_: bool;
-    var phi_333_: f32;
-    var phi_334_: bool;
-    var phi_338_: f32;
-    var phi_376_: f32;
-    var phi_387_: f32;
-    var phi_392_: f32;
-    var phi_414_: f32;
-    var phi_419_: f32;
-    var phi_420_: bool;
-    var phi_421_: f32;
-    var phi_422_: bool;
-    var phi_426_: f32;
-    var phi_464_: f32;
-    var phi_475_: f32;
-    var phi_480_: f32;
-    var phi_502_: f32;
-    var phi_507_: f32;
-    var phi_508_: bool;
-    var phi_509_: f32;
-    var phi_510_: bool;
-    var phi_514_: f32;
-    var phi_552_: f32;
-    var phi_563_: f32;
-    var phi_568_: f32;
-    var phi_590_: f32;
-    var phi_595_: f32;
-    var phi_596_: bool;
-    var phi_597_: f32;
-    var phi_598_: bool;
-    var phi_602_: f32;
-    var phi_640_: f32;
-    var phi_666_: f32;
-    var phi_667_: f32;
-    var phi_668_: f32;
+    var phi_191_: bool;
+    var phi_195_: f32;
+    var phi_210_: f32;
+    var phi_211_: f32;
+    var phi_212_: f32;
+    var phi_228_: f32;
+    var phi_229_: f32;
+    var phi_230_: f32;
+    var phi_246_: f32;
+    var phi_247_: f32;
+    var phi_248_: f32;
+    var phi_264_: f32;
+    var phi_265_: f32;
+    var phi_266_: f32;
+    var phi_282_: f32;
+    var phi_283_: f32;
+    var phi_284_: f32;
+    var phi_303_: f32;
+    var phi_308_: f32;
+    var phi_330_: f32;
+    var phi_335_: f32;
+    var phi_336_: bool;
+    var phi_337_: f32;
+    var phi_338_: bool;
+    var phi_342_: f32;
+    var phi_380_: f32;
+    var phi_391_: f32;
+    var phi_396_: f32;
+    var phi_418_: f32;
+    var phi_423_: f32;
+    var phi_424_: bool;
+    var phi_425_: f32;
+    var phi_426_: bool;
+    var phi_430_: f32;
+    var phi_468_: f32;
+    var phi_479_: f32;
+    var phi_484_: f32;
+    var phi_506_: f32;
+    var phi_511_: f32;
+    var phi_512_: bool;
+    var phi_513_: f32;
+    var phi_514_: bool;
+    var phi_518_: f32;
+    var phi_556_: f32;
+    var phi_567_: f32;
+    var phi_572_: f32;
+    var phi_594_: f32;
+    var phi_599_: f32;
+    var phi_600_: bool;
+    var phi_601_: f32;
+    var phi_602_: bool;
+    var phi_606_: f32;
+    var phi_644_: f32;
+    var phi_670_: f32;
+    var phi_671_: f32;
+    var phi_672_: f32;
 
-    let _e56 = (*param_4);
+    let _e59 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_187_ = true;
+        phi_191_ = true;
     } else {
-        let _e60 = (84f < _e56);
-        if _e60 {
+        let _e63 = (84f < _e59);
+        if _e63 {
         }
-        phi_187_ = _e60;
+        phi_191_ = _e63;
     }
-    let _e62 = phi_187_;
-    if _e62 {
-        phi_191_ = 84f;
+    let _e65 = phi_191_;
+    if _e65 {
+        phi_195_ = 84f;
     } else {
-        phi_191_ = _e56;
+        phi_195_ = _e59;
     }
-    let _e64 = phi_191_;
+    let _e67 = phi_195_;
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_208_ = param_7;
+        phi_212_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_207_ = 0f;
+            phi_211_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_206_ = 1f;
+                phi_210_ = 1f;
             } else {
-                phi_206_ = param_7;
+                phi_210_ = param_7;
             }
-            let _e71 = phi_206_;
-            phi_207_ = _e71;
+            let _e74 = phi_210_;
+            phi_211_ = _e74;
         }
-        let _e73 = phi_207_;
-        phi_208_ = _e73;
+        let _e76 = phi_211_;
+        phi_212_ = _e76;
     }
-    let _e75 = phi_208_;
+    let _e78 = phi_212_;
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_226_ = param_5.x;
+        phi_230_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_225_ = 0f;
+            phi_229_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_224_ = 1f;
+                phi_228_ = 1f;
             } else {
-                phi_224_ = param_5.x;
+                phi_228_ = param_5.x;
             }
-            let _e83 = phi_224_;
-            phi_225_ = _e83;
+            let _e86 = phi_228_;
+            phi_229_ = _e86;
         }
-        let _e85 = phi_225_;
-        phi_226_ = _e85;
+        let _e88 = phi_229_;
+        phi_230_ = _e88;
     }
-    let _e87 = phi_226_;
+    let _e90 = phi_230_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_244_ = param_5.y;
+        phi_248_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_243_ = 0f;
+            phi_247_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_242_ = 1f;
+                phi_246_ = 1f;
             } else {
-                phi_242_ = param_5.y;
+                phi_246_ = param_5.y;
             }
-            let _e95 = phi_242_;
-            phi_243_ = _e95;
+            let _e98 = phi_246_;
+            phi_247_ = _e98;
         }
-        let _e97 = phi_243_;
-        phi_244_ = _e97;
+        let _e100 = phi_247_;
+        phi_248_ = _e100;
     }
-    let _e99 = phi_244_;
+    let _e102 = phi_248_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_262_ = param_5.z;
+        phi_266_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_261_ = 0f;
+            phi_265_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_260_ = 1f;
+                phi_264_ = 1f;
             } else {
-                phi_260_ = param_5.z;
+                phi_264_ = param_5.z;
             }
-            let _e107 = phi_260_;
-            phi_261_ = _e107;
+            let _e110 = phi_264_;
+            phi_265_ = _e110;
         }
-        let _e109 = phi_261_;
-        phi_262_ = _e109;
+        let _e112 = phi_265_;
+        phi_266_ = _e112;
     }
-    let _e111 = phi_262_;
+    let _e114 = phi_266_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_280_ = param_5.w;
+        phi_284_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_279_ = 0f;
+            phi_283_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_278_ = 1f;
+                phi_282_ = 1f;
             } else {
-                phi_278_ = param_5.w;
+                phi_282_ = param_5.w;
             }
-            let _e119 = phi_278_;
-            phi_279_ = _e119;
+            let _e122 = phi_282_;
+            phi_283_ = _e122;
         }
-        let _e121 = phi_279_;
-        phi_280_ = _e121;
+        let _e124 = phi_283_;
+        phi_284_ = _e124;
     }
-    let _e123 = phi_280_;
-    let _e128 = (_e64 * (_e87 - _e75));
-    let _e129 = (_e64 * (_e99 - _e75));
-    let _e130 = (_e64 * (_e111 - _e75));
-    let _e131 = (_e64 * (_e123 - _e75));
-    if ((bitcast<u32>(_e128) & 2147483647u) > 2139095040u) {
-        phi_376_ = _e128;
-    } else {
-        if (_e128 < -87f) {
-            phi_299_ = -87f;
-        } else {
-            phi_299_ = _e128;
-        }
-        let _e137 = phi_299_;
-        if (_e137 > 88f) {
-            phi_304_ = 88f;
-        } else {
-            phi_304_ = _e137;
-        }
-        let _e140 = phi_304_;
-        let _e142 = ((_e140 * 1.442695f) + 0.5f);
-        if (_e142 > -8388608f) {
-            let _e154 = f32(select(0i, select(select(i32(_e142), i32(-2147483648), (_e142 < bitcast<f32>(3472883712u))), 2147483647i, (_e142 > bitcast<f32>(1325400063u))), (_e142 == _e142)));
-            if (_e154 > _e142) {
-                phi_326_ = 1f;
-            } else {
-                phi_326_ = 0f;
-            }
-            let _e157 = phi_326_;
-            if (_e142 < 8388608f) {
-                phi_331_ = (_e154 - _e157);
-                phi_332_ = false;
-            } else {
-                phi_331_ = f32();
-                phi_332_ = true;
-            }
-            let _e160 = phi_331_;
-            let _e162 = phi_332_;
-            phi_333_ = _e160;
-            phi_334_ = _e162;
-        } else {
-            phi_333_ = f32();
-            phi_334_ = true;
-        }
-        let _e164 = phi_333_;
-        let _e166 = phi_334_;
-        if _e166 {
-            phi_338_ = _e142;
-        } else {
-            phi_338_ = _e164;
-        }
-        let _e168 = phi_338_;
-        let _e172 = ((_e140 - (_e168 * 0.69314575f)) - (_e168 * 0.0000014286068f));
-        phi_376_ = ((((((((((((((((1f / 5040f) * _e172) + (1f / 720f)) * _e172) + (1f / 120f)) * _e172) + (1f / 24f)) * _e172) + (1f / 6f)) * _e172) + 0.5f) * _e172) + 1f) * _e172) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e168), i32(-2147483648), (_e168 < bitcast<f32>(3472883712u))), 2147483647i, (_e168 > bitcast<f32>(1325400063u))), (_e168 == _e168)) + 127i)) << bitcast<u32>(23i))));
-    }
-    let _e208 = phi_376_;
-    if ((bitcast<u32>(_e129) & 2147483647u) > 2139095040u) {
-        phi_464_ = _e129;
-    } else {
-        if (_e129 < -87f) {
-            phi_387_ = -87f;
-        } else {
-            phi_387_ = _e129;
-        }
-        let _e214 = phi_387_;
-        if (_e214 > 88f) {
-            phi_392_ = 88f;
-        } else {
-            phi_392_ = _e214;
-        }
-        let _e217 = phi_392_;
-        let _e219 = ((_e217 * 1.442695f) + 0.5f);
-        if (_e219 > -8388608f) {
-            let _e231 = f32(select(0i, select(select(i32(_e219), i32(-2147483648), (_e219 < bitcast<f32>(3472883712u))), 2147483647i, (_e219 > bitcast<f32>(1325400063u))), (_e219 == _e219)));
-            if (_e231 > _e219) {
-                phi_414_ = 1f;
-            } else {
-                phi_414_ = 0f;
-            }
-            let _e234 = phi_414_;
-            if (_e219 < 8388608f) {
-                phi_419_ = (_e231 - _e234);
-                phi_420_ = false;
-            } else {
-                phi_419_ = f32();
-                phi_420_ = true;
-            }
-            let _e237 = phi_419_;
-            let _e239 = phi_420_;
-            phi_421_ = _e237;
-            phi_422_ = _e239;
-        } else {
-            phi_421_ = f32();
-            phi_422_ = true;
-        }
-        let _e241 = phi_421_;
-        let _e243 = phi_422_;
-        if _e243 {
-            phi_426_ = _e219;
-        } else {
-            phi_426_ = _e241;
-        }
-        let _e245 = phi_426_;
-        let _e249 = ((_e217 - (_e245 * 0.69314575f)) - (_e245 * 0.0000014286068f));
-        phi_464_ = ((((((((((((((((1f / 5040f) * _e249) + (1f / 720f)) * _e249) + (1f / 120f)) * _e249) + (1f / 24f)) * _e249) + (1f / 6f)) * _e249) + 0.5f) * _e249) + 1f) * _e249) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e245), i32(-2147483648), (_e245 < bitcast<f32>(3472883712u))), 2147483647i, (_e245 > bitcast<f32>(1325400063u))), (_e245 == _e245)) + 127i)) << bitcast<u32>(23i))));
-    }
-    let _e285 = phi_464_;
-    if ((bitcast<u32>(_e130) & 2147483647u) > 2139095040u) {
-        phi_552_ = _e130;
-    } else {
-        if (_e130 < -87f) {
-            phi_475_ = -87f;
-        } else {
-            phi_475_ = _e130;
-        }
-        let _e291 = phi_475_;
-        if (_e291 > 88f) {
-            phi_480_ = 88f;
-        } else {
-            phi_480_ = _e291;
-        }
-        let _e294 = phi_480_;
-        let _e296 = ((_e294 * 1.442695f) + 0.5f);
-        if (_e296 > -8388608f) {
-            let _e308 = f32(select(0i, select(select(i32(_e296), i32(-2147483648), (_e296 < bitcast<f32>(3472883712u))), 2147483647i, (_e296 > bitcast<f32>(1325400063u))), (_e296 == _e296)));
-            if (_e308 > _e296) {
-                phi_502_ = 1f;
-            } else {
-                phi_502_ = 0f;
-            }
-            let _e311 = phi_502_;
-            if (_e296 < 8388608f) {
-                phi_507_ = (_e308 - _e311);
-                phi_508_ = false;
-            } else {
-                phi_507_ = f32();
-                phi_508_ = true;
-            }
-            let _e314 = phi_507_;
-            let _e316 = phi_508_;
-            phi_509_ = _e314;
-            phi_510_ = _e316;
-        } else {
-            phi_509_ = f32();
-            phi_510_ = true;
-        }
-        let _e318 = phi_509_;
-        let _e320 = phi_510_;
-        if _e320 {
-            phi_514_ = _e296;
-        } else {
-            phi_514_ = _e318;
-        }
-        let _e322 = phi_514_;
-        let _e326 = ((_e294 - (_e322 * 0.69314575f)) - (_e322 * 0.0000014286068f));
-        phi_552_ = ((((((((((((((((1f / 5040f) * _e326) + (1f / 720f)) * _e326) + (1f / 120f)) * _e326) + (1f / 24f)) * _e326) + (1f / 6f)) * _e326) + 0.5f) * _e326) + 1f) * _e326) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e322), i32(-2147483648), (_e322 < bitcast<f32>(3472883712u))), 2147483647i, (_e322 > bitcast<f32>(1325400063u))), (_e322 == _e322)) + 127i)) << bitcast<u32>(23i))));
-    }
-    let _e362 = phi_552_;
+    let _e126 = phi_284_;
+    let _e131 = (_e67 * (_e90 - _e78));
+    let _e132 = (_e67 * (_e102 - _e78));
+    let _e133 = (_e67 * (_e114 - _e78));
+    let _e134 = (_e67 * (_e126 - _e78));
     if ((bitcast<u32>(_e131) & 2147483647u) > 2139095040u) {
-        phi_640_ = _e131;
+        phi_380_ = _e131;
     } else {
         if (_e131 < -87f) {
-            phi_563_ = -87f;
+            phi_303_ = -87f;
         } else {
-            phi_563_ = _e131;
+            phi_303_ = _e131;
         }
-        let _e368 = phi_563_;
-        if (_e368 > 88f) {
-            phi_568_ = 88f;
+        let _e140 = phi_303_;
+        if (_e140 > 88f) {
+            phi_308_ = 88f;
         } else {
-            phi_568_ = _e368;
+            phi_308_ = _e140;
         }
-        let _e371 = phi_568_;
-        let _e373 = ((_e371 * 1.442695f) + 0.5f);
-        if (_e373 > -8388608f) {
-            let _e385 = f32(select(0i, select(select(i32(_e373), i32(-2147483648), (_e373 < bitcast<f32>(3472883712u))), 2147483647i, (_e373 > bitcast<f32>(1325400063u))), (_e373 == _e373)));
-            if (_e385 > _e373) {
-                phi_590_ = 1f;
+        let _e143 = phi_308_;
+        let _e145 = ((_e143 * 1.442695f) + 0.5f);
+        if (_e145 > -8388608f) {
+            let _e157 = f32(select(0i, select(select(i32(_e145), i32(-2147483648), (_e145 < bitcast<f32>(3472883712u))), 2147483647i, (_e145 > bitcast<f32>(1325400063u))), (_e145 == _e145)));
+            if (_e157 > _e145) {
+                phi_330_ = 1f;
             } else {
-                phi_590_ = 0f;
+                phi_330_ = 0f;
             }
-            let _e388 = phi_590_;
-            if (_e373 < 8388608f) {
-                phi_595_ = (_e385 - _e388);
-                phi_596_ = false;
+            let _e160 = phi_330_;
+            if (_e145 < 8388608f) {
+                phi_335_ = (_e157 - _e160);
+                phi_336_ = false;
             } else {
-                phi_595_ = f32();
-                phi_596_ = true;
+                phi_335_ = f32();
+                phi_336_ = true;
             }
-            let _e391 = phi_595_;
-            let _e393 = phi_596_;
-            phi_597_ = _e391;
-            phi_598_ = _e393;
+            let _e163 = phi_335_;
+            let _e165 = phi_336_;
+            phi_337_ = _e163;
+            phi_338_ = _e165;
         } else {
-            phi_597_ = f32();
-            phi_598_ = true;
+            phi_337_ = f32();
+            phi_338_ = true;
         }
-        let _e395 = phi_597_;
-        let _e397 = phi_598_;
-        if _e397 {
-            phi_602_ = _e373;
+        let _e167 = phi_337_;
+        let _e169 = phi_338_;
+        if _e169 {
+            phi_342_ = _e145;
         } else {
-            phi_602_ = _e395;
+            phi_342_ = _e167;
         }
-        let _e399 = phi_602_;
-        let _e403 = ((_e371 - (_e399 * 0.69314575f)) - (_e399 * 0.0000014286068f));
-        phi_640_ = ((((((((((((((((1f / 5040f) * _e403) + (1f / 720f)) * _e403) + (1f / 120f)) * _e403) + (1f / 24f)) * _e403) + (1f / 6f)) * _e403) + 0.5f) * _e403) + 1f) * _e403) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e399), i32(-2147483648), (_e399 < bitcast<f32>(3472883712u))), 2147483647i, (_e399 > bitcast<f32>(1325400063u))), (_e399 == _e399)) + 127i)) << bitcast<u32>(23i))));
+        let _e171 = phi_342_;
+        let _e175 = ((_e143 - (_e171 * 0.69314575f)) - (_e171 * 0.0000014286068f));
+        phi_380_ = ((((((((((((((((1f / 5040f) * _e175) + (1f / 720f)) * _e175) + (1f / 120f)) * _e175) + (1f / 24f)) * _e175) + (1f / 6f)) * _e175) + 0.5f) * _e175) + 1f) * _e175) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e171), i32(-2147483648), (_e171 < bitcast<f32>(3472883712u))), 2147483647i, (_e171 > bitcast<f32>(1325400063u))), (_e171 == _e171)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e439 = phi_640_;
-    let _e450 = ((((_e208 * param_6.x) + (_e285 * param_6.y)) + (_e362 * param_6.z)) + (_e439 * param_6.w));
-    if ((bitcast<u32>(_e450) & 2147483647u) > 2139095040u) {
-        phi_668_ = _e450;
+    let _e211 = phi_380_;
+    if ((bitcast<u32>(_e132) & 2147483647u) > 2139095040u) {
+        phi_468_ = _e132;
     } else {
-        if (_e450 < 0f) {
-            phi_667_ = 0f;
+        if (_e132 < -87f) {
+            phi_391_ = -87f;
         } else {
-            if (_e450 > 1f) {
-                phi_666_ = 1f;
-            } else {
-                phi_666_ = _e450;
-            }
-            let _e457 = phi_666_;
-            phi_667_ = _e457;
+            phi_391_ = _e132;
         }
-        let _e459 = phi_667_;
-        phi_668_ = _e459;
+        let _e217 = phi_391_;
+        if (_e217 > 88f) {
+            phi_396_ = 88f;
+        } else {
+            phi_396_ = _e217;
+        }
+        let _e220 = phi_396_;
+        let _e222 = ((_e220 * 1.442695f) + 0.5f);
+        if (_e222 > -8388608f) {
+            let _e234 = f32(select(0i, select(select(i32(_e222), i32(-2147483648), (_e222 < bitcast<f32>(3472883712u))), 2147483647i, (_e222 > bitcast<f32>(1325400063u))), (_e222 == _e222)));
+            if (_e234 > _e222) {
+                phi_418_ = 1f;
+            } else {
+                phi_418_ = 0f;
+            }
+            let _e237 = phi_418_;
+            if (_e222 < 8388608f) {
+                phi_423_ = (_e234 - _e237);
+                phi_424_ = false;
+            } else {
+                phi_423_ = f32();
+                phi_424_ = true;
+            }
+            let _e240 = phi_423_;
+            let _e242 = phi_424_;
+            phi_425_ = _e240;
+            phi_426_ = _e242;
+        } else {
+            phi_425_ = f32();
+            phi_426_ = true;
+        }
+        let _e244 = phi_425_;
+        let _e246 = phi_426_;
+        if _e246 {
+            phi_430_ = _e222;
+        } else {
+            phi_430_ = _e244;
+        }
+        let _e248 = phi_430_;
+        let _e252 = ((_e220 - (_e248 * 0.69314575f)) - (_e248 * 0.0000014286068f));
+        phi_468_ = ((((((((((((((((1f / 5040f) * _e252) + (1f / 720f)) * _e252) + (1f / 120f)) * _e252) + (1f / 24f)) * _e252) + (1f / 6f)) * _e252) + 0.5f) * _e252) + 1f) * _e252) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e248), i32(-2147483648), (_e248 < bitcast<f32>(3472883712u))), 2147483647i, (_e248 > bitcast<f32>(1325400063u))), (_e248 == _e248)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e461 = phi_668_;
-    return _e461;
+    let _e288 = phi_468_;
+    if ((bitcast<u32>(_e133) & 2147483647u) > 2139095040u) {
+        phi_556_ = _e133;
+    } else {
+        if (_e133 < -87f) {
+            phi_479_ = -87f;
+        } else {
+            phi_479_ = _e133;
+        }
+        let _e294 = phi_479_;
+        if (_e294 > 88f) {
+            phi_484_ = 88f;
+        } else {
+            phi_484_ = _e294;
+        }
+        let _e297 = phi_484_;
+        let _e299 = ((_e297 * 1.442695f) + 0.5f);
+        if (_e299 > -8388608f) {
+            let _e311 = f32(select(0i, select(select(i32(_e299), i32(-2147483648), (_e299 < bitcast<f32>(3472883712u))), 2147483647i, (_e299 > bitcast<f32>(1325400063u))), (_e299 == _e299)));
+            if (_e311 > _e299) {
+                phi_506_ = 1f;
+            } else {
+                phi_506_ = 0f;
+            }
+            let _e314 = phi_506_;
+            if (_e299 < 8388608f) {
+                phi_511_ = (_e311 - _e314);
+                phi_512_ = false;
+            } else {
+                phi_511_ = f32();
+                phi_512_ = true;
+            }
+            let _e317 = phi_511_;
+            let _e319 = phi_512_;
+            phi_513_ = _e317;
+            phi_514_ = _e319;
+        } else {
+            phi_513_ = f32();
+            phi_514_ = true;
+        }
+        let _e321 = phi_513_;
+        let _e323 = phi_514_;
+        if _e323 {
+            phi_518_ = _e299;
+        } else {
+            phi_518_ = _e321;
+        }
+        let _e325 = phi_518_;
+        let _e329 = ((_e297 - (_e325 * 0.69314575f)) - (_e325 * 0.0000014286068f));
+        phi_556_ = ((((((((((((((((1f / 5040f) * _e329) + (1f / 720f)) * _e329) + (1f / 120f)) * _e329) + (1f / 24f)) * _e329) + (1f / 6f)) * _e329) + 0.5f) * _e329) + 1f) * _e329) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e325), i32(-2147483648), (_e325 < bitcast<f32>(3472883712u))), 2147483647i, (_e325 > bitcast<f32>(1325400063u))), (_e325 == _e325)) + 127i)) << bitcast<u32>(23i))));
+    }
+    let _e365 = phi_556_;
+    if ((bitcast<u32>(_e134) & 2147483647u) > 2139095040u) {
+        phi_644_ = _e134;
+    } else {
+        if (_e134 < -87f) {
+            phi_567_ = -87f;
+        } else {
+            phi_567_ = _e134;
+        }
+        let _e371 = phi_567_;
+        if (_e371 > 88f) {
+            phi_572_ = 88f;
+        } else {
+            phi_572_ = _e371;
+        }
+        let _e374 = phi_572_;
+        let _e376 = ((_e374 * 1.442695f) + 0.5f);
+        if (_e376 > -8388608f) {
+            let _e388 = f32(select(0i, select(select(i32(_e376), i32(-2147483648), (_e376 < bitcast<f32>(3472883712u))), 2147483647i, (_e376 > bitcast<f32>(1325400063u))), (_e376 == _e376)));
+            if (_e388 > _e376) {
+                phi_594_ = 1f;
+            } else {
+                phi_594_ = 0f;
+            }
+            let _e391 = phi_594_;
+            if (_e376 < 8388608f) {
+                phi_599_ = (_e388 - _e391);
+                phi_600_ = false;
+            } else {
+                phi_599_ = f32();
+                phi_600_ = true;
+            }
+            let _e394 = phi_599_;
+            let _e396 = phi_600_;
+            phi_601_ = _e394;
+            phi_602_ = _e396;
+        } else {
+            phi_601_ = f32();
+            phi_602_ = true;
+        }
+        let _e398 = phi_601_;
+        let _e400 = phi_602_;
+        if _e400 {
+            phi_606_ = _e376;
+        } else {
+            phi_606_ = _e398;
+        }
+        let _e402 = phi_606_;
+        let _e406 = ((_e374 - (_e402 * 0.69314575f)) - (_e402 * 0.0000014286068f));
+        phi_644_ = ((((((((((((((((1f / 5040f) * _e406) + (1f / 720f)) * _e406) + (1f / 120f)) * _e406) + (1f / 24f)) * _e406) + (1f / 6f)) * _e406) + 0.5f) * _e406) + 1f) * _e406) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e402), i32(-2147483648), (_e402 < bitcast<f32>(3472883712u))), 2147483647i, (_e402 > bitcast<f32>(1325400063u))), (_e402 == _e402)) + 127i)) << bitcast<u32>(23i))));
+    }
+    let _e442 = phi_644_;
+    let _e453 = ((((_e211 * param_6.x) + (_e288 * param_6.y)) + (_e365 * param_6.z)) + (_e442 * param_6.w));
+    if ((bitcast<u32>(_e453) & 2147483647u) > 2139095040u) {
+        phi_672_ = _e453;
+    } else {
+        if (_e453 < 0f) {
+            phi_671_ = 0f;
+        } else {
+            if (_e453 > 1f) {
+                phi_670_ = 1f;
+            } else {
+                phi_670_ = _e453;
+            }
+            let _e460 = phi_670_;
+            phi_671_ = _e460;
+        }
+        let _e462 = phi_671_;
+        phi_672_ = _e462;
+    }
+    let _e464 = phi_672_;
+    return _e464;
 }
 
 fn function_() {
     var local: f32;
-    var phi_728_: bool;
-    var phi_729_: bool;
-    var phi_730_: bool;
-    var phi_731_: bool;
+    var phi_732_: bool;
+    var phi_733_: bool;
+    var phi_734_: bool;
     var phi_735_: bool;
-    var phi_805_: bool;
-    var phi_806_: bool;
-    var phi_817_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_818_: bool;
-    var phi_819_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_820_: bool;
-    var phi_827_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_739_: bool;
+    var phi_809_: bool;
+    var phi_810_: bool;
+    var phi_821_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_822_: bool;
+    var phi_823_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_824_: bool;
     var phi_831_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_851_: lt_math_LightPoint;
-    var phi_854_: u32;
-    var phi_856_: lt_math_LevelPoint;
-    var phi_942_: bool;
-    var phi_951_: bool;
-    var phi_960_: bool;
-    var phi_961_: bool;
-    var phi_962_: bool;
-    var phi_963_: bool;
+    var phi_835_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_855_: lt_math_LightPoint;
+    var phi_858_: u32;
+    var phi_860_: lt_math_LevelPoint;
+    var phi_946_: bool;
+    var phi_955_: bool;
     var phi_964_: bool;
     var phi_965_: bool;
     var phi_966_: bool;
+    var phi_967_: bool;
+    var phi_968_: bool;
+    var phi_969_: bool;
     var phi_970_: bool;
-    var phi_997_: bool;
-    var phi_998_: bool;
-    var phi_999_: bool;
-    var phi_1000_: bool;
+    var phi_974_: bool;
     var phi_1001_: bool;
     var phi_1002_: bool;
     var phi_1003_: bool;
     var phi_1004_: bool;
+    var phi_1005_: bool;
+    var phi_1006_: bool;
+    var phi_1007_: bool;
     var phi_1008_: bool;
-    var phi_1017_: lt_math_LightPoint;
-    var phi_1018_: u32;
-    var phi_1019_: lt_math_LevelPoint;
-    var phi_1020_: bool;
-    var phi_852_: lt_math_LightPoint;
-    var phi_855_: u32;
-    var phi_857_: lt_math_LevelPoint;
-    var phi_1021_: bool;
+    var phi_1012_: bool;
+    var phi_1021_: lt_math_LightPoint;
+    var phi_1022_: u32;
+    var phi_1023_: lt_math_LevelPoint;
+    var phi_1024_: bool;
+    var phi_856_: lt_math_LightPoint;
+    var phi_859_: u32;
+    var phi_861_: lt_math_LevelPoint;
+    var phi_1025_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_1061_: bool;
-    var phi_1062_: bool;
-    var phi_1063_: bool;
-    var phi_1064_: bool;
+    var phi_1065_: bool;
+    var phi_1066_: bool;
+    var phi_1067_: bool;
     var phi_1068_: bool;
-    var phi_1150_: f32;
-    var phi_1268_: f32;
-    var phi_1269_: f32;
+    var phi_1072_: bool;
+    var phi_1154_: f32;
     var phi_1272_: f32;
-    var phi_1301_: f32;
-    var phi_1306_: f32;
-    var phi_1307_: bool;
-    var phi_1308_: f32;
-    var phi_1309_: bool;
-    var phi_1313_: f32;
-    var phi_1333_: f32;
-    var phi_1338_: f32;
-    var phi_1339_: bool;
-    var phi_1340_: f32;
-    var phi_1341_: bool;
-    var phi_1345_: f32;
+    var phi_1273_: f32;
+    var phi_1276_: f32;
+    var phi_1305_: f32;
+    var phi_1310_: f32;
+    var phi_1311_: bool;
+    var phi_1312_: f32;
+    var phi_1313_: bool;
+    var phi_1317_: f32;
+    var phi_1337_: f32;
+    var phi_1342_: f32;
+    var phi_1343_: bool;
+    var phi_1344_: f32;
+    var phi_1345_: bool;
+    var phi_1349_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_1394_: i32;
-    var phi_1399_: i32;
-    var phi_1404_: i32;
-    var phi_1409_: i32;
-    var phi_1418_: i32;
-    var phi_1423_: i32;
-    var phi_1428_: i32;
-    var phi_1433_: i32;
-    var phi_1484_: bool;
-    var phi_1492_: bool;
-    var phi_1504_: bool;
-    var phi_1505_: bool;
-    var phi_1509_: f32;
+    var phi_1398_: i32;
+    var phi_1403_: i32;
+    var phi_1408_: i32;
+    var phi_1413_: i32;
+    var phi_1422_: i32;
+    var phi_1427_: i32;
+    var phi_1432_: i32;
+    var phi_1437_: i32;
+    var phi_1490_: bool;
+    var phi_1498_: bool;
+    var phi_1510_: bool;
+    var phi_1511_: bool;
     var phi_1515_: f32;
-    var phi_1517_: evaluate_Verdict;
-    var phi_1522_: evaluate_Verdict;
+    var phi_1521_: f32;
     var phi_1523_: evaluate_Verdict;
+    var phi_1533_: u32;
+    var phi_1542_: f32;
+    var phi_1544_: evaluate_Verdict;
+    var phi_1545_: bool;
+    var phi_1546_: evaluate_Verdict;
+    var phi_1547_: bool;
+    var phi_1552_: evaluate_Verdict;
+    var phi_1557_: evaluate_Verdict;
+    var phi_1558_: evaluate_Verdict;
 
-    let _e53 = id_1;
-    let _e60 = arrayLength((&map.member));
-    let _e66 = arrayLength((&levels.member));
-    let _e69 = p.member.size[0u];
-    let _e71 = p.member.size[1u];
-    let _e72 = lt_shaders_entry_pixel_index(_e53, _e69, _e71);
-    if (bitcast<i32>(_e72.root) != 0i) {
-        let _e78 = p.member.level_count;
-        if (_e72.first_primitive < arrayLength((&samples.member))) {
+    let _e56 = id_1;
+    let _e63 = arrayLength((&map.member));
+    let _e69 = arrayLength((&levels.member));
+    let _e72 = p.member.size[0u];
+    let _e74 = p.member.size[1u];
+    let _e75 = lt_shaders_entry_pixel_index(_e56, _e72, _e74);
+    if (bitcast<i32>(_e75.root) != 0i) {
+        let _e81 = p.member.level_count;
+        if (_e75.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e85 = samples.member[(0u + _e72.first_primitive)].normal[0u];
-        let _e87 = global[0u];
-        if (_e85 == _e87) {
-            let _e90 = samples.member[(0u + _e72.first_primitive)].normal[1u];
-            let _e92 = global[1u];
-            if (_e90 == _e92) {
-                let _e95 = samples.member[(0u + _e72.first_primitive)].normal[2u];
-                let _e97 = global[2u];
-                phi_728_ = (_e95 == _e97);
-                phi_729_ = false;
+        let _e88 = samples.member[(0u + _e75.first_primitive)].normal[0u];
+        let _e90 = global[0u];
+        if (_e88 == _e90) {
+            let _e93 = samples.member[(0u + _e75.first_primitive)].normal[1u];
+            let _e95 = global[1u];
+            if (_e93 == _e95) {
+                let _e98 = samples.member[(0u + _e75.first_primitive)].normal[2u];
+                let _e100 = global[2u];
+                phi_732_ = (_e98 == _e100);
+                phi_733_ = false;
             } else {
-                phi_728_ = bool();
-                phi_729_ = true;
+                phi_732_ = bool();
+                phi_733_ = true;
             }
-            let _e100 = phi_728_;
-            let _e102 = phi_729_;
-            phi_730_ = _e100;
-            phi_731_ = _e102;
+            let _e103 = phi_732_;
+            let _e105 = phi_733_;
+            phi_734_ = _e103;
+            phi_735_ = _e105;
         } else {
-            phi_730_ = bool();
-            phi_731_ = true;
+            phi_734_ = bool();
+            phi_735_ = true;
         }
-        let _e104 = phi_730_;
-        let _e106 = phi_731_;
-        if _e106 {
-            phi_735_ = false;
+        let _e107 = phi_734_;
+        let _e109 = phi_735_;
+        if _e109 {
+            phi_739_ = false;
         } else {
-            phi_735_ = _e104;
+            phi_739_ = _e107;
         }
-        let _e108 = phi_735_;
-        if !(_e108) {
-            let _e111 = samples.member[(0u + _e72.first_primitive)].position;
-            let _e113 = p.member.light.place;
-            let _e119 = p.member.light.place[3u];
-            let _e126 = (_e113.x - (_e111.x * _e119));
-            let _e127 = (_e113.y - (_e111.y * _e119));
-            let _e128 = (_e113.z - (_e111.z * _e119));
-            let _e130 = samples.member[(0u + _e72.first_primitive)].normal;
-            if ((((_e130.x * _e126) + (_e130.y * _e127)) + (_e130.z * _e128)) > 0f) {
-                let _e144 = (((_e126 * _e126) + (_e127 * _e127)) + (_e128 * _e128));
-                let _e146 = p.member.light.axis;
-                let _e158 = p.member.light.place[3u];
-                if (_e158 == 0f) {
-                    phi_806_ = true;
+        let _e111 = phi_739_;
+        if !(_e111) {
+            let _e114 = samples.member[(0u + _e75.first_primitive)].position;
+            let _e116 = p.member.light.place;
+            let _e122 = p.member.light.place[3u];
+            let _e129 = (_e116.x - (_e114.x * _e122));
+            let _e130 = (_e116.y - (_e114.y * _e122));
+            let _e131 = (_e116.z - (_e114.z * _e122));
+            let _e133 = samples.member[(0u + _e75.first_primitive)].normal;
+            if ((((_e133.x * _e129) + (_e133.y * _e130)) + (_e133.z * _e131)) > 0f) {
+                let _e147 = (((_e129 * _e129) + (_e130 * _e130)) + (_e131 * _e131));
+                let _e149 = p.member.light.axis;
+                let _e161 = p.member.light.place[3u];
+                if (_e161 == 0f) {
+                    phi_810_ = true;
                 } else {
-                    let _e161 = p.member.light.range_squared;
-                    if (_e144 <= _e161) {
-                        let _e164 = p.member.light.cos_outer;
-                        phi_805_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
+                    let _e164 = p.member.light.range_squared;
+                    if (_e147 <= _e164) {
+                        let _e167 = p.member.light.cos_outer;
+                        phi_809_ = (-((((_e129 * _e149.x) + (_e130 * _e149.y)) + (_e131 * _e149.z))) >= (_e167 * sqrt(_e147)));
                     } else {
-                        phi_805_ = false;
+                        phi_809_ = false;
                     }
-                    let _e169 = phi_805_;
-                    phi_806_ = _e169;
+                    let _e172 = phi_809_;
+                    phi_810_ = _e172;
                 }
-                let _e171 = phi_806_;
-                if _e171 {
-                    let _e173 = samples.member[(0u + _e72.first_primitive)].flags;
-                    let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
-                    phi_817_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
-                    phi_818_ = false;
+                let _e174 = phi_810_;
+                if _e174 {
+                    let _e176 = samples.member[(0u + _e75.first_primitive)].flags;
+                    let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e184.unnamed.visibility, false), _e184.unnamed_1);
+                    phi_821_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e190.unnamed, ((_e176 & 1u) == 0u));
+                    phi_822_ = false;
                 } else {
-                    phi_817_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_818_ = true;
+                    phi_821_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_822_ = true;
                 }
-                let _e192 = phi_817_;
-                let _e194 = phi_818_;
-                phi_819_ = _e192;
-                phi_820_ = _e194;
+                let _e195 = phi_821_;
+                let _e197 = phi_822_;
+                phi_823_ = _e195;
+                phi_824_ = _e197;
             } else {
-                phi_819_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_820_ = true;
+                phi_823_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_824_ = true;
             }
-            let _e196 = phi_819_;
-            let _e198 = phi_820_;
-            if _e198 {
-                let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
-                phi_827_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
+            let _e199 = phi_823_;
+            let _e201 = phi_824_;
+            if _e201 {
+                let _e207 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e207.unnamed.visibility, false), _e207.unnamed_1);
+                phi_831_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e213.unnamed, true);
             } else {
-                phi_827_ = _e196;
+                phi_831_ = _e199;
             }
-            let _e215 = phi_827_;
-            phi_831_ = _e215;
+            let _e218 = phi_831_;
+            phi_835_ = _e218;
         } else {
-            let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
-            phi_831_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
+            let _e224 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e230 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e224.unnamed.visibility, false), _e224.unnamed_1);
+            phi_835_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e230.unnamed, true);
         }
-        let _e232 = phi_831_;
-        if _e232.unnamed_1 {
-            phi_1523_ = evaluate_Verdict(_e232.unnamed.visibility, _e232.unnamed.is_doubted);
+        let _e235 = phi_835_;
+        if _e235.unnamed_1 {
+            phi_1558_ = evaluate_Verdict(_e235.unnamed.visibility, _e235.unnamed.is_doubted);
         } else {
-            let _e240 = samples.member[(0u + _e72.first_primitive)].position;
-            let _e242 = p.member.map_size;
-            let _e244 = (0.5f / f32(_e242));
-            let _e251 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e258 = lt_math_LightPoint(vec2<f32>(_e251.uv.x, 0f), _e251.depth, _e251.is_inside);
-            let _e262 = lt_math_LightPoint(_e258.uv, 0f, _e258.is_inside);
-            phi_851_ = lt_math_LightPoint();
-            phi_854_ = 0u;
-            phi_856_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e262.uv, _e262.depth, false));
+            let _e243 = samples.member[(0u + _e75.first_primitive)].position;
+            let _e245 = p.member.map_size;
+            let _e247 = (0.5f / f32(_e245));
+            let _e254 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e261 = lt_math_LightPoint(vec2<f32>(_e254.uv.x, 0f), _e254.depth, _e254.is_inside);
+            let _e265 = lt_math_LightPoint(_e261.uv, 0f, _e261.is_inside);
+            phi_855_ = lt_math_LightPoint();
+            phi_858_ = 0u;
+            phi_860_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e265.uv, _e265.depth, false));
             loop {
-                let _e269 = phi_851_;
-                let _e271 = phi_854_;
-                let _e273 = phi_856_;
-                local_1 = _e273;
-                local_2 = _e273;
-                local_3 = _e273;
-                if (_e271 < _e78) {
-                    if _e273.point.is_inside {
-                        phi_1017_ = lt_math_LightPoint();
-                        phi_1018_ = u32();
-                        phi_1019_ = lt_math_LevelPoint();
-                        phi_1020_ = false;
+                let _e272 = phi_855_;
+                let _e274 = phi_858_;
+                let _e276 = phi_860_;
+                local_1 = _e276;
+                local_2 = _e276;
+                local_3 = _e276;
+                if (_e274 < _e81) {
+                    if _e276.point.is_inside {
+                        phi_1021_ = lt_math_LightPoint();
+                        phi_1022_ = u32();
+                        phi_1023_ = lt_math_LevelPoint();
+                        phi_1024_ = false;
                     } else {
-                        if (_e271 < _e66) {
+                        if (_e274 < _e69) {
                         } else {
                             return;
                         }
-                        let _e284 = levels.member[(0u + _e271)].row_w;
-                        let _e295 = ((((_e284.x * _e240.x) + (_e284.y * _e240.y)) + (_e284.z * _e240.z)) + (_e284.w * 1f));
-                        let _e297 = levels.member[(0u + _e271)].row_x;
-                        let _e309 = (((((_e297.x * _e240.x) + (_e297.y * _e240.y)) + (_e297.z * _e240.z)) + (_e297.w * 1f)) / _e295);
-                        let _e311 = levels.member[(0u + _e271)].row_y;
-                        let _e323 = (((((_e311.x * _e240.x) + (_e311.y * _e240.y)) + (_e311.z * _e240.z)) + (_e311.w * 1f)) / _e295);
-                        let _e325 = levels.member[(0u + _e271)].row_z;
-                        let _e336 = ((((_e325.x * _e240.x) + (_e325.y * _e240.y)) + (_e325.z * _e240.z)) + (_e325.w * 1f));
-                        if (_e295 > 0f) {
-                            if (_e309 >= 0f) {
-                                phi_942_ = (_e309 <= 1f);
+                        let _e287 = levels.member[(0u + _e274)].row_w;
+                        let _e298 = ((((_e287.x * _e243.x) + (_e287.y * _e243.y)) + (_e287.z * _e243.z)) + (_e287.w * 1f));
+                        let _e300 = levels.member[(0u + _e274)].row_x;
+                        let _e312 = (((((_e300.x * _e243.x) + (_e300.y * _e243.y)) + (_e300.z * _e243.z)) + (_e300.w * 1f)) / _e298);
+                        let _e314 = levels.member[(0u + _e274)].row_y;
+                        let _e326 = (((((_e314.x * _e243.x) + (_e314.y * _e243.y)) + (_e314.z * _e243.z)) + (_e314.w * 1f)) / _e298);
+                        let _e328 = levels.member[(0u + _e274)].row_z;
+                        let _e339 = ((((_e328.x * _e243.x) + (_e328.y * _e243.y)) + (_e328.z * _e243.z)) + (_e328.w * 1f));
+                        if (_e298 > 0f) {
+                            if (_e312 >= 0f) {
+                                phi_946_ = (_e312 <= 1f);
                             } else {
-                                phi_942_ = false;
+                                phi_946_ = false;
                             }
-                            let _e341 = phi_942_;
-                            if _e341 {
-                                if (_e323 >= 0f) {
-                                    phi_951_ = (_e323 <= 1f);
+                            let _e344 = phi_946_;
+                            if _e344 {
+                                if (_e326 >= 0f) {
+                                    phi_955_ = (_e326 <= 1f);
                                 } else {
-                                    phi_951_ = false;
+                                    phi_955_ = false;
                                 }
-                                let _e345 = phi_951_;
-                                if _e345 {
-                                    if (_e336 >= 0f) {
-                                        phi_960_ = (_e336 <= 1f);
+                                let _e348 = phi_955_;
+                                if _e348 {
+                                    if (_e339 >= 0f) {
+                                        phi_964_ = (_e339 <= 1f);
                                     } else {
-                                        phi_960_ = false;
+                                        phi_964_ = false;
                                     }
-                                    let _e349 = phi_960_;
-                                    phi_961_ = _e349;
-                                    phi_962_ = false;
+                                    let _e352 = phi_964_;
+                                    phi_965_ = _e352;
+                                    phi_966_ = false;
                                 } else {
-                                    phi_961_ = bool();
-                                    phi_962_ = true;
+                                    phi_965_ = bool();
+                                    phi_966_ = true;
                                 }
-                                let _e351 = phi_961_;
-                                let _e353 = phi_962_;
-                                phi_963_ = _e351;
-                                phi_964_ = _e353;
+                                let _e354 = phi_965_;
+                                let _e356 = phi_966_;
+                                phi_967_ = _e354;
+                                phi_968_ = _e356;
                             } else {
-                                phi_963_ = bool();
-                                phi_964_ = true;
+                                phi_967_ = bool();
+                                phi_968_ = true;
                             }
-                            let _e355 = phi_963_;
-                            let _e357 = phi_964_;
-                            phi_965_ = _e355;
-                            phi_966_ = _e357;
+                            let _e358 = phi_967_;
+                            let _e360 = phi_968_;
+                            phi_969_ = _e358;
+                            phi_970_ = _e360;
                         } else {
-                            phi_965_ = bool();
-                            phi_966_ = true;
+                            phi_969_ = bool();
+                            phi_970_ = true;
                         }
-                        let _e359 = phi_965_;
-                        let _e361 = phi_966_;
-                        if _e361 {
-                            phi_970_ = false;
+                        let _e362 = phi_969_;
+                        let _e364 = phi_970_;
+                        if _e364 {
+                            phi_974_ = false;
                         } else {
-                            phi_970_ = _e359;
+                            phi_974_ = _e362;
                         }
-                        let _e363 = phi_970_;
-                        if _e363 {
-                            if (_e309 >= _e244) {
-                                if (_e309 <= (1f - _e244)) {
-                                    if (_e323 >= _e244) {
-                                        phi_997_ = (_e323 <= (1f - _e244));
-                                        phi_998_ = false;
+                        let _e366 = phi_974_;
+                        if _e366 {
+                            if (_e312 >= _e247) {
+                                if (_e312 <= (1f - _e247)) {
+                                    if (_e326 >= _e247) {
+                                        phi_1001_ = (_e326 <= (1f - _e247));
+                                        phi_1002_ = false;
                                     } else {
-                                        phi_997_ = bool();
-                                        phi_998_ = true;
+                                        phi_1001_ = bool();
+                                        phi_1002_ = true;
                                     }
-                                    let _e371 = phi_997_;
-                                    let _e373 = phi_998_;
-                                    phi_999_ = _e371;
-                                    phi_1000_ = _e373;
+                                    let _e374 = phi_1001_;
+                                    let _e376 = phi_1002_;
+                                    phi_1003_ = _e374;
+                                    phi_1004_ = _e376;
                                 } else {
-                                    phi_999_ = bool();
-                                    phi_1000_ = true;
+                                    phi_1003_ = bool();
+                                    phi_1004_ = true;
                                 }
-                                let _e375 = phi_999_;
-                                let _e377 = phi_1000_;
-                                phi_1001_ = _e375;
-                                phi_1002_ = _e377;
+                                let _e378 = phi_1003_;
+                                let _e380 = phi_1004_;
+                                phi_1005_ = _e378;
+                                phi_1006_ = _e380;
                             } else {
-                                phi_1001_ = bool();
-                                phi_1002_ = true;
+                                phi_1005_ = bool();
+                                phi_1006_ = true;
                             }
-                            let _e379 = phi_1001_;
-                            let _e381 = phi_1002_;
-                            phi_1003_ = _e379;
-                            phi_1004_ = _e381;
+                            let _e382 = phi_1005_;
+                            let _e384 = phi_1006_;
+                            phi_1007_ = _e382;
+                            phi_1008_ = _e384;
                         } else {
-                            phi_1003_ = bool();
-                            phi_1004_ = true;
+                            phi_1007_ = bool();
+                            phi_1008_ = true;
                         }
-                        let _e383 = phi_1003_;
-                        let _e385 = phi_1004_;
-                        if _e385 {
-                            phi_1008_ = false;
+                        let _e386 = phi_1007_;
+                        let _e388 = phi_1008_;
+                        if _e388 {
+                            phi_1012_ = false;
                         } else {
-                            phi_1008_ = _e383;
+                            phi_1012_ = _e386;
                         }
-                        let _e387 = phi_1008_;
-                        let _e394 = lt_math_LightPoint(vec2<f32>(_e309, _e269.uv.y), _e269.depth, _e269.is_inside);
-                        let _e401 = lt_math_LightPoint(vec2<f32>(_e394.uv.x, _e323), _e394.depth, _e394.is_inside);
-                        let _e405 = lt_math_LightPoint(_e401.uv, _e336, _e401.is_inside);
-                        let _e409 = lt_math_LightPoint(_e405.uv, _e405.depth, _e387);
-                        phi_1017_ = _e409;
-                        phi_1018_ = (_e271 + 1u);
-                        phi_1019_ = lt_math_LevelPoint(_e271, _e409);
-                        phi_1020_ = true;
+                        let _e390 = phi_1012_;
+                        let _e397 = lt_math_LightPoint(vec2<f32>(_e312, _e272.uv.y), _e272.depth, _e272.is_inside);
+                        let _e404 = lt_math_LightPoint(vec2<f32>(_e397.uv.x, _e326), _e397.depth, _e397.is_inside);
+                        let _e408 = lt_math_LightPoint(_e404.uv, _e339, _e404.is_inside);
+                        let _e412 = lt_math_LightPoint(_e408.uv, _e408.depth, _e390);
+                        phi_1021_ = _e412;
+                        phi_1022_ = (_e274 + 1u);
+                        phi_1023_ = lt_math_LevelPoint(_e274, _e412);
+                        phi_1024_ = true;
                     }
-                    let _e413 = phi_1017_;
-                    let _e415 = phi_1018_;
-                    let _e417 = phi_1019_;
-                    let _e419 = phi_1020_;
-                    phi_852_ = _e413;
-                    phi_855_ = _e415;
-                    phi_857_ = _e417;
-                    phi_1021_ = _e419;
+                    let _e416 = phi_1021_;
+                    let _e418 = phi_1022_;
+                    let _e420 = phi_1023_;
+                    let _e422 = phi_1024_;
+                    phi_856_ = _e416;
+                    phi_859_ = _e418;
+                    phi_861_ = _e420;
+                    phi_1025_ = _e422;
                 } else {
-                    phi_852_ = lt_math_LightPoint();
-                    phi_855_ = u32();
-                    phi_857_ = lt_math_LevelPoint();
-                    phi_1021_ = false;
+                    phi_856_ = lt_math_LightPoint();
+                    phi_859_ = u32();
+                    phi_861_ = lt_math_LevelPoint();
+                    phi_1025_ = false;
                 }
-                let _e421 = phi_852_;
-                let _e423 = phi_855_;
-                let _e425 = phi_857_;
-                let _e427 = phi_1021_;
+                let _e424 = phi_856_;
+                let _e426 = phi_859_;
+                let _e428 = phi_861_;
+                let _e430 = phi_1025_;
                 continue;
                 continuing {
-                    phi_851_ = _e421;
-                    phi_854_ = _e423;
-                    phi_856_ = _e425;
-                    break if !(_e427);
+                    phi_855_ = _e424;
+                    phi_858_ = _e426;
+                    phi_860_ = _e428;
+                    break if !(_e430);
                 }
             }
-            let _e430 = local_1;
-            if _e430.point.is_inside {
+            let _e433 = local_1;
+            if _e433.point.is_inside {
                 if (0f > 0f) {
-                    let _e436 = local_2;
-                    if (_e436.level < _e66) {
+                    let _e439 = local_2;
+                    if (_e439.level < _e69) {
                     } else {
                         return;
                     }
-                    let _e441 = levels.member[(0u + _e436.level)];
-                    let _e447 = global[0u];
-                    if (_e441.row_w.x == _e447) {
-                        let _e450 = global[1u];
-                        if (_e441.row_w.y == _e450) {
-                            let _e453 = global[2u];
-                            phi_1061_ = (_e441.row_w.z == _e453);
-                            phi_1062_ = false;
+                    let _e444 = levels.member[(0u + _e439.level)];
+                    let _e450 = global[0u];
+                    if (_e444.row_w.x == _e450) {
+                        let _e453 = global[1u];
+                        if (_e444.row_w.y == _e453) {
+                            let _e456 = global[2u];
+                            phi_1065_ = (_e444.row_w.z == _e456);
+                            phi_1066_ = false;
                         } else {
-                            phi_1061_ = bool();
-                            phi_1062_ = true;
+                            phi_1065_ = bool();
+                            phi_1066_ = true;
                         }
-                        let _e456 = phi_1061_;
-                        let _e458 = phi_1062_;
-                        phi_1063_ = _e456;
-                        phi_1064_ = _e458;
+                        let _e459 = phi_1065_;
+                        let _e461 = phi_1066_;
+                        phi_1067_ = _e459;
+                        phi_1068_ = _e461;
                     } else {
-                        phi_1063_ = bool();
-                        phi_1064_ = true;
+                        phi_1067_ = bool();
+                        phi_1068_ = true;
                     }
-                    let _e460 = phi_1063_;
-                    let _e462 = phi_1064_;
-                    if _e462 {
-                        phi_1068_ = false;
+                    let _e463 = phi_1067_;
+                    let _e465 = phi_1068_;
+                    if _e465 {
+                        phi_1072_ = false;
                     } else {
-                        phi_1068_ = _e460;
+                        phi_1072_ = _e463;
                     }
-                    let _e464 = phi_1068_;
-                    if _e464 {
-                        let _e466 = samples.member[(0u + _e72.first_primitive)].normal;
-                        let _e468 = p.member.map_size;
-                        let _e538 = ((abs(((((_e441.row_x.x * _e466.x) + (_e441.row_x.y * _e466.y)) + (_e441.row_x.z * _e466.z)) / (((_e441.row_x.x * _e441.row_x.x) + (_e441.row_x.y * _e441.row_x.y)) + (_e441.row_x.z * _e441.row_x.z)))) + abs(((((_e441.row_y.x * _e466.x) + (_e441.row_y.y * _e466.y)) + (_e441.row_y.z * _e466.z)) / (((_e441.row_y.x * _e441.row_y.x) + (_e441.row_y.y * _e441.row_y.y)) + (_e441.row_y.z * _e441.row_y.z))))) / (abs(((((_e441.row_z.x * _e466.x) + (_e441.row_z.y * _e466.y)) + (_e441.row_z.z * _e466.z)) / (((_e441.row_z.x * _e441.row_z.x) + (_e441.row_z.y * _e441.row_z.y)) + (_e441.row_z.z * _e441.row_z.z)))) * f32(_e468)));
-                        if (_e538 < 0.002f) {
-                            phi_1150_ = _e538;
+                    let _e467 = phi_1072_;
+                    if _e467 {
+                        let _e469 = samples.member[(0u + _e75.first_primitive)].normal;
+                        let _e471 = p.member.map_size;
+                        let _e541 = ((abs(((((_e444.row_x.x * _e469.x) + (_e444.row_x.y * _e469.y)) + (_e444.row_x.z * _e469.z)) / (((_e444.row_x.x * _e444.row_x.x) + (_e444.row_x.y * _e444.row_x.y)) + (_e444.row_x.z * _e444.row_x.z)))) + abs(((((_e444.row_y.x * _e469.x) + (_e444.row_y.y * _e469.y)) + (_e444.row_y.z * _e469.z)) / (((_e444.row_y.x * _e444.row_y.x) + (_e444.row_y.y * _e444.row_y.y)) + (_e444.row_y.z * _e444.row_y.z))))) / (abs(((((_e444.row_z.x * _e469.x) + (_e444.row_z.y * _e469.y)) + (_e444.row_z.z * _e469.z)) / (((_e444.row_z.x * _e444.row_z.x) + (_e444.row_z.y * _e444.row_z.y)) + (_e444.row_z.z * _e444.row_z.z)))) * f32(_e471)));
+                        if (_e541 < 0.002f) {
+                            phi_1154_ = _e541;
                         } else {
-                            phi_1150_ = 0.002f;
+                            phi_1154_ = 0.002f;
                         }
-                        let _e541 = phi_1150_;
-                        phi_1269_ = _e541;
+                        let _e544 = phi_1154_;
+                        phi_1273_ = _e544;
                     } else {
-                        let _e543 = p.member.map_size;
-                        let _e549 = samples.member[(0u + _e72.first_primitive)].position;
-                        let _e560 = ((((_e441.row_w.x * _e549.x) + (_e441.row_w.y * _e549.y)) + (_e441.row_w.z * _e549.z)) + _e441.row_w.w);
-                        let _e573 = ((_e441.row_x.x - (_e441.row_w.x * _e430.point.uv.x)) / _e560);
-                        let _e574 = ((_e441.row_x.y - (_e441.row_w.y * _e430.point.uv.x)) / _e560);
-                        let _e575 = ((_e441.row_x.z - (_e441.row_w.z * _e430.point.uv.x)) / _e560);
-                        let _e588 = ((_e441.row_y.x - (_e441.row_w.x * _e430.point.uv.y)) / _e560);
-                        let _e589 = ((_e441.row_y.y - (_e441.row_w.y * _e430.point.uv.y)) / _e560);
-                        let _e590 = ((_e441.row_y.z - (_e441.row_w.z * _e430.point.uv.y)) / _e560);
-                        let _e596 = samples.member[(0u + _e72.first_primitive)].normal;
-                        let _e601 = ((_e589 * _e596.z) - (_e596.y * _e590));
-                        let _e606 = ((_e590 * _e596.x) - (_e596.z * _e588));
-                        let _e611 = ((_e588 * _e596.y) - (_e596.x * _e589));
-                        let _e613 = samples.member[(0u + _e72.first_primitive)].normal;
-                        let _e618 = ((_e574 * _e613.z) - (_e613.y * _e575));
-                        let _e623 = ((_e575 * _e613.x) - (_e613.z * _e573));
-                        let _e628 = ((_e573 * _e613.y) - (_e613.x * _e574));
-                        let _e655 = ((abs(((((_e441.row_z.x * _e601) + (_e441.row_z.y * _e606)) + (_e441.row_z.z * _e611)) / (((_e573 * _e601) + (_e574 * _e606)) + (_e575 * _e611)))) + abs(((((_e441.row_z.x * _e618) + (_e441.row_z.y * _e623)) + (_e441.row_z.z * _e628)) / (((_e588 * _e618) + (_e589 * _e623)) + (_e590 * _e628))))) / f32(_e543));
-                        let _e657 = (16f / f32(_e543));
-                        if (_e655 < _e657) {
-                            phi_1268_ = _e655;
+                        let _e546 = p.member.map_size;
+                        let _e552 = samples.member[(0u + _e75.first_primitive)].position;
+                        let _e563 = ((((_e444.row_w.x * _e552.x) + (_e444.row_w.y * _e552.y)) + (_e444.row_w.z * _e552.z)) + _e444.row_w.w);
+                        let _e576 = ((_e444.row_x.x - (_e444.row_w.x * _e433.point.uv.x)) / _e563);
+                        let _e577 = ((_e444.row_x.y - (_e444.row_w.y * _e433.point.uv.x)) / _e563);
+                        let _e578 = ((_e444.row_x.z - (_e444.row_w.z * _e433.point.uv.x)) / _e563);
+                        let _e591 = ((_e444.row_y.x - (_e444.row_w.x * _e433.point.uv.y)) / _e563);
+                        let _e592 = ((_e444.row_y.y - (_e444.row_w.y * _e433.point.uv.y)) / _e563);
+                        let _e593 = ((_e444.row_y.z - (_e444.row_w.z * _e433.point.uv.y)) / _e563);
+                        let _e599 = samples.member[(0u + _e75.first_primitive)].normal;
+                        let _e604 = ((_e592 * _e599.z) - (_e599.y * _e593));
+                        let _e609 = ((_e593 * _e599.x) - (_e599.z * _e591));
+                        let _e614 = ((_e591 * _e599.y) - (_e599.x * _e592));
+                        let _e616 = samples.member[(0u + _e75.first_primitive)].normal;
+                        let _e621 = ((_e577 * _e616.z) - (_e616.y * _e578));
+                        let _e626 = ((_e578 * _e616.x) - (_e616.z * _e576));
+                        let _e631 = ((_e576 * _e616.y) - (_e616.x * _e577));
+                        let _e658 = ((abs(((((_e444.row_z.x * _e604) + (_e444.row_z.y * _e609)) + (_e444.row_z.z * _e614)) / (((_e576 * _e604) + (_e577 * _e609)) + (_e578 * _e614)))) + abs(((((_e444.row_z.x * _e621) + (_e444.row_z.y * _e626)) + (_e444.row_z.z * _e631)) / (((_e591 * _e621) + (_e592 * _e626)) + (_e593 * _e631))))) / f32(_e546));
+                        let _e660 = (16f / f32(_e546));
+                        if (_e658 < _e660) {
+                            phi_1272_ = _e658;
                         } else {
-                            phi_1268_ = _e657;
+                            phi_1272_ = _e660;
                         }
-                        let _e660 = phi_1268_;
-                        phi_1269_ = _e660;
+                        let _e663 = phi_1272_;
+                        phi_1273_ = _e663;
                     }
-                    let _e662 = phi_1269_;
-                    phi_1272_ = (_e430.point.depth - (0f * _e662));
+                    let _e665 = phi_1273_;
+                    phi_1276_ = (_e433.point.depth - (0f * _e665));
                 } else {
-                    phi_1272_ = _e430.point.depth;
+                    phi_1276_ = _e433.point.depth;
                 }
-                let _e666 = phi_1272_;
-                let _e672 = p.member.map_size;
-                let _e673 = f32(_e672);
-                let _e676 = ((_e430.point.uv.x * _e673) - 0.5f);
-                let _e677 = ((_e430.point.uv.y * _e673) - 0.5f);
-                if (_e676 > -8388608f) {
-                    let _e689 = f32(select(0i, select(select(i32(_e676), i32(-2147483648), (_e676 < bitcast<f32>(3472883712u))), 2147483647i, (_e676 > bitcast<f32>(1325400063u))), (_e676 == _e676)));
-                    if (_e689 > _e676) {
-                        phi_1301_ = 1f;
+                let _e669 = phi_1276_;
+                let _e675 = p.member.map_size;
+                let _e676 = f32(_e675);
+                let _e679 = ((_e433.point.uv.x * _e676) - 0.5f);
+                let _e680 = ((_e433.point.uv.y * _e676) - 0.5f);
+                if (_e679 > -8388608f) {
+                    let _e692 = f32(select(0i, select(select(i32(_e679), i32(-2147483648), (_e679 < bitcast<f32>(3472883712u))), 2147483647i, (_e679 > bitcast<f32>(1325400063u))), (_e679 == _e679)));
+                    if (_e692 > _e679) {
+                        phi_1305_ = 1f;
                     } else {
-                        phi_1301_ = 0f;
+                        phi_1305_ = 0f;
                     }
-                    let _e692 = phi_1301_;
-                    if (_e676 < 8388608f) {
-                        phi_1306_ = (_e689 - _e692);
-                        phi_1307_ = false;
+                    let _e695 = phi_1305_;
+                    if (_e679 < 8388608f) {
+                        phi_1310_ = (_e692 - _e695);
+                        phi_1311_ = false;
                     } else {
-                        phi_1306_ = f32();
-                        phi_1307_ = true;
+                        phi_1310_ = f32();
+                        phi_1311_ = true;
                     }
-                    let _e695 = phi_1306_;
-                    let _e697 = phi_1307_;
-                    phi_1308_ = _e695;
-                    phi_1309_ = _e697;
+                    let _e698 = phi_1310_;
+                    let _e700 = phi_1311_;
+                    phi_1312_ = _e698;
+                    phi_1313_ = _e700;
                 } else {
-                    phi_1308_ = f32();
-                    phi_1309_ = true;
+                    phi_1312_ = f32();
+                    phi_1313_ = true;
                 }
-                let _e699 = phi_1308_;
-                let _e701 = phi_1309_;
-                if _e701 {
-                    phi_1313_ = _e676;
+                let _e702 = phi_1312_;
+                let _e704 = phi_1313_;
+                if _e704 {
+                    phi_1317_ = _e679;
                 } else {
-                    phi_1313_ = _e699;
+                    phi_1317_ = _e702;
                 }
-                let _e703 = phi_1313_;
-                if (_e677 > -8388608f) {
-                    let _e715 = f32(select(0i, select(select(i32(_e677), i32(-2147483648), (_e677 < bitcast<f32>(3472883712u))), 2147483647i, (_e677 > bitcast<f32>(1325400063u))), (_e677 == _e677)));
-                    if (_e715 > _e677) {
-                        phi_1333_ = 1f;
+                let _e706 = phi_1317_;
+                if (_e680 > -8388608f) {
+                    let _e718 = f32(select(0i, select(select(i32(_e680), i32(-2147483648), (_e680 < bitcast<f32>(3472883712u))), 2147483647i, (_e680 > bitcast<f32>(1325400063u))), (_e680 == _e680)));
+                    if (_e718 > _e680) {
+                        phi_1337_ = 1f;
                     } else {
-                        phi_1333_ = 0f;
+                        phi_1337_ = 0f;
                     }
-                    let _e718 = phi_1333_;
-                    if (_e677 < 8388608f) {
-                        phi_1338_ = (_e715 - _e718);
-                        phi_1339_ = false;
+                    let _e721 = phi_1337_;
+                    if (_e680 < 8388608f) {
+                        phi_1342_ = (_e718 - _e721);
+                        phi_1343_ = false;
                     } else {
-                        phi_1338_ = f32();
-                        phi_1339_ = true;
+                        phi_1342_ = f32();
+                        phi_1343_ = true;
                     }
-                    let _e721 = phi_1338_;
-                    let _e723 = phi_1339_;
-                    phi_1340_ = _e721;
-                    phi_1341_ = _e723;
+                    let _e724 = phi_1342_;
+                    let _e726 = phi_1343_;
+                    phi_1344_ = _e724;
+                    phi_1345_ = _e726;
                 } else {
-                    phi_1340_ = f32();
-                    phi_1341_ = true;
+                    phi_1344_ = f32();
+                    phi_1345_ = true;
                 }
-                let _e725 = phi_1340_;
-                let _e727 = phi_1341_;
-                if _e727 {
-                    phi_1345_ = _e677;
+                let _e728 = phi_1344_;
+                let _e730 = phi_1345_;
+                if _e730 {
+                    phi_1349_ = _e680;
                 } else {
-                    phi_1345_ = _e725;
+                    phi_1349_ = _e728;
                 }
-                let _e729 = phi_1345_;
-                let _e730 = (_e676 - _e703);
-                let _e731 = (_e677 - _e729);
-                let _e740 = select(0i, select(select(i32(_e703), i32(-2147483648), (_e703 < bitcast<f32>(3472883712u))), 2147483647i, (_e703 > bitcast<f32>(1325400063u))), (_e703 == _e703));
-                let _e749 = select(0i, select(select(i32(_e729), i32(-2147483648), (_e729 < bitcast<f32>(3472883712u))), 2147483647i, (_e729 > bitcast<f32>(1325400063u))), (_e729 == _e729));
-                let _e760 = p.member.test;
-                let _e761 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e760);
-                let _e763 = p.member.map_size;
-                let _e765 = local_3;
-                local = _e761;
-                let _e768 = ((_e765.level * _e763) * _e763);
-                let _e770 = (bitcast<i32>(_e763) - 1i);
-                if (_e740 > 0i) {
-                    phi_1394_ = _e740;
+                let _e732 = phi_1349_;
+                let _e733 = (_e679 - _e706);
+                let _e734 = (_e680 - _e732);
+                let _e743 = select(0i, select(select(i32(_e706), i32(-2147483648), (_e706 < bitcast<f32>(3472883712u))), 2147483647i, (_e706 > bitcast<f32>(1325400063u))), (_e706 == _e706));
+                let _e752 = select(0i, select(select(i32(_e732), i32(-2147483648), (_e732 < bitcast<f32>(3472883712u))), 2147483647i, (_e732 > bitcast<f32>(1325400063u))), (_e732 == _e732));
+                let _e763 = p.member.test;
+                let _e764 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e763);
+                let _e766 = p.member.map_size;
+                let _e768 = local_3;
+                local = _e764;
+                let _e771 = ((_e768.level * _e766) * _e766);
+                let _e773 = (bitcast<i32>(_e766) - 1i);
+                if (_e743 > 0i) {
+                    phi_1398_ = _e743;
                 } else {
-                    phi_1394_ = 0i;
+                    phi_1398_ = 0i;
                 }
-                let _e773 = phi_1394_;
-                if (_e749 > 0i) {
-                    phi_1399_ = _e749;
+                let _e776 = phi_1398_;
+                if (_e752 > 0i) {
+                    phi_1403_ = _e752;
                 } else {
-                    phi_1399_ = 0i;
+                    phi_1403_ = 0i;
                 }
-                let _e776 = phi_1399_;
-                if (_e773 < _e770) {
-                    phi_1404_ = _e773;
+                let _e779 = phi_1403_;
+                if (_e776 < _e773) {
+                    phi_1408_ = _e776;
                 } else {
-                    phi_1404_ = _e770;
+                    phi_1408_ = _e773;
                 }
-                let _e779 = phi_1404_;
-                if (_e776 < _e770) {
-                    phi_1409_ = _e776;
+                let _e782 = phi_1408_;
+                if (_e779 < _e773) {
+                    phi_1413_ = _e779;
                 } else {
-                    phi_1409_ = _e770;
+                    phi_1413_ = _e773;
                 }
-                let _e782 = phi_1409_;
-                let _e783 = bitcast<u32>(_e779);
-                let _e785 = (_e740 + 1i);
-                let _e786 = (_e749 + 1i);
-                if (_e785 > 0i) {
-                    phi_1418_ = _e785;
+                let _e785 = phi_1413_;
+                let _e786 = bitcast<u32>(_e782);
+                let _e788 = (_e743 + 1i);
+                let _e789 = (_e752 + 1i);
+                if (_e788 > 0i) {
+                    phi_1422_ = _e788;
                 } else {
-                    phi_1418_ = 0i;
+                    phi_1422_ = 0i;
                 }
-                let _e789 = phi_1418_;
-                if (_e786 > 0i) {
-                    phi_1423_ = _e786;
+                let _e792 = phi_1422_;
+                if (_e789 > 0i) {
+                    phi_1427_ = _e789;
                 } else {
-                    phi_1423_ = 0i;
+                    phi_1427_ = 0i;
                 }
-                let _e792 = phi_1423_;
-                if (_e789 < _e770) {
-                    phi_1428_ = _e789;
+                let _e795 = phi_1427_;
+                if (_e792 < _e773) {
+                    phi_1432_ = _e792;
                 } else {
-                    phi_1428_ = _e770;
+                    phi_1432_ = _e773;
                 }
-                let _e795 = phi_1428_;
-                if (_e792 < _e770) {
-                    phi_1433_ = _e792;
+                let _e798 = phi_1432_;
+                if (_e795 < _e773) {
+                    phi_1437_ = _e795;
                 } else {
-                    phi_1433_ = _e770;
+                    phi_1437_ = _e773;
                 }
-                let _e798 = phi_1433_;
-                let _e799 = bitcast<u32>(_e795);
-                let _e801 = (bitcast<u32>(_e782) * _e763);
-                let _e802 = (bitcast<u32>(_e798) * _e763);
-                let _e807 = ((_e801 + _e783) + _e768);
-                let _e808 = ((_e801 + _e799) + _e768);
-                let _e809 = ((_e802 + _e783) + _e768);
-                let _e810 = ((_e802 + _e799) + _e768);
-                if (_e807 < _e60) {
+                let _e801 = phi_1437_;
+                let _e802 = bitcast<u32>(_e798);
+                let _e804 = (bitcast<u32>(_e785) * _e766);
+                let _e805 = (bitcast<u32>(_e801) * _e766);
+                let _e810 = ((_e804 + _e786) + _e771);
+                let _e811 = ((_e804 + _e802) + _e771);
+                let _e812 = ((_e805 + _e786) + _e771);
+                let _e813 = ((_e805 + _e802) + _e771);
+                if (_e810 < _e63) {
                 } else {
                     return;
                 }
-                let _e814 = map.member[(0u + _e807)];
-                if (_e808 < _e60) {
+                let _e817 = map.member[(0u + _e810)];
+                if (_e811 < _e63) {
                 } else {
                     return;
                 }
-                let _e818 = map.member[(0u + _e808)];
-                if (_e809 < _e60) {
+                let _e821 = map.member[(0u + _e811)];
+                if (_e812 < _e63) {
                 } else {
                     return;
                 }
-                let _e822 = map.member[(0u + _e809)];
-                if (_e810 < _e60) {
+                let _e825 = map.member[(0u + _e812)];
+                if (_e813 < _e63) {
                 } else {
                     return;
                 }
-                let _e826 = map.member[(0u + _e810)];
-                let _e828 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e814, _e818, _e822, _e826), vec4<f32>(((1f - _e730) * (1f - _e731)), (_e730 * (1f - _e731)), ((1f - _e730) * _e731), (_e730 * _e731)), _e666);
-                let _e830 = p.member.epsilon;
-                if (_e828 <= _e830) {
-                    phi_1484_ = true;
+                let _e829 = map.member[(0u + _e813)];
+                let _e831 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e817, _e821, _e825, _e829), vec4<f32>(((1f - _e733) * (1f - _e734)), (_e733 * (1f - _e734)), ((1f - _e733) * _e734), (_e733 * _e734)), _e669);
+                let _e835 = p.member.epsilon;
+                if (_e831 <= _e835) {
+                    phi_1490_ = true;
                 } else {
-                    phi_1484_ = (_e828 >= (1f - _e830));
+                    phi_1490_ = (_e831 >= (1f - _e835));
                 }
-                let _e835 = phi_1484_;
-                if ((bitcast<u32>(_e828) & 2147483647u) > 2139095040u) {
-                    phi_1492_ = true;
+                let _e840 = phi_1490_;
+                if ((bitcast<u32>(_e831) & 2147483647u) > 2139095040u) {
+                    phi_1498_ = true;
                 } else {
-                    phi_1492_ = !(_e835);
+                    phi_1498_ = !(_e840);
                 }
-                let _e841 = phi_1492_;
-                if _e841 {
-                    if (_e828 > 0f) {
-                        if (_e828 < 1f) {
-                            phi_1504_ = false;
+                let _e846 = phi_1498_;
+                if _e846 {
+                    if (_e831 > 0f) {
+                        if (_e831 < 1f) {
+                            phi_1510_ = false;
                         } else {
-                            phi_1504_ = true;
+                            phi_1510_ = true;
                         }
-                        let _e845 = phi_1504_;
-                        phi_1505_ = _e845;
+                        let _e850 = phi_1510_;
+                        phi_1511_ = _e850;
                     } else {
-                        phi_1505_ = true;
+                        phi_1511_ = true;
                     }
-                    let _e847 = phi_1505_;
-                    if _e847 {
-                        phi_1509_ = 0.5f;
+                    let _e852 = phi_1511_;
+                    if _e852 {
+                        phi_1515_ = 0.5f;
                     } else {
-                        phi_1509_ = _e828;
+                        phi_1515_ = _e831;
                     }
-                    let _e849 = phi_1509_;
-                    phi_1517_ = evaluate_Verdict(_e849, true);
+                    let _e854 = phi_1515_;
+                    phi_1523_ = evaluate_Verdict(_e854, true);
                 } else {
-                    if (_e828 > 0.5f) {
-                        phi_1515_ = 1f;
+                    if (_e831 > 0.5f) {
+                        phi_1521_ = 1f;
                     } else {
-                        phi_1515_ = 0f;
+                        phi_1521_ = 0f;
                     }
-                    let _e853 = phi_1515_;
-                    phi_1517_ = evaluate_Verdict(_e853, false);
+                    let _e858 = phi_1521_;
+                    phi_1523_ = evaluate_Verdict(_e858, false);
                 }
-                let _e856 = phi_1517_;
-                phi_1522_ = evaluate_Verdict(_e856.visibility, _e856.is_doubted);
+                let _e861 = phi_1523_;
+                let _e864 = (_e861.visibility < 0.5f);
+                if _e861.is_doubted {
+                    phi_1546_ = evaluate_Verdict();
+                    phi_1547_ = true;
+                } else {
+                    if _e864 {
+                        phi_1533_ = 2u;
+                    } else {
+                        phi_1533_ = 1u;
+                    }
+                    let _e866 = phi_1533_;
+                    if ((0u & _e866) != 0u) {
+                        if _e864 {
+                            phi_1542_ = 0.000000059604645f;
+                        } else {
+                            phi_1542_ = 0.99999994f;
+                        }
+                        let _e870 = phi_1542_;
+                        phi_1544_ = evaluate_Verdict(_e870, true);
+                        phi_1545_ = false;
+                    } else {
+                        phi_1544_ = evaluate_Verdict();
+                        phi_1545_ = true;
+                    }
+                    let _e873 = phi_1544_;
+                    let _e875 = phi_1545_;
+                    phi_1546_ = _e873;
+                    phi_1547_ = _e875;
+                }
+                let _e877 = phi_1546_;
+                let _e879 = phi_1547_;
+                if _e879 {
+                    phi_1552_ = evaluate_Verdict(_e861.visibility, _e861.is_doubted);
+                } else {
+                    phi_1552_ = _e877;
+                }
+                let _e882 = phi_1552_;
+                phi_1557_ = evaluate_Verdict(_e882.visibility, _e882.is_doubted);
             } else {
-                phi_1522_ = evaluate_Verdict(0.5f, true);
+                phi_1557_ = evaluate_Verdict(0.5f, true);
             }
-            let _e862 = phi_1522_;
-            phi_1523_ = _e862;
+            let _e888 = phi_1557_;
+            phi_1558_ = _e888;
         }
-        let _e864 = phi_1523_;
-        if (_e72.first_primitive < arrayLength((&visibility.member))) {
+        let _e890 = phi_1558_;
+        if (_e75.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e72.first_primitive)] = _e864.visibility;
+        visibility.member[(0u + _e75.first_primitive)] = _e890.visibility;
     }
     return;
 }

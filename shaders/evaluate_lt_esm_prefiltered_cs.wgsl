@@ -84,37 +84,37 @@ var<storage, read_write> visibility: type_19;
 var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_146_: lt_bvh_traverse_Tree;
-    var phi_147_: bool;
-    var phi_148_: lt_bvh_traverse_Tree;
-    var phi_149_: bool;
-    var phi_154_: lt_bvh_traverse_Tree;
+    var phi_150_: lt_bvh_traverse_Tree;
+    var phi_151_: bool;
+    var phi_152_: lt_bvh_traverse_Tree;
+    var phi_153_: bool;
+    var phi_158_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_146_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_147_ = false;
+            phi_150_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_151_ = false;
         } else {
-            phi_146_ = lt_bvh_traverse_Tree();
-            phi_147_ = true;
+            phi_150_ = lt_bvh_traverse_Tree();
+            phi_151_ = true;
         }
-        let _e59 = phi_146_;
-        let _e61 = phi_147_;
-        phi_148_ = _e59;
-        phi_149_ = _e61;
+        let _e62 = phi_150_;
+        let _e64 = phi_151_;
+        phi_152_ = _e62;
+        phi_153_ = _e64;
     } else {
-        phi_148_ = lt_bvh_traverse_Tree();
-        phi_149_ = true;
+        phi_152_ = lt_bvh_traverse_Tree();
+        phi_153_ = true;
     }
-    let _e63 = phi_148_;
-    let _e65 = phi_149_;
-    if _e65 {
-        phi_154_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e66 = phi_152_;
+    let _e68 = phi_153_;
+    if _e68 {
+        phi_158_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_154_ = _e63;
+        phi_158_ = _e66;
     }
-    let _e70 = phi_154_;
-    return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
+    let _e73 = phi_158_;
+    return lt_bvh_traverse_Tree(_e73.root, _e73.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -122,582 +122,626 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_179_: f32;
-    var phi_180_: f32;
-    var phi_181_: f32;
-    var phi_194_: bool;
-    var phi_198_: f32;
-    var phi_211_: f32;
-    var phi_216_: f32;
-    var phi_238_: f32;
-    var phi_243_: f32;
-    var phi_244_: bool;
-    var phi_245_: f32;
-    var phi_246_: bool;
-    var phi_250_: f32;
-    var phi_288_: f32;
-    var phi_304_: f32;
-    var phi_305_: f32;
-    var phi_306_: f32;
+    var phi_183_: f32;
+    var phi_184_: f32;
+    var phi_185_: f32;
+    var phi_198_: bool;
+    var phi_202_: f32;
+    var phi_215_: f32;
+    var phi_220_: f32;
+    var phi_242_: f32;
+    var phi_247_: f32;
+    var phi_248_: bool;
+    var phi_249_: f32;
+    var phi_250_: bool;
+    var phi_254_: f32;
+    var phi_292_: f32;
+    var phi_308_: f32;
+    var phi_309_: f32;
+    var phi_310_: f32;
 
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_181_ = param_6;
+        phi_185_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_180_ = 0f;
+            phi_184_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_179_ = 1f;
+                phi_183_ = 1f;
             } else {
-                phi_179_ = param_6;
+                phi_183_ = param_6;
             }
-            let _e55 = phi_179_;
-            phi_180_ = _e55;
+            let _e58 = phi_183_;
+            phi_184_ = _e58;
         }
-        let _e57 = phi_180_;
-        phi_181_ = _e57;
+        let _e60 = phi_184_;
+        phi_185_ = _e60;
     }
-    let _e59 = phi_181_;
-    let _e61 = (*param_4);
+    let _e62 = phi_185_;
+    let _e64 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_194_ = true;
+        phi_198_ = true;
     } else {
-        let _e65 = (84f < _e61);
-        if _e65 {
+        let _e68 = (84f < _e64);
+        if _e68 {
         }
-        phi_194_ = _e65;
+        phi_198_ = _e68;
     }
-    let _e67 = phi_194_;
-    if _e67 {
-        phi_198_ = 84f;
+    let _e70 = phi_198_;
+    if _e70 {
+        phi_202_ = 84f;
     } else {
-        phi_198_ = _e61;
+        phi_202_ = _e64;
     }
-    let _e69 = phi_198_;
-    let _e71 = (_e69 * (1f - _e59));
-    if ((bitcast<u32>(_e71) & 2147483647u) > 2139095040u) {
-        phi_288_ = _e71;
+    let _e72 = phi_202_;
+    let _e74 = (_e72 * (1f - _e62));
+    if ((bitcast<u32>(_e74) & 2147483647u) > 2139095040u) {
+        phi_292_ = _e74;
     } else {
-        if (_e71 < -87f) {
-            phi_211_ = -87f;
+        if (_e74 < -87f) {
+            phi_215_ = -87f;
         } else {
-            phi_211_ = _e71;
+            phi_215_ = _e74;
         }
-        let _e77 = phi_211_;
-        if (_e77 > 88f) {
-            phi_216_ = 88f;
+        let _e80 = phi_215_;
+        if (_e80 > 88f) {
+            phi_220_ = 88f;
         } else {
-            phi_216_ = _e77;
+            phi_220_ = _e80;
         }
-        let _e80 = phi_216_;
-        let _e82 = ((_e80 * 1.442695f) + 0.5f);
-        if (_e82 > -8388608f) {
-            let _e94 = f32(select(0i, select(select(i32(_e82), i32(-2147483648), (_e82 < bitcast<f32>(3472883712u))), 2147483647i, (_e82 > bitcast<f32>(1325400063u))), (_e82 == _e82)));
-            if (_e94 > _e82) {
-                phi_238_ = 1f;
+        let _e83 = phi_220_;
+        let _e85 = ((_e83 * 1.442695f) + 0.5f);
+        if (_e85 > -8388608f) {
+            let _e97 = f32(select(0i, select(select(i32(_e85), i32(-2147483648), (_e85 < bitcast<f32>(3472883712u))), 2147483647i, (_e85 > bitcast<f32>(1325400063u))), (_e85 == _e85)));
+            if (_e97 > _e85) {
+                phi_242_ = 1f;
             } else {
-                phi_238_ = 0f;
+                phi_242_ = 0f;
             }
-            let _e97 = phi_238_;
-            if (_e82 < 8388608f) {
-                phi_243_ = (_e94 - _e97);
-                phi_244_ = false;
+            let _e100 = phi_242_;
+            if (_e85 < 8388608f) {
+                phi_247_ = (_e97 - _e100);
+                phi_248_ = false;
             } else {
-                phi_243_ = f32();
-                phi_244_ = true;
+                phi_247_ = f32();
+                phi_248_ = true;
             }
-            let _e100 = phi_243_;
-            let _e102 = phi_244_;
-            phi_245_ = _e100;
-            phi_246_ = _e102;
+            let _e103 = phi_247_;
+            let _e105 = phi_248_;
+            phi_249_ = _e103;
+            phi_250_ = _e105;
         } else {
-            phi_245_ = f32();
-            phi_246_ = true;
+            phi_249_ = f32();
+            phi_250_ = true;
         }
-        let _e104 = phi_245_;
-        let _e106 = phi_246_;
-        if _e106 {
-            phi_250_ = _e82;
+        let _e107 = phi_249_;
+        let _e109 = phi_250_;
+        if _e109 {
+            phi_254_ = _e85;
         } else {
-            phi_250_ = _e104;
+            phi_254_ = _e107;
         }
-        let _e108 = phi_250_;
-        let _e112 = ((_e80 - (_e108 * 0.69314575f)) - (_e108 * 0.0000014286068f));
-        phi_288_ = ((((((((((((((((1f / 5040f) * _e112) + (1f / 720f)) * _e112) + (1f / 120f)) * _e112) + (1f / 24f)) * _e112) + (1f / 6f)) * _e112) + 0.5f) * _e112) + 1f) * _e112) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e108), i32(-2147483648), (_e108 < bitcast<f32>(3472883712u))), 2147483647i, (_e108 > bitcast<f32>(1325400063u))), (_e108 == _e108)) + 127i)) << bitcast<u32>(23i))));
+        let _e111 = phi_254_;
+        let _e115 = ((_e83 - (_e111 * 0.69314575f)) - (_e111 * 0.0000014286068f));
+        phi_292_ = ((((((((((((((((1f / 5040f) * _e115) + (1f / 720f)) * _e115) + (1f / 120f)) * _e115) + (1f / 24f)) * _e115) + (1f / 6f)) * _e115) + 0.5f) * _e115) + 1f) * _e115) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e111), i32(-2147483648), (_e111 < bitcast<f32>(3472883712u))), 2147483647i, (_e111 > bitcast<f32>(1325400063u))), (_e111 == _e111)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e148 = phi_288_;
-    let _e149 = (param_5.x * _e148);
-    if ((bitcast<u32>(_e149) & 2147483647u) > 2139095040u) {
-        phi_306_ = _e149;
+    let _e151 = phi_292_;
+    let _e152 = (param_5.x * _e151);
+    if ((bitcast<u32>(_e152) & 2147483647u) > 2139095040u) {
+        phi_310_ = _e152;
     } else {
-        if (_e149 < 0f) {
-            phi_305_ = 0f;
+        if (_e152 < 0f) {
+            phi_309_ = 0f;
         } else {
-            if (_e149 > 1f) {
-                phi_304_ = 1f;
+            if (_e152 > 1f) {
+                phi_308_ = 1f;
             } else {
-                phi_304_ = _e149;
+                phi_308_ = _e152;
             }
-            let _e156 = phi_304_;
-            phi_305_ = _e156;
+            let _e159 = phi_308_;
+            phi_309_ = _e159;
         }
-        let _e158 = phi_305_;
-        phi_306_ = _e158;
+        let _e161 = phi_309_;
+        phi_310_ = _e161;
     }
-    let _e160 = phi_306_;
-    return _e160;
+    let _e163 = phi_310_;
+    return _e163;
 }
 
 fn function_() {
     var local: f32;
-    var phi_362_: bool;
-    var phi_363_: bool;
-    var phi_364_: bool;
-    var phi_365_: bool;
+    var phi_366_: bool;
+    var phi_367_: bool;
+    var phi_368_: bool;
     var phi_369_: bool;
-    var phi_439_: bool;
-    var phi_440_: bool;
-    var phi_451_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_452_: bool;
-    var phi_453_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_454_: bool;
-    var phi_461_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_373_: bool;
+    var phi_443_: bool;
+    var phi_444_: bool;
+    var phi_455_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_456_: bool;
+    var phi_457_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_458_: bool;
     var phi_465_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_539_: bool;
-    var phi_548_: bool;
-    var phi_557_: bool;
-    var phi_558_: bool;
-    var phi_559_: bool;
-    var phi_560_: bool;
+    var phi_469_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_543_: bool;
+    var phi_552_: bool;
     var phi_561_: bool;
     var phi_562_: bool;
     var phi_563_: bool;
+    var phi_564_: bool;
+    var phi_565_: bool;
+    var phi_566_: bool;
     var phi_567_: bool;
-    var phi_657_: f32;
-    var phi_660_: f32;
-    var phi_689_: f32;
-    var phi_694_: f32;
-    var phi_695_: bool;
-    var phi_696_: f32;
-    var phi_697_: bool;
-    var phi_701_: f32;
-    var phi_721_: f32;
-    var phi_726_: f32;
-    var phi_727_: bool;
-    var phi_728_: f32;
-    var phi_729_: bool;
-    var phi_733_: f32;
-    var phi_781_: i32;
-    var phi_786_: i32;
-    var phi_791_: i32;
-    var phi_796_: i32;
-    var phi_805_: i32;
-    var phi_810_: i32;
-    var phi_815_: i32;
-    var phi_820_: i32;
-    var phi_915_: bool;
-    var phi_923_: bool;
-    var phi_935_: bool;
-    var phi_936_: bool;
-    var phi_940_: f32;
+    var phi_571_: bool;
+    var phi_661_: f32;
+    var phi_664_: f32;
+    var phi_693_: f32;
+    var phi_698_: f32;
+    var phi_699_: bool;
+    var phi_700_: f32;
+    var phi_701_: bool;
+    var phi_705_: f32;
+    var phi_725_: f32;
+    var phi_730_: f32;
+    var phi_731_: bool;
+    var phi_732_: f32;
+    var phi_733_: bool;
+    var phi_737_: f32;
+    var phi_785_: i32;
+    var phi_790_: i32;
+    var phi_795_: i32;
+    var phi_800_: i32;
+    var phi_809_: i32;
+    var phi_814_: i32;
+    var phi_819_: i32;
+    var phi_824_: i32;
+    var phi_921_: bool;
+    var phi_929_: bool;
+    var phi_941_: bool;
+    var phi_942_: bool;
     var phi_946_: f32;
-    var phi_948_: evaluate_Verdict;
-    var phi_953_: evaluate_Verdict;
+    var phi_952_: f32;
     var phi_954_: evaluate_Verdict;
+    var phi_964_: u32;
+    var phi_973_: f32;
+    var phi_975_: evaluate_Verdict;
+    var phi_976_: bool;
+    var phi_977_: evaluate_Verdict;
+    var phi_978_: bool;
+    var phi_983_: evaluate_Verdict;
+    var phi_988_: evaluate_Verdict;
+    var phi_989_: evaluate_Verdict;
 
-    let _e47 = id_1;
-    let _e54 = arrayLength((&map.member));
-    let _e60 = p.member.size[0u];
-    let _e62 = p.member.size[1u];
-    let _e63 = lt_shaders_entry_pixel_index(_e47, _e60, _e62);
-    if (bitcast<i32>(_e63.root) != 0i) {
-        let _e69 = p.member.projection;
-        if (_e63.first_primitive < arrayLength((&samples.member))) {
+    let _e50 = id_1;
+    let _e57 = arrayLength((&map.member));
+    let _e63 = p.member.size[0u];
+    let _e65 = p.member.size[1u];
+    let _e66 = lt_shaders_entry_pixel_index(_e50, _e63, _e65);
+    if (bitcast<i32>(_e66.root) != 0i) {
+        let _e72 = p.member.projection;
+        if (_e66.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e73 = lt_math_OneLevel(_e69);
-        let _e77 = samples.member[(0u + _e63.first_primitive)].normal[0u];
-        let _e79 = global[0u];
-        if (_e77 == _e79) {
-            let _e82 = samples.member[(0u + _e63.first_primitive)].normal[1u];
-            let _e84 = global[1u];
-            if (_e82 == _e84) {
-                let _e87 = samples.member[(0u + _e63.first_primitive)].normal[2u];
-                let _e89 = global[2u];
-                phi_362_ = (_e87 == _e89);
-                phi_363_ = false;
+        let _e76 = lt_math_OneLevel(_e72);
+        let _e80 = samples.member[(0u + _e66.first_primitive)].normal[0u];
+        let _e82 = global[0u];
+        if (_e80 == _e82) {
+            let _e85 = samples.member[(0u + _e66.first_primitive)].normal[1u];
+            let _e87 = global[1u];
+            if (_e85 == _e87) {
+                let _e90 = samples.member[(0u + _e66.first_primitive)].normal[2u];
+                let _e92 = global[2u];
+                phi_366_ = (_e90 == _e92);
+                phi_367_ = false;
             } else {
-                phi_362_ = bool();
-                phi_363_ = true;
+                phi_366_ = bool();
+                phi_367_ = true;
             }
-            let _e92 = phi_362_;
-            let _e94 = phi_363_;
-            phi_364_ = _e92;
-            phi_365_ = _e94;
+            let _e95 = phi_366_;
+            let _e97 = phi_367_;
+            phi_368_ = _e95;
+            phi_369_ = _e97;
         } else {
-            phi_364_ = bool();
-            phi_365_ = true;
+            phi_368_ = bool();
+            phi_369_ = true;
         }
-        let _e96 = phi_364_;
-        let _e98 = phi_365_;
-        if _e98 {
-            phi_369_ = false;
+        let _e99 = phi_368_;
+        let _e101 = phi_369_;
+        if _e101 {
+            phi_373_ = false;
         } else {
-            phi_369_ = _e96;
+            phi_373_ = _e99;
         }
-        let _e100 = phi_369_;
-        if !(_e100) {
-            let _e103 = samples.member[(0u + _e63.first_primitive)].position;
-            let _e105 = p.member.light.place;
-            let _e111 = p.member.light.place[3u];
-            let _e118 = (_e105.x - (_e103.x * _e111));
-            let _e119 = (_e105.y - (_e103.y * _e111));
-            let _e120 = (_e105.z - (_e103.z * _e111));
-            let _e122 = samples.member[(0u + _e63.first_primitive)].normal;
-            if ((((_e122.x * _e118) + (_e122.y * _e119)) + (_e122.z * _e120)) > 0f) {
-                let _e136 = (((_e118 * _e118) + (_e119 * _e119)) + (_e120 * _e120));
-                let _e138 = p.member.light.axis;
-                let _e150 = p.member.light.place[3u];
-                if (_e150 == 0f) {
-                    phi_440_ = true;
+        let _e103 = phi_373_;
+        if !(_e103) {
+            let _e106 = samples.member[(0u + _e66.first_primitive)].position;
+            let _e108 = p.member.light.place;
+            let _e114 = p.member.light.place[3u];
+            let _e121 = (_e108.x - (_e106.x * _e114));
+            let _e122 = (_e108.y - (_e106.y * _e114));
+            let _e123 = (_e108.z - (_e106.z * _e114));
+            let _e125 = samples.member[(0u + _e66.first_primitive)].normal;
+            if ((((_e125.x * _e121) + (_e125.y * _e122)) + (_e125.z * _e123)) > 0f) {
+                let _e139 = (((_e121 * _e121) + (_e122 * _e122)) + (_e123 * _e123));
+                let _e141 = p.member.light.axis;
+                let _e153 = p.member.light.place[3u];
+                if (_e153 == 0f) {
+                    phi_444_ = true;
                 } else {
-                    let _e153 = p.member.light.range_squared;
-                    if (_e136 <= _e153) {
-                        let _e156 = p.member.light.cos_outer;
-                        phi_439_ = (-((((_e118 * _e138.x) + (_e119 * _e138.y)) + (_e120 * _e138.z))) >= (_e156 * sqrt(_e136)));
+                    let _e156 = p.member.light.range_squared;
+                    if (_e139 <= _e156) {
+                        let _e159 = p.member.light.cos_outer;
+                        phi_443_ = (-((((_e121 * _e141.x) + (_e122 * _e141.y)) + (_e123 * _e141.z))) >= (_e159 * sqrt(_e139)));
                     } else {
-                        phi_439_ = false;
+                        phi_443_ = false;
                     }
-                    let _e161 = phi_439_;
-                    phi_440_ = _e161;
+                    let _e164 = phi_443_;
+                    phi_444_ = _e164;
                 }
-                let _e163 = phi_440_;
-                if _e163 {
-                    let _e165 = samples.member[(0u + _e63.first_primitive)].flags;
-                    let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
-                    phi_451_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
-                    phi_452_ = false;
+                let _e166 = phi_444_;
+                if _e166 {
+                    let _e168 = samples.member[(0u + _e66.first_primitive)].flags;
+                    let _e176 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e182 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e176.unnamed.visibility, false), _e176.unnamed_1);
+                    phi_455_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e182.unnamed, ((_e168 & 1u) == 0u));
+                    phi_456_ = false;
                 } else {
-                    phi_451_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_452_ = true;
+                    phi_455_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_456_ = true;
                 }
-                let _e184 = phi_451_;
-                let _e186 = phi_452_;
-                phi_453_ = _e184;
-                phi_454_ = _e186;
+                let _e187 = phi_455_;
+                let _e189 = phi_456_;
+                phi_457_ = _e187;
+                phi_458_ = _e189;
             } else {
-                phi_453_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_454_ = true;
+                phi_457_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_458_ = true;
             }
-            let _e188 = phi_453_;
-            let _e190 = phi_454_;
-            if _e190 {
-                let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e202 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e196.unnamed.visibility, false), _e196.unnamed_1);
-                phi_461_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e202.unnamed, true);
+            let _e191 = phi_457_;
+            let _e193 = phi_458_;
+            if _e193 {
+                let _e199 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e205 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e199.unnamed.visibility, false), _e199.unnamed_1);
+                phi_465_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e205.unnamed, true);
             } else {
-                phi_461_ = _e188;
+                phi_465_ = _e191;
             }
-            let _e207 = phi_461_;
-            phi_465_ = _e207;
+            let _e210 = phi_465_;
+            phi_469_ = _e210;
         } else {
-            let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
-            phi_465_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
+            let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e216.unnamed.visibility, false), _e216.unnamed_1);
+            phi_469_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e222.unnamed, true);
         }
-        let _e224 = phi_465_;
-        if _e224.unnamed_1 {
-            phi_954_ = evaluate_Verdict(_e224.unnamed.visibility, _e224.unnamed.is_doubted);
+        let _e227 = phi_469_;
+        if _e227.unnamed_1 {
+            phi_989_ = evaluate_Verdict(_e227.unnamed.visibility, _e227.unnamed.is_doubted);
         } else {
-            let _e232 = samples.member[(0u + _e63.first_primitive)].position;
-            let _e250 = ((((_e73.projection.row_w.x * _e232.x) + (_e73.projection.row_w.y * _e232.y)) + (_e73.projection.row_w.z * _e232.z)) + (_e73.projection.row_w.w * 1f));
-            let _e264 = (((((_e73.projection.row_x.x * _e232.x) + (_e73.projection.row_x.y * _e232.y)) + (_e73.projection.row_x.z * _e232.z)) + (_e73.projection.row_x.w * 1f)) / _e250);
-            let _e278 = (((((_e73.projection.row_y.x * _e232.x) + (_e73.projection.row_y.y * _e232.y)) + (_e73.projection.row_y.z * _e232.z)) + (_e73.projection.row_y.w * 1f)) / _e250);
-            let _e291 = ((((_e73.projection.row_z.x * _e232.x) + (_e73.projection.row_z.y * _e232.y)) + (_e73.projection.row_z.z * _e232.z)) + (_e73.projection.row_z.w * 1f));
-            if (_e250 > 0f) {
-                if (_e264 >= 0f) {
-                    phi_539_ = (_e264 <= 1f);
+            let _e235 = samples.member[(0u + _e66.first_primitive)].position;
+            let _e253 = ((((_e76.projection.row_w.x * _e235.x) + (_e76.projection.row_w.y * _e235.y)) + (_e76.projection.row_w.z * _e235.z)) + (_e76.projection.row_w.w * 1f));
+            let _e267 = (((((_e76.projection.row_x.x * _e235.x) + (_e76.projection.row_x.y * _e235.y)) + (_e76.projection.row_x.z * _e235.z)) + (_e76.projection.row_x.w * 1f)) / _e253);
+            let _e281 = (((((_e76.projection.row_y.x * _e235.x) + (_e76.projection.row_y.y * _e235.y)) + (_e76.projection.row_y.z * _e235.z)) + (_e76.projection.row_y.w * 1f)) / _e253);
+            let _e294 = ((((_e76.projection.row_z.x * _e235.x) + (_e76.projection.row_z.y * _e235.y)) + (_e76.projection.row_z.z * _e235.z)) + (_e76.projection.row_z.w * 1f));
+            if (_e253 > 0f) {
+                if (_e267 >= 0f) {
+                    phi_543_ = (_e267 <= 1f);
                 } else {
-                    phi_539_ = false;
+                    phi_543_ = false;
                 }
-                let _e296 = phi_539_;
-                if _e296 {
-                    if (_e278 >= 0f) {
-                        phi_548_ = (_e278 <= 1f);
+                let _e299 = phi_543_;
+                if _e299 {
+                    if (_e281 >= 0f) {
+                        phi_552_ = (_e281 <= 1f);
                     } else {
-                        phi_548_ = false;
+                        phi_552_ = false;
                     }
-                    let _e300 = phi_548_;
-                    if _e300 {
-                        if (_e291 >= 0f) {
-                            phi_557_ = (_e291 <= 1f);
+                    let _e303 = phi_552_;
+                    if _e303 {
+                        if (_e294 >= 0f) {
+                            phi_561_ = (_e294 <= 1f);
                         } else {
-                            phi_557_ = false;
+                            phi_561_ = false;
                         }
-                        let _e304 = phi_557_;
-                        phi_558_ = _e304;
-                        phi_559_ = false;
+                        let _e307 = phi_561_;
+                        phi_562_ = _e307;
+                        phi_563_ = false;
                     } else {
-                        phi_558_ = bool();
-                        phi_559_ = true;
+                        phi_562_ = bool();
+                        phi_563_ = true;
                     }
-                    let _e306 = phi_558_;
-                    let _e308 = phi_559_;
-                    phi_560_ = _e306;
-                    phi_561_ = _e308;
+                    let _e309 = phi_562_;
+                    let _e311 = phi_563_;
+                    phi_564_ = _e309;
+                    phi_565_ = _e311;
                 } else {
-                    phi_560_ = bool();
-                    phi_561_ = true;
+                    phi_564_ = bool();
+                    phi_565_ = true;
                 }
-                let _e310 = phi_560_;
-                let _e312 = phi_561_;
-                phi_562_ = _e310;
-                phi_563_ = _e312;
+                let _e313 = phi_564_;
+                let _e315 = phi_565_;
+                phi_566_ = _e313;
+                phi_567_ = _e315;
             } else {
-                phi_562_ = bool();
-                phi_563_ = true;
+                phi_566_ = bool();
+                phi_567_ = true;
             }
-            let _e314 = phi_562_;
-            let _e316 = phi_563_;
-            if _e316 {
-                phi_567_ = false;
+            let _e317 = phi_566_;
+            let _e319 = phi_567_;
+            if _e319 {
+                phi_571_ = false;
             } else {
-                phi_567_ = _e314;
+                phi_571_ = _e317;
             }
-            let _e318 = phi_567_;
-            if _e318 {
+            let _e321 = phi_571_;
+            if _e321 {
                 if (0f > 0f) {
-                    let _e321 = samples.member[(0u + _e63.first_primitive)].normal;
-                    let _e323 = p.member.map_size;
-                    let _e393 = ((abs(((((_e69.row_x.x * _e321.x) + (_e69.row_x.y * _e321.y)) + (_e69.row_x.z * _e321.z)) / (((_e69.row_x.x * _e69.row_x.x) + (_e69.row_x.y * _e69.row_x.y)) + (_e69.row_x.z * _e69.row_x.z)))) + abs(((((_e69.row_y.x * _e321.x) + (_e69.row_y.y * _e321.y)) + (_e69.row_y.z * _e321.z)) / (((_e69.row_y.x * _e69.row_y.x) + (_e69.row_y.y * _e69.row_y.y)) + (_e69.row_y.z * _e69.row_y.z))))) / (abs(((((_e69.row_z.x * _e321.x) + (_e69.row_z.y * _e321.y)) + (_e69.row_z.z * _e321.z)) / (((_e69.row_z.x * _e69.row_z.x) + (_e69.row_z.y * _e69.row_z.y)) + (_e69.row_z.z * _e69.row_z.z)))) * f32(_e323)));
-                    if (_e393 < 0.002f) {
-                        phi_657_ = _e393;
+                    let _e324 = samples.member[(0u + _e66.first_primitive)].normal;
+                    let _e326 = p.member.map_size;
+                    let _e396 = ((abs(((((_e72.row_x.x * _e324.x) + (_e72.row_x.y * _e324.y)) + (_e72.row_x.z * _e324.z)) / (((_e72.row_x.x * _e72.row_x.x) + (_e72.row_x.y * _e72.row_x.y)) + (_e72.row_x.z * _e72.row_x.z)))) + abs(((((_e72.row_y.x * _e324.x) + (_e72.row_y.y * _e324.y)) + (_e72.row_y.z * _e324.z)) / (((_e72.row_y.x * _e72.row_y.x) + (_e72.row_y.y * _e72.row_y.y)) + (_e72.row_y.z * _e72.row_y.z))))) / (abs(((((_e72.row_z.x * _e324.x) + (_e72.row_z.y * _e324.y)) + (_e72.row_z.z * _e324.z)) / (((_e72.row_z.x * _e72.row_z.x) + (_e72.row_z.y * _e72.row_z.y)) + (_e72.row_z.z * _e72.row_z.z)))) * f32(_e326)));
+                    if (_e396 < 0.002f) {
+                        phi_661_ = _e396;
                     } else {
-                        phi_657_ = 0.002f;
+                        phi_661_ = 0.002f;
                     }
-                    let _e396 = phi_657_;
-                    phi_660_ = (_e291 - (0f * _e396));
+                    let _e399 = phi_661_;
+                    phi_664_ = (_e294 - (0f * _e399));
                 } else {
-                    phi_660_ = _e291;
+                    phi_664_ = _e294;
                 }
-                let _e400 = phi_660_;
-                let _e402 = p.member.map_size;
-                let _e403 = f32(_e402);
-                let _e406 = ((_e264 * _e403) - 0.5f);
-                let _e407 = ((_e278 * _e403) - 0.5f);
-                if (_e406 > -8388608f) {
-                    let _e419 = f32(select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406)));
-                    if (_e419 > _e406) {
-                        phi_689_ = 1f;
+                let _e403 = phi_664_;
+                let _e405 = p.member.map_size;
+                let _e406 = f32(_e405);
+                let _e409 = ((_e267 * _e406) - 0.5f);
+                let _e410 = ((_e281 * _e406) - 0.5f);
+                if (_e409 > -8388608f) {
+                    let _e422 = f32(select(0i, select(select(i32(_e409), i32(-2147483648), (_e409 < bitcast<f32>(3472883712u))), 2147483647i, (_e409 > bitcast<f32>(1325400063u))), (_e409 == _e409)));
+                    if (_e422 > _e409) {
+                        phi_693_ = 1f;
                     } else {
-                        phi_689_ = 0f;
+                        phi_693_ = 0f;
                     }
-                    let _e422 = phi_689_;
-                    if (_e406 < 8388608f) {
-                        phi_694_ = (_e419 - _e422);
-                        phi_695_ = false;
+                    let _e425 = phi_693_;
+                    if (_e409 < 8388608f) {
+                        phi_698_ = (_e422 - _e425);
+                        phi_699_ = false;
                     } else {
-                        phi_694_ = f32();
-                        phi_695_ = true;
+                        phi_698_ = f32();
+                        phi_699_ = true;
                     }
-                    let _e425 = phi_694_;
-                    let _e427 = phi_695_;
-                    phi_696_ = _e425;
-                    phi_697_ = _e427;
+                    let _e428 = phi_698_;
+                    let _e430 = phi_699_;
+                    phi_700_ = _e428;
+                    phi_701_ = _e430;
                 } else {
-                    phi_696_ = f32();
-                    phi_697_ = true;
+                    phi_700_ = f32();
+                    phi_701_ = true;
                 }
-                let _e429 = phi_696_;
-                let _e431 = phi_697_;
-                if _e431 {
-                    phi_701_ = _e406;
+                let _e432 = phi_700_;
+                let _e434 = phi_701_;
+                if _e434 {
+                    phi_705_ = _e409;
                 } else {
-                    phi_701_ = _e429;
+                    phi_705_ = _e432;
                 }
-                let _e433 = phi_701_;
-                if (_e407 > -8388608f) {
-                    let _e445 = f32(select(0i, select(select(i32(_e407), i32(-2147483648), (_e407 < bitcast<f32>(3472883712u))), 2147483647i, (_e407 > bitcast<f32>(1325400063u))), (_e407 == _e407)));
-                    if (_e445 > _e407) {
-                        phi_721_ = 1f;
+                let _e436 = phi_705_;
+                if (_e410 > -8388608f) {
+                    let _e448 = f32(select(0i, select(select(i32(_e410), i32(-2147483648), (_e410 < bitcast<f32>(3472883712u))), 2147483647i, (_e410 > bitcast<f32>(1325400063u))), (_e410 == _e410)));
+                    if (_e448 > _e410) {
+                        phi_725_ = 1f;
                     } else {
-                        phi_721_ = 0f;
+                        phi_725_ = 0f;
                     }
-                    let _e448 = phi_721_;
-                    if (_e407 < 8388608f) {
-                        phi_726_ = (_e445 - _e448);
-                        phi_727_ = false;
+                    let _e451 = phi_725_;
+                    if (_e410 < 8388608f) {
+                        phi_730_ = (_e448 - _e451);
+                        phi_731_ = false;
                     } else {
-                        phi_726_ = f32();
-                        phi_727_ = true;
+                        phi_730_ = f32();
+                        phi_731_ = true;
                     }
-                    let _e451 = phi_726_;
-                    let _e453 = phi_727_;
-                    phi_728_ = _e451;
-                    phi_729_ = _e453;
+                    let _e454 = phi_730_;
+                    let _e456 = phi_731_;
+                    phi_732_ = _e454;
+                    phi_733_ = _e456;
                 } else {
-                    phi_728_ = f32();
-                    phi_729_ = true;
+                    phi_732_ = f32();
+                    phi_733_ = true;
                 }
-                let _e455 = phi_728_;
-                let _e457 = phi_729_;
-                if _e457 {
-                    phi_733_ = _e407;
+                let _e458 = phi_732_;
+                let _e460 = phi_733_;
+                if _e460 {
+                    phi_737_ = _e410;
                 } else {
-                    phi_733_ = _e455;
+                    phi_737_ = _e458;
                 }
-                let _e459 = phi_733_;
-                let _e460 = (_e406 - _e433);
-                let _e461 = (_e407 - _e459);
-                let _e470 = select(0i, select(select(i32(_e433), i32(-2147483648), (_e433 < bitcast<f32>(3472883712u))), 2147483647i, (_e433 > bitcast<f32>(1325400063u))), (_e433 == _e433));
-                let _e479 = select(0i, select(select(i32(_e459), i32(-2147483648), (_e459 < bitcast<f32>(3472883712u))), 2147483647i, (_e459 > bitcast<f32>(1325400063u))), (_e459 == _e459));
-                let _e482 = ((1f - _e460) * (1f - _e461));
-                let _e484 = (_e460 * (1f - _e461));
-                let _e486 = ((1f - _e460) * _e461);
-                let _e487 = (_e460 * _e461);
-                let _e489 = p.member.test;
-                let _e490 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e489);
-                let _e492 = p.member.map_size;
-                local = _e490;
-                let _e494 = ((0u * _e492) * _e492);
-                let _e496 = (bitcast<i32>(_e492) - 1i);
-                if (_e470 > 0i) {
-                    phi_781_ = _e470;
+                let _e462 = phi_737_;
+                let _e463 = (_e409 - _e436);
+                let _e464 = (_e410 - _e462);
+                let _e473 = select(0i, select(select(i32(_e436), i32(-2147483648), (_e436 < bitcast<f32>(3472883712u))), 2147483647i, (_e436 > bitcast<f32>(1325400063u))), (_e436 == _e436));
+                let _e482 = select(0i, select(select(i32(_e462), i32(-2147483648), (_e462 < bitcast<f32>(3472883712u))), 2147483647i, (_e462 > bitcast<f32>(1325400063u))), (_e462 == _e462));
+                let _e485 = ((1f - _e463) * (1f - _e464));
+                let _e487 = (_e463 * (1f - _e464));
+                let _e489 = ((1f - _e463) * _e464);
+                let _e490 = (_e463 * _e464);
+                let _e492 = p.member.test;
+                let _e493 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e492);
+                let _e495 = p.member.map_size;
+                local = _e493;
+                let _e497 = ((0u * _e495) * _e495);
+                let _e499 = (bitcast<i32>(_e495) - 1i);
+                if (_e473 > 0i) {
+                    phi_785_ = _e473;
                 } else {
-                    phi_781_ = 0i;
+                    phi_785_ = 0i;
                 }
-                let _e499 = phi_781_;
-                if (_e479 > 0i) {
-                    phi_786_ = _e479;
+                let _e502 = phi_785_;
+                if (_e482 > 0i) {
+                    phi_790_ = _e482;
                 } else {
-                    phi_786_ = 0i;
+                    phi_790_ = 0i;
                 }
-                let _e502 = phi_786_;
-                if (_e499 < _e496) {
-                    phi_791_ = _e499;
+                let _e505 = phi_790_;
+                if (_e502 < _e499) {
+                    phi_795_ = _e502;
                 } else {
-                    phi_791_ = _e496;
+                    phi_795_ = _e499;
                 }
-                let _e505 = phi_791_;
-                if (_e502 < _e496) {
-                    phi_796_ = _e502;
+                let _e508 = phi_795_;
+                if (_e505 < _e499) {
+                    phi_800_ = _e505;
                 } else {
-                    phi_796_ = _e496;
+                    phi_800_ = _e499;
                 }
-                let _e508 = phi_796_;
-                let _e509 = bitcast<u32>(_e505);
-                let _e511 = (_e470 + 1i);
-                let _e512 = (_e479 + 1i);
-                if (_e511 > 0i) {
-                    phi_805_ = _e511;
+                let _e511 = phi_800_;
+                let _e512 = bitcast<u32>(_e508);
+                let _e514 = (_e473 + 1i);
+                let _e515 = (_e482 + 1i);
+                if (_e514 > 0i) {
+                    phi_809_ = _e514;
                 } else {
-                    phi_805_ = 0i;
+                    phi_809_ = 0i;
                 }
-                let _e515 = phi_805_;
-                if (_e512 > 0i) {
-                    phi_810_ = _e512;
+                let _e518 = phi_809_;
+                if (_e515 > 0i) {
+                    phi_814_ = _e515;
                 } else {
-                    phi_810_ = 0i;
+                    phi_814_ = 0i;
                 }
-                let _e518 = phi_810_;
-                if (_e515 < _e496) {
-                    phi_815_ = _e515;
+                let _e521 = phi_814_;
+                if (_e518 < _e499) {
+                    phi_819_ = _e518;
                 } else {
-                    phi_815_ = _e496;
+                    phi_819_ = _e499;
                 }
-                let _e521 = phi_815_;
-                if (_e518 < _e496) {
-                    phi_820_ = _e518;
+                let _e524 = phi_819_;
+                if (_e521 < _e499) {
+                    phi_824_ = _e521;
                 } else {
-                    phi_820_ = _e496;
+                    phi_824_ = _e499;
                 }
-                let _e524 = phi_820_;
-                let _e525 = bitcast<u32>(_e521);
-                let _e527 = (bitcast<u32>(_e508) * _e492);
-                let _e528 = (bitcast<u32>(_e524) * _e492);
-                let _e533 = ((_e527 + _e509) + _e494);
-                let _e534 = ((_e527 + _e525) + _e494);
-                let _e535 = ((_e528 + _e509) + _e494);
-                let _e536 = ((_e528 + _e525) + _e494);
-                if (_e533 < _e54) {
+                let _e527 = phi_824_;
+                let _e528 = bitcast<u32>(_e524);
+                let _e530 = (bitcast<u32>(_e511) * _e495);
+                let _e531 = (bitcast<u32>(_e527) * _e495);
+                let _e536 = ((_e530 + _e512) + _e497);
+                let _e537 = ((_e530 + _e528) + _e497);
+                let _e538 = ((_e531 + _e512) + _e497);
+                let _e539 = ((_e531 + _e528) + _e497);
+                if (_e536 < _e57) {
                 } else {
                     return;
                 }
-                let _e540 = map.member[(0u + _e533)];
-                if (_e534 < _e54) {
+                let _e543 = map.member[(0u + _e536)];
+                if (_e537 < _e57) {
                 } else {
                     return;
                 }
-                let _e552 = map.member[(0u + _e534)];
-                if (_e535 < _e54) {
+                let _e555 = map.member[(0u + _e537)];
+                if (_e538 < _e57) {
                 } else {
                     return;
                 }
-                let _e568 = map.member[(0u + _e535)];
-                if (_e536 < _e54) {
+                let _e571 = map.member[(0u + _e538)];
+                if (_e539 < _e57) {
                 } else {
                     return;
                 }
-                let _e584 = map.member[(0u + _e536)];
-                let _e598 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e540.x * _e482) + (_e552.x * _e484)) + (_e568.x * _e486)) + (_e584.x * _e487)), ((((_e540.y * _e482) + (_e552.y * _e484)) + (_e568.y * _e486)) + (_e584.y * _e487)), ((((_e540.z * _e482) + (_e552.z * _e484)) + (_e568.z * _e486)) + (_e584.z * _e487)), ((((_e540.w * _e482) + (_e552.w * _e484)) + (_e568.w * _e486)) + (_e584.w * _e487))), _e400);
-                let _e600 = p.member.epsilon;
-                if (_e598 <= _e600) {
-                    phi_915_ = true;
+                let _e587 = map.member[(0u + _e539)];
+                let _e601 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e543.x * _e485) + (_e555.x * _e487)) + (_e571.x * _e489)) + (_e587.x * _e490)), ((((_e543.y * _e485) + (_e555.y * _e487)) + (_e571.y * _e489)) + (_e587.y * _e490)), ((((_e543.z * _e485) + (_e555.z * _e487)) + (_e571.z * _e489)) + (_e587.z * _e490)), ((((_e543.w * _e485) + (_e555.w * _e487)) + (_e571.w * _e489)) + (_e587.w * _e490))), _e403);
+                let _e605 = p.member.epsilon;
+                if (_e601 <= _e605) {
+                    phi_921_ = true;
                 } else {
-                    phi_915_ = (_e598 >= (1f - _e600));
+                    phi_921_ = (_e601 >= (1f - _e605));
                 }
-                let _e605 = phi_915_;
-                if ((bitcast<u32>(_e598) & 2147483647u) > 2139095040u) {
-                    phi_923_ = true;
+                let _e610 = phi_921_;
+                if ((bitcast<u32>(_e601) & 2147483647u) > 2139095040u) {
+                    phi_929_ = true;
                 } else {
-                    phi_923_ = !(_e605);
+                    phi_929_ = !(_e610);
                 }
-                let _e611 = phi_923_;
-                if _e611 {
-                    if (_e598 > 0f) {
-                        if (_e598 < 1f) {
-                            phi_935_ = false;
+                let _e616 = phi_929_;
+                if _e616 {
+                    if (_e601 > 0f) {
+                        if (_e601 < 1f) {
+                            phi_941_ = false;
                         } else {
-                            phi_935_ = true;
+                            phi_941_ = true;
                         }
-                        let _e615 = phi_935_;
-                        phi_936_ = _e615;
+                        let _e620 = phi_941_;
+                        phi_942_ = _e620;
                     } else {
-                        phi_936_ = true;
+                        phi_942_ = true;
                     }
-                    let _e617 = phi_936_;
-                    if _e617 {
-                        phi_940_ = 0.5f;
+                    let _e622 = phi_942_;
+                    if _e622 {
+                        phi_946_ = 0.5f;
                     } else {
-                        phi_940_ = _e598;
+                        phi_946_ = _e601;
                     }
-                    let _e619 = phi_940_;
-                    phi_948_ = evaluate_Verdict(_e619, true);
+                    let _e624 = phi_946_;
+                    phi_954_ = evaluate_Verdict(_e624, true);
                 } else {
-                    if (_e598 > 0.5f) {
-                        phi_946_ = 1f;
+                    if (_e601 > 0.5f) {
+                        phi_952_ = 1f;
                     } else {
-                        phi_946_ = 0f;
+                        phi_952_ = 0f;
                     }
-                    let _e623 = phi_946_;
-                    phi_948_ = evaluate_Verdict(_e623, false);
+                    let _e628 = phi_952_;
+                    phi_954_ = evaluate_Verdict(_e628, false);
                 }
-                let _e626 = phi_948_;
-                phi_953_ = evaluate_Verdict(_e626.visibility, _e626.is_doubted);
+                let _e631 = phi_954_;
+                let _e634 = (_e631.visibility < 0.5f);
+                if _e631.is_doubted {
+                    phi_977_ = evaluate_Verdict();
+                    phi_978_ = true;
+                } else {
+                    if _e634 {
+                        phi_964_ = 2u;
+                    } else {
+                        phi_964_ = 1u;
+                    }
+                    let _e636 = phi_964_;
+                    if ((0u & _e636) != 0u) {
+                        if _e634 {
+                            phi_973_ = 0.000000059604645f;
+                        } else {
+                            phi_973_ = 0.99999994f;
+                        }
+                        let _e640 = phi_973_;
+                        phi_975_ = evaluate_Verdict(_e640, true);
+                        phi_976_ = false;
+                    } else {
+                        phi_975_ = evaluate_Verdict();
+                        phi_976_ = true;
+                    }
+                    let _e643 = phi_975_;
+                    let _e645 = phi_976_;
+                    phi_977_ = _e643;
+                    phi_978_ = _e645;
+                }
+                let _e647 = phi_977_;
+                let _e649 = phi_978_;
+                if _e649 {
+                    phi_983_ = evaluate_Verdict(_e631.visibility, _e631.is_doubted);
+                } else {
+                    phi_983_ = _e647;
+                }
+                let _e652 = phi_983_;
+                phi_988_ = evaluate_Verdict(_e652.visibility, _e652.is_doubted);
             } else {
-                phi_953_ = evaluate_Verdict(0.5f, true);
+                phi_988_ = evaluate_Verdict(0.5f, true);
             }
-            let _e632 = phi_953_;
-            phi_954_ = _e632;
+            let _e658 = phi_988_;
+            phi_989_ = _e658;
         }
-        let _e634 = phi_954_;
-        if (_e63.first_primitive < arrayLength((&visibility.member))) {
+        let _e660 = phi_989_;
+        if (_e66.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e63.first_primitive)] = _e634.visibility;
+        visibility.member[(0u + _e66.first_primitive)] = _e660.visibility;
     }
     return;
 }

@@ -64,10 +64,8 @@ struct type_31 {
     member: abi_ShadowParams,
 }
 
-struct lt_math_Evsm {
-    positive_exponent: f32,
-    negative_exponent: f32,
-    min_variance: f32,
+struct type_35 {
+    member: array<lt_math_LightProjection>,
 }
 
 struct lt_math_LightPoint {
@@ -76,13 +74,15 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_38 {
-    member: array<lt_math_LightProjection>,
-}
-
 struct lt_math_LevelPoint {
     level: u32,
     point: lt_math_LightPoint,
+}
+
+struct lt_math_Evsm {
+    positive_exponent: f32,
+    negative_exponent: f32,
+    min_variance: f32,
 }
 
 var<private> id_1: vec3<u32>;
@@ -96,40 +96,40 @@ var<storage> map: type_19;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_19;
 @group(0) @binding(4) 
-var<storage> levels: type_38;
+var<storage> levels: type_35;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_163_: lt_bvh_traverse_Tree;
-    var phi_164_: bool;
-    var phi_165_: lt_bvh_traverse_Tree;
-    var phi_166_: bool;
-    var phi_171_: lt_bvh_traverse_Tree;
+    var phi_167_: lt_bvh_traverse_Tree;
+    var phi_168_: bool;
+    var phi_169_: lt_bvh_traverse_Tree;
+    var phi_170_: bool;
+    var phi_175_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_163_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_164_ = false;
+            phi_167_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_168_ = false;
         } else {
-            phi_163_ = lt_bvh_traverse_Tree();
-            phi_164_ = true;
+            phi_167_ = lt_bvh_traverse_Tree();
+            phi_168_ = true;
         }
-        let _e66 = phi_163_;
-        let _e68 = phi_164_;
-        phi_165_ = _e66;
-        phi_166_ = _e68;
+        let _e69 = phi_167_;
+        let _e71 = phi_168_;
+        phi_169_ = _e69;
+        phi_170_ = _e71;
     } else {
-        phi_165_ = lt_bvh_traverse_Tree();
-        phi_166_ = true;
+        phi_169_ = lt_bvh_traverse_Tree();
+        phi_170_ = true;
     }
-    let _e70 = phi_165_;
-    let _e72 = phi_166_;
-    if _e72 {
-        phi_171_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e73 = phi_169_;
+    let _e75 = phi_170_;
+    if _e75 {
+        phi_175_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_171_ = _e70;
+        phi_175_ = _e73;
     }
-    let _e77 = phi_171_;
-    return lt_bvh_traverse_Tree(_e77.root, _e77.first_primitive);
+    let _e80 = phi_175_;
+    return lt_bvh_traverse_Tree(_e80.root, _e80.first_primitive);
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> lt_math_Evsm {
@@ -137,687 +137,683 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_par
 }
 
 fn _lt_math_evsm_Evsm_bound_of_offsets(param_4: ptr<function, lt_math_Evsm>, param_5: vec4<f32>, param_6: vec4<f32>) -> f32 {
-    var phi_351_: bool;
-    var phi_355_: f32;
-    var phi_374_: f32;
-    var phi_379_: f32;
-    var phi_401_: f32;
-    var phi_406_: f32;
-    var phi_407_: bool;
-    var phi_408_: f32;
-    var phi_409_: bool;
-    var phi_413_: f32;
-    var phi_451_: f32;
-    var phi_462_: f32;
-    var phi_467_: f32;
-    var phi_489_: f32;
-    var phi_494_: f32;
-    var phi_495_: bool;
-    var phi_496_: f32;
-    var phi_497_: bool;
-    var phi_501_: f32;
-    var phi_539_: f32;
-    var phi_550_: f32;
-    var phi_555_: f32;
-    var phi_577_: f32;
-    var phi_582_: f32;
-    var phi_583_: bool;
-    var phi_584_: f32;
-    var phi_585_: bool;
-    var phi_589_: f32;
-    var phi_627_: f32;
-    var phi_638_: f32;
-    var phi_643_: f32;
-    var phi_665_: f32;
-    var phi_670_: f32;
-    var phi_671_: bool;
-    var phi_672_: f32;
-    var phi_673_: bool;
-    var phi_677_: f32;
-    var phi_715_: f32;
-    var phi_768_: bool;
-    var phi_772_: f32;
-    var phi_784_: bool;
-    var phi_791_: f32;
-    var phi_804_: bool;
-    var phi_808_: f32;
-    var phi_828_: f32;
-    var phi_833_: f32;
-    var phi_855_: f32;
-    var phi_860_: f32;
-    var phi_861_: bool;
-    var phi_862_: f32;
-    var phi_863_: bool;
-    var phi_867_: f32;
-    var phi_905_: f32;
-    var phi_916_: f32;
-    var phi_921_: f32;
-    var phi_943_: f32;
-    var phi_948_: f32;
-    var phi_949_: bool;
-    var phi_950_: f32;
-    var phi_951_: bool;
-    var phi_955_: f32;
-    var phi_993_: f32;
-    var phi_1004_: f32;
-    var phi_1009_: f32;
-    var phi_1031_: f32;
-    var phi_1036_: f32;
-    var phi_1037_: bool;
-    var phi_1038_: f32;
-    var phi_1039_: bool;
-    var phi_1043_: f32;
-    var phi_1081_: f32;
-    var phi_1092_: f32;
-    var phi_1097_: f32;
-    var phi_1119_: f32;
-    var phi_1124_: f32;
-    var phi_1125_: bool;
-    var phi_1126_: f32;
-    var phi_1127_: bool;
-    var phi_1131_: f32;
-    var phi_1169_: f32;
-    var phi_1222_: bool;
-    var phi_1226_: f32;
-    var phi_1238_: bool;
-    var phi_1245_: f32;
-    var phi_1256_: bool;
-    var phi_1260_: f32;
-    var phi_1275_: f32;
-    var phi_1276_: f32;
-    var phi_1277_: f32;
+    var phi_355_: bool;
+    var phi_359_: f32;
+    var phi_378_: f32;
+    var phi_383_: f32;
+    var phi_405_: f32;
+    var phi_410_: f32;
+    var phi_411_: bool;
+    var phi_412_: f32;
+    var phi_413_: bool;
+    var phi_417_: f32;
+    var phi_455_: f32;
+    var phi_466_: f32;
+    var phi_471_: f32;
+    var phi_493_: f32;
+    var phi_498_: f32;
+    var phi_499_: bool;
+    var phi_500_: f32;
+    var phi_501_: bool;
+    var phi_505_: f32;
+    var phi_543_: f32;
+    var phi_554_: f32;
+    var phi_559_: f32;
+    var phi_581_: f32;
+    var phi_586_: f32;
+    var phi_587_: bool;
+    var phi_588_: f32;
+    var phi_589_: bool;
+    var phi_593_: f32;
+    var phi_631_: f32;
+    var phi_642_: f32;
+    var phi_647_: f32;
+    var phi_669_: f32;
+    var phi_674_: f32;
+    var phi_675_: bool;
+    var phi_676_: f32;
+    var phi_677_: bool;
+    var phi_681_: f32;
+    var phi_719_: f32;
+    var phi_772_: bool;
+    var phi_776_: f32;
+    var phi_788_: bool;
+    var phi_795_: f32;
+    var phi_808_: bool;
+    var phi_812_: f32;
+    var phi_832_: f32;
+    var phi_837_: f32;
+    var phi_859_: f32;
+    var phi_864_: f32;
+    var phi_865_: bool;
+    var phi_866_: f32;
+    var phi_867_: bool;
+    var phi_871_: f32;
+    var phi_909_: f32;
+    var phi_920_: f32;
+    var phi_925_: f32;
+    var phi_947_: f32;
+    var phi_952_: f32;
+    var phi_953_: bool;
+    var phi_954_: f32;
+    var phi_955_: bool;
+    var phi_959_: f32;
+    var phi_997_: f32;
+    var phi_1008_: f32;
+    var phi_1013_: f32;
+    var phi_1035_: f32;
+    var phi_1040_: f32;
+    var phi_1041_: bool;
+    var phi_1042_: f32;
+    var phi_1043_: bool;
+    var phi_1047_: f32;
+    var phi_1085_: f32;
+    var phi_1096_: f32;
+    var phi_1101_: f32;
+    var phi_1123_: f32;
+    var phi_1128_: f32;
+    var phi_1129_: bool;
+    var phi_1130_: f32;
+    var phi_1131_: bool;
+    var phi_1135_: f32;
+    var phi_1173_: f32;
+    var phi_1226_: bool;
+    var phi_1230_: f32;
+    var phi_1242_: bool;
+    var phi_1249_: f32;
+    var phi_1260_: bool;
+    var phi_1264_: f32;
+    var phi_1279_: f32;
+    var phi_1280_: f32;
+    var phi_1281_: f32;
 
-    let _e57 = (*param_4).positive_exponent;
+    let _e60 = (*param_4).positive_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_351_ = true;
+        phi_355_ = true;
     } else {
-        let _e61 = (42f < _e57);
-        if _e61 {
+        let _e64 = (42f < _e60);
+        if _e64 {
         }
-        phi_351_ = _e61;
+        phi_355_ = _e64;
     }
-    let _e63 = phi_351_;
-    if _e63 {
-        phi_355_ = 42f;
+    let _e66 = phi_355_;
+    if _e66 {
+        phi_359_ = 42f;
     } else {
-        phi_355_ = _e57;
+        phi_359_ = _e60;
     }
-    let _e65 = phi_355_;
-    let _e67 = (_e65 * param_5.x);
-    let _e69 = (_e65 * param_5.y);
-    let _e71 = (_e65 * param_5.z);
-    let _e73 = (_e65 * param_5.w);
-    if ((bitcast<u32>(_e67) & 2147483647u) > 2139095040u) {
-        phi_451_ = _e67;
+    let _e68 = phi_359_;
+    let _e70 = (_e68 * param_5.x);
+    let _e72 = (_e68 * param_5.y);
+    let _e74 = (_e68 * param_5.z);
+    let _e76 = (_e68 * param_5.w);
+    if ((bitcast<u32>(_e70) & 2147483647u) > 2139095040u) {
+        phi_455_ = _e70;
     } else {
-        if (_e67 < -87f) {
-            phi_374_ = -87f;
+        if (_e70 < -87f) {
+            phi_378_ = -87f;
         } else {
-            phi_374_ = _e67;
+            phi_378_ = _e70;
         }
-        let _e79 = phi_374_;
-        if (_e79 > 88f) {
-            phi_379_ = 88f;
+        let _e82 = phi_378_;
+        if (_e82 > 88f) {
+            phi_383_ = 88f;
         } else {
-            phi_379_ = _e79;
+            phi_383_ = _e82;
         }
-        let _e82 = phi_379_;
-        let _e84 = ((_e82 * 1.442695f) + 0.5f);
-        if (_e84 > -8388608f) {
-            let _e96 = f32(select(0i, select(select(i32(_e84), i32(-2147483648), (_e84 < bitcast<f32>(3472883712u))), 2147483647i, (_e84 > bitcast<f32>(1325400063u))), (_e84 == _e84)));
-            if (_e96 > _e84) {
-                phi_401_ = 1f;
+        let _e85 = phi_383_;
+        let _e87 = ((_e85 * 1.442695f) + 0.5f);
+        if (_e87 > -8388608f) {
+            let _e99 = f32(select(0i, select(select(i32(_e87), i32(-2147483648), (_e87 < bitcast<f32>(3472883712u))), 2147483647i, (_e87 > bitcast<f32>(1325400063u))), (_e87 == _e87)));
+            if (_e99 > _e87) {
+                phi_405_ = 1f;
             } else {
-                phi_401_ = 0f;
+                phi_405_ = 0f;
             }
-            let _e99 = phi_401_;
-            if (_e84 < 8388608f) {
-                phi_406_ = (_e96 - _e99);
-                phi_407_ = false;
+            let _e102 = phi_405_;
+            if (_e87 < 8388608f) {
+                phi_410_ = (_e99 - _e102);
+                phi_411_ = false;
             } else {
-                phi_406_ = f32();
-                phi_407_ = true;
+                phi_410_ = f32();
+                phi_411_ = true;
             }
-            let _e102 = phi_406_;
-            let _e104 = phi_407_;
-            phi_408_ = _e102;
-            phi_409_ = _e104;
+            let _e105 = phi_410_;
+            let _e107 = phi_411_;
+            phi_412_ = _e105;
+            phi_413_ = _e107;
         } else {
-            phi_408_ = f32();
-            phi_409_ = true;
+            phi_412_ = f32();
+            phi_413_ = true;
         }
-        let _e106 = phi_408_;
-        let _e108 = phi_409_;
-        if _e108 {
-            phi_413_ = _e84;
+        let _e109 = phi_412_;
+        let _e111 = phi_413_;
+        if _e111 {
+            phi_417_ = _e87;
         } else {
-            phi_413_ = _e106;
+            phi_417_ = _e109;
         }
-        let _e110 = phi_413_;
-        let _e114 = ((_e82 - (_e110 * 0.69314575f)) - (_e110 * 0.0000014286068f));
-        phi_451_ = ((((((((((((((((1f / 5040f) * _e114) + (1f / 720f)) * _e114) + (1f / 120f)) * _e114) + (1f / 24f)) * _e114) + (1f / 6f)) * _e114) + 0.5f) * _e114) + 1f) * _e114) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e110), i32(-2147483648), (_e110 < bitcast<f32>(3472883712u))), 2147483647i, (_e110 > bitcast<f32>(1325400063u))), (_e110 == _e110)) + 127i)) << bitcast<u32>(23i))));
+        let _e113 = phi_417_;
+        let _e117 = ((_e85 - (_e113 * 0.69314575f)) - (_e113 * 0.0000014286068f));
+        phi_455_ = ((((((((((((((((1f / 5040f) * _e117) + (1f / 720f)) * _e117) + (1f / 120f)) * _e117) + (1f / 24f)) * _e117) + (1f / 6f)) * _e117) + 0.5f) * _e117) + 1f) * _e117) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e113), i32(-2147483648), (_e113 < bitcast<f32>(3472883712u))), 2147483647i, (_e113 > bitcast<f32>(1325400063u))), (_e113 == _e113)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e150 = phi_451_;
-    if ((bitcast<u32>(_e69) & 2147483647u) > 2139095040u) {
-        phi_539_ = _e69;
+    let _e153 = phi_455_;
+    if ((bitcast<u32>(_e72) & 2147483647u) > 2139095040u) {
+        phi_543_ = _e72;
     } else {
-        if (_e69 < -87f) {
-            phi_462_ = -87f;
+        if (_e72 < -87f) {
+            phi_466_ = -87f;
         } else {
-            phi_462_ = _e69;
+            phi_466_ = _e72;
         }
-        let _e156 = phi_462_;
-        if (_e156 > 88f) {
-            phi_467_ = 88f;
+        let _e159 = phi_466_;
+        if (_e159 > 88f) {
+            phi_471_ = 88f;
         } else {
-            phi_467_ = _e156;
+            phi_471_ = _e159;
         }
-        let _e159 = phi_467_;
-        let _e161 = ((_e159 * 1.442695f) + 0.5f);
-        if (_e161 > -8388608f) {
-            let _e173 = f32(select(0i, select(select(i32(_e161), i32(-2147483648), (_e161 < bitcast<f32>(3472883712u))), 2147483647i, (_e161 > bitcast<f32>(1325400063u))), (_e161 == _e161)));
-            if (_e173 > _e161) {
-                phi_489_ = 1f;
+        let _e162 = phi_471_;
+        let _e164 = ((_e162 * 1.442695f) + 0.5f);
+        if (_e164 > -8388608f) {
+            let _e176 = f32(select(0i, select(select(i32(_e164), i32(-2147483648), (_e164 < bitcast<f32>(3472883712u))), 2147483647i, (_e164 > bitcast<f32>(1325400063u))), (_e164 == _e164)));
+            if (_e176 > _e164) {
+                phi_493_ = 1f;
             } else {
-                phi_489_ = 0f;
+                phi_493_ = 0f;
             }
-            let _e176 = phi_489_;
-            if (_e161 < 8388608f) {
-                phi_494_ = (_e173 - _e176);
-                phi_495_ = false;
+            let _e179 = phi_493_;
+            if (_e164 < 8388608f) {
+                phi_498_ = (_e176 - _e179);
+                phi_499_ = false;
             } else {
-                phi_494_ = f32();
-                phi_495_ = true;
+                phi_498_ = f32();
+                phi_499_ = true;
             }
-            let _e179 = phi_494_;
-            let _e181 = phi_495_;
-            phi_496_ = _e179;
-            phi_497_ = _e181;
+            let _e182 = phi_498_;
+            let _e184 = phi_499_;
+            phi_500_ = _e182;
+            phi_501_ = _e184;
         } else {
-            phi_496_ = f32();
-            phi_497_ = true;
+            phi_500_ = f32();
+            phi_501_ = true;
         }
-        let _e183 = phi_496_;
-        let _e185 = phi_497_;
-        if _e185 {
-            phi_501_ = _e161;
+        let _e186 = phi_500_;
+        let _e188 = phi_501_;
+        if _e188 {
+            phi_505_ = _e164;
         } else {
-            phi_501_ = _e183;
+            phi_505_ = _e186;
         }
-        let _e187 = phi_501_;
-        let _e191 = ((_e159 - (_e187 * 0.69314575f)) - (_e187 * 0.0000014286068f));
-        phi_539_ = ((((((((((((((((1f / 5040f) * _e191) + (1f / 720f)) * _e191) + (1f / 120f)) * _e191) + (1f / 24f)) * _e191) + (1f / 6f)) * _e191) + 0.5f) * _e191) + 1f) * _e191) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e187), i32(-2147483648), (_e187 < bitcast<f32>(3472883712u))), 2147483647i, (_e187 > bitcast<f32>(1325400063u))), (_e187 == _e187)) + 127i)) << bitcast<u32>(23i))));
+        let _e190 = phi_505_;
+        let _e194 = ((_e162 - (_e190 * 0.69314575f)) - (_e190 * 0.0000014286068f));
+        phi_543_ = ((((((((((((((((1f / 5040f) * _e194) + (1f / 720f)) * _e194) + (1f / 120f)) * _e194) + (1f / 24f)) * _e194) + (1f / 6f)) * _e194) + 0.5f) * _e194) + 1f) * _e194) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e190), i32(-2147483648), (_e190 < bitcast<f32>(3472883712u))), 2147483647i, (_e190 > bitcast<f32>(1325400063u))), (_e190 == _e190)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e227 = phi_539_;
-    if ((bitcast<u32>(_e71) & 2147483647u) > 2139095040u) {
-        phi_627_ = _e71;
+    let _e230 = phi_543_;
+    if ((bitcast<u32>(_e74) & 2147483647u) > 2139095040u) {
+        phi_631_ = _e74;
     } else {
-        if (_e71 < -87f) {
-            phi_550_ = -87f;
+        if (_e74 < -87f) {
+            phi_554_ = -87f;
         } else {
-            phi_550_ = _e71;
+            phi_554_ = _e74;
         }
-        let _e233 = phi_550_;
-        if (_e233 > 88f) {
-            phi_555_ = 88f;
+        let _e236 = phi_554_;
+        if (_e236 > 88f) {
+            phi_559_ = 88f;
         } else {
-            phi_555_ = _e233;
+            phi_559_ = _e236;
         }
-        let _e236 = phi_555_;
-        let _e238 = ((_e236 * 1.442695f) + 0.5f);
-        if (_e238 > -8388608f) {
-            let _e250 = f32(select(0i, select(select(i32(_e238), i32(-2147483648), (_e238 < bitcast<f32>(3472883712u))), 2147483647i, (_e238 > bitcast<f32>(1325400063u))), (_e238 == _e238)));
-            if (_e250 > _e238) {
-                phi_577_ = 1f;
+        let _e239 = phi_559_;
+        let _e241 = ((_e239 * 1.442695f) + 0.5f);
+        if (_e241 > -8388608f) {
+            let _e253 = f32(select(0i, select(select(i32(_e241), i32(-2147483648), (_e241 < bitcast<f32>(3472883712u))), 2147483647i, (_e241 > bitcast<f32>(1325400063u))), (_e241 == _e241)));
+            if (_e253 > _e241) {
+                phi_581_ = 1f;
             } else {
-                phi_577_ = 0f;
+                phi_581_ = 0f;
             }
-            let _e253 = phi_577_;
-            if (_e238 < 8388608f) {
-                phi_582_ = (_e250 - _e253);
-                phi_583_ = false;
+            let _e256 = phi_581_;
+            if (_e241 < 8388608f) {
+                phi_586_ = (_e253 - _e256);
+                phi_587_ = false;
             } else {
-                phi_582_ = f32();
-                phi_583_ = true;
+                phi_586_ = f32();
+                phi_587_ = true;
             }
-            let _e256 = phi_582_;
-            let _e258 = phi_583_;
-            phi_584_ = _e256;
-            phi_585_ = _e258;
+            let _e259 = phi_586_;
+            let _e261 = phi_587_;
+            phi_588_ = _e259;
+            phi_589_ = _e261;
         } else {
-            phi_584_ = f32();
-            phi_585_ = true;
+            phi_588_ = f32();
+            phi_589_ = true;
         }
-        let _e260 = phi_584_;
-        let _e262 = phi_585_;
-        if _e262 {
-            phi_589_ = _e238;
+        let _e263 = phi_588_;
+        let _e265 = phi_589_;
+        if _e265 {
+            phi_593_ = _e241;
         } else {
-            phi_589_ = _e260;
+            phi_593_ = _e263;
         }
-        let _e264 = phi_589_;
-        let _e268 = ((_e236 - (_e264 * 0.69314575f)) - (_e264 * 0.0000014286068f));
-        phi_627_ = ((((((((((((((((1f / 5040f) * _e268) + (1f / 720f)) * _e268) + (1f / 120f)) * _e268) + (1f / 24f)) * _e268) + (1f / 6f)) * _e268) + 0.5f) * _e268) + 1f) * _e268) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e264), i32(-2147483648), (_e264 < bitcast<f32>(3472883712u))), 2147483647i, (_e264 > bitcast<f32>(1325400063u))), (_e264 == _e264)) + 127i)) << bitcast<u32>(23i))));
+        let _e267 = phi_593_;
+        let _e271 = ((_e239 - (_e267 * 0.69314575f)) - (_e267 * 0.0000014286068f));
+        phi_631_ = ((((((((((((((((1f / 5040f) * _e271) + (1f / 720f)) * _e271) + (1f / 120f)) * _e271) + (1f / 24f)) * _e271) + (1f / 6f)) * _e271) + 0.5f) * _e271) + 1f) * _e271) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e267), i32(-2147483648), (_e267 < bitcast<f32>(3472883712u))), 2147483647i, (_e267 > bitcast<f32>(1325400063u))), (_e267 == _e267)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e304 = phi_627_;
-    if ((bitcast<u32>(_e73) & 2147483647u) > 2139095040u) {
-        phi_715_ = _e73;
+    let _e307 = phi_631_;
+    if ((bitcast<u32>(_e76) & 2147483647u) > 2139095040u) {
+        phi_719_ = _e76;
     } else {
-        if (_e73 < -87f) {
-            phi_638_ = -87f;
+        if (_e76 < -87f) {
+            phi_642_ = -87f;
         } else {
-            phi_638_ = _e73;
+            phi_642_ = _e76;
         }
-        let _e310 = phi_638_;
-        if (_e310 > 88f) {
-            phi_643_ = 88f;
+        let _e313 = phi_642_;
+        if (_e313 > 88f) {
+            phi_647_ = 88f;
         } else {
-            phi_643_ = _e310;
+            phi_647_ = _e313;
         }
-        let _e313 = phi_643_;
-        let _e315 = ((_e313 * 1.442695f) + 0.5f);
-        if (_e315 > -8388608f) {
-            let _e327 = f32(select(0i, select(select(i32(_e315), i32(-2147483648), (_e315 < bitcast<f32>(3472883712u))), 2147483647i, (_e315 > bitcast<f32>(1325400063u))), (_e315 == _e315)));
-            if (_e327 > _e315) {
-                phi_665_ = 1f;
+        let _e316 = phi_647_;
+        let _e318 = ((_e316 * 1.442695f) + 0.5f);
+        if (_e318 > -8388608f) {
+            let _e330 = f32(select(0i, select(select(i32(_e318), i32(-2147483648), (_e318 < bitcast<f32>(3472883712u))), 2147483647i, (_e318 > bitcast<f32>(1325400063u))), (_e318 == _e318)));
+            if (_e330 > _e318) {
+                phi_669_ = 1f;
             } else {
-                phi_665_ = 0f;
+                phi_669_ = 0f;
             }
-            let _e330 = phi_665_;
-            if (_e315 < 8388608f) {
-                phi_670_ = (_e327 - _e330);
-                phi_671_ = false;
+            let _e333 = phi_669_;
+            if (_e318 < 8388608f) {
+                phi_674_ = (_e330 - _e333);
+                phi_675_ = false;
             } else {
-                phi_670_ = f32();
-                phi_671_ = true;
+                phi_674_ = f32();
+                phi_675_ = true;
             }
-            let _e333 = phi_670_;
-            let _e335 = phi_671_;
-            phi_672_ = _e333;
-            phi_673_ = _e335;
+            let _e336 = phi_674_;
+            let _e338 = phi_675_;
+            phi_676_ = _e336;
+            phi_677_ = _e338;
         } else {
-            phi_672_ = f32();
-            phi_673_ = true;
+            phi_676_ = f32();
+            phi_677_ = true;
         }
-        let _e337 = phi_672_;
-        let _e339 = phi_673_;
-        if _e339 {
-            phi_677_ = _e315;
+        let _e340 = phi_676_;
+        let _e342 = phi_677_;
+        if _e342 {
+            phi_681_ = _e318;
         } else {
-            phi_677_ = _e337;
+            phi_681_ = _e340;
         }
-        let _e341 = phi_677_;
-        let _e345 = ((_e313 - (_e341 * 0.69314575f)) - (_e341 * 0.0000014286068f));
-        phi_715_ = ((((((((((((((((1f / 5040f) * _e345) + (1f / 720f)) * _e345) + (1f / 120f)) * _e345) + (1f / 24f)) * _e345) + (1f / 6f)) * _e345) + 0.5f) * _e345) + 1f) * _e345) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e341), i32(-2147483648), (_e341 < bitcast<f32>(3472883712u))), 2147483647i, (_e341 > bitcast<f32>(1325400063u))), (_e341 == _e341)) + 127i)) << bitcast<u32>(23i))));
+        let _e344 = phi_681_;
+        let _e348 = ((_e316 - (_e344 * 0.69314575f)) - (_e344 * 0.0000014286068f));
+        phi_719_ = ((((((((((((((((1f / 5040f) * _e348) + (1f / 720f)) * _e348) + (1f / 120f)) * _e348) + (1f / 24f)) * _e348) + (1f / 6f)) * _e348) + 0.5f) * _e348) + 1f) * _e348) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e344), i32(-2147483648), (_e344 < bitcast<f32>(3472883712u))), 2147483647i, (_e344 > bitcast<f32>(1325400063u))), (_e344 == _e344)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e381 = phi_715_;
-    let _e383 = (_e150 - vec4<f32>(1f, 1f, 1f, 1f).x);
-    let _e385 = (_e227 - vec4<f32>(1f, 1f, 1f, 1f).y);
-    let _e387 = (_e304 - vec4<f32>(1f, 1f, 1f, 1f).z);
-    let _e389 = (_e381 - vec4<f32>(1f, 1f, 1f, 1f).w);
-    let _e391 = (*param_4).min_variance;
-    let _e393 = ((_e391 * _e65) * _e65);
-    let _e404 = ((((_e383 * param_6.x) + (_e385 * param_6.y)) + (_e387 * param_6.z)) + (_e389 * param_6.w));
-    let _e405 = (_e383 - _e404);
-    let _e406 = (_e385 - _e404);
-    let _e407 = (_e387 - _e404);
-    let _e408 = (_e389 - _e404);
-    let _e423 = (((((_e405 * _e405) * param_6.x) + ((_e406 * _e406) * param_6.y)) + ((_e407 * _e407) * param_6.z)) + ((_e408 * _e408) * param_6.w));
-    if ((bitcast<u32>(_e393) & 2147483647u) > 2139095040u) {
-        phi_768_ = true;
+    let _e384 = phi_719_;
+    let _e386 = (_e153 - vec4<f32>(1f, 1f, 1f, 1f).x);
+    let _e388 = (_e230 - vec4<f32>(1f, 1f, 1f, 1f).y);
+    let _e390 = (_e307 - vec4<f32>(1f, 1f, 1f, 1f).z);
+    let _e392 = (_e384 - vec4<f32>(1f, 1f, 1f, 1f).w);
+    let _e394 = (*param_4).min_variance;
+    let _e396 = ((_e394 * _e68) * _e68);
+    let _e407 = ((((_e386 * param_6.x) + (_e388 * param_6.y)) + (_e390 * param_6.z)) + (_e392 * param_6.w));
+    let _e408 = (_e386 - _e407);
+    let _e409 = (_e388 - _e407);
+    let _e410 = (_e390 - _e407);
+    let _e411 = (_e392 - _e407);
+    let _e426 = (((((_e408 * _e408) * param_6.x) + ((_e409 * _e409) * param_6.y)) + ((_e410 * _e410) * param_6.z)) + ((_e411 * _e411) * param_6.w));
+    if ((bitcast<u32>(_e396) & 2147483647u) > 2139095040u) {
+        phi_772_ = true;
     } else {
-        let _e427 = (_e393 > _e423);
-        if _e427 {
+        let _e430 = (_e396 > _e426);
+        if _e430 {
         }
-        phi_768_ = _e427;
+        phi_772_ = _e430;
     }
-    let _e429 = phi_768_;
-    if _e429 {
-        phi_772_ = _e393;
+    let _e432 = phi_772_;
+    if _e432 {
+        phi_776_ = _e396;
     } else {
-        phi_772_ = _e423;
+        phi_776_ = _e426;
     }
-    let _e431 = phi_772_;
-    let _e432 = -(_e404);
-    if (_e432 <= 0f) {
-        let _e436 = ((bitcast<u32>(_e431) & 2147483647u) > 2139095040u);
-        if _e436 {
+    let _e434 = phi_776_;
+    let _e435 = -(_e407);
+    if (_e435 <= 0f) {
+        let _e439 = ((bitcast<u32>(_e434) & 2147483647u) > 2139095040u);
+        if _e439 {
         }
-        phi_784_ = _e436;
+        phi_788_ = _e439;
     } else {
-        phi_784_ = true;
+        phi_788_ = true;
     }
-    let _e438 = phi_784_;
-    if _e438 {
-        phi_791_ = (_e431 / (_e431 + (_e432 * _e432)));
+    let _e441 = phi_788_;
+    if _e441 {
+        phi_795_ = (_e434 / (_e434 + (_e435 * _e435)));
     } else {
-        phi_791_ = 1f;
+        phi_795_ = 1f;
     }
-    let _e443 = phi_791_;
-    let _e445 = (*param_4).negative_exponent;
+    let _e446 = phi_795_;
+    let _e448 = (*param_4).negative_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_804_ = true;
+        phi_808_ = true;
     } else {
-        let _e449 = (42f < _e445);
-        if _e449 {
+        let _e452 = (42f < _e448);
+        if _e452 {
         }
-        phi_804_ = _e449;
+        phi_808_ = _e452;
     }
-    let _e451 = phi_804_;
-    if _e451 {
-        phi_808_ = 42f;
+    let _e454 = phi_808_;
+    if _e454 {
+        phi_812_ = 42f;
     } else {
-        phi_808_ = _e445;
+        phi_812_ = _e448;
     }
-    let _e453 = phi_808_;
-    let _e454 = -(_e453);
-    let _e456 = (_e454 * param_5.x);
-    let _e458 = (_e454 * param_5.y);
-    let _e460 = (_e454 * param_5.z);
-    let _e462 = (_e454 * param_5.w);
-    if ((bitcast<u32>(_e456) & 2147483647u) > 2139095040u) {
-        phi_905_ = _e456;
+    let _e456 = phi_812_;
+    let _e457 = -(_e456);
+    let _e459 = (_e457 * param_5.x);
+    let _e461 = (_e457 * param_5.y);
+    let _e463 = (_e457 * param_5.z);
+    let _e465 = (_e457 * param_5.w);
+    if ((bitcast<u32>(_e459) & 2147483647u) > 2139095040u) {
+        phi_909_ = _e459;
     } else {
-        if (_e456 < -87f) {
-            phi_828_ = -87f;
+        if (_e459 < -87f) {
+            phi_832_ = -87f;
         } else {
-            phi_828_ = _e456;
+            phi_832_ = _e459;
         }
-        let _e468 = phi_828_;
-        if (_e468 > 88f) {
-            phi_833_ = 88f;
+        let _e471 = phi_832_;
+        if (_e471 > 88f) {
+            phi_837_ = 88f;
         } else {
-            phi_833_ = _e468;
+            phi_837_ = _e471;
         }
-        let _e471 = phi_833_;
-        let _e473 = ((_e471 * 1.442695f) + 0.5f);
-        if (_e473 > -8388608f) {
-            let _e485 = f32(select(0i, select(select(i32(_e473), i32(-2147483648), (_e473 < bitcast<f32>(3472883712u))), 2147483647i, (_e473 > bitcast<f32>(1325400063u))), (_e473 == _e473)));
-            if (_e485 > _e473) {
-                phi_855_ = 1f;
+        let _e474 = phi_837_;
+        let _e476 = ((_e474 * 1.442695f) + 0.5f);
+        if (_e476 > -8388608f) {
+            let _e488 = f32(select(0i, select(select(i32(_e476), i32(-2147483648), (_e476 < bitcast<f32>(3472883712u))), 2147483647i, (_e476 > bitcast<f32>(1325400063u))), (_e476 == _e476)));
+            if (_e488 > _e476) {
+                phi_859_ = 1f;
             } else {
-                phi_855_ = 0f;
+                phi_859_ = 0f;
             }
-            let _e488 = phi_855_;
-            if (_e473 < 8388608f) {
-                phi_860_ = (_e485 - _e488);
-                phi_861_ = false;
+            let _e491 = phi_859_;
+            if (_e476 < 8388608f) {
+                phi_864_ = (_e488 - _e491);
+                phi_865_ = false;
             } else {
-                phi_860_ = f32();
-                phi_861_ = true;
+                phi_864_ = f32();
+                phi_865_ = true;
             }
-            let _e491 = phi_860_;
-            let _e493 = phi_861_;
-            phi_862_ = _e491;
-            phi_863_ = _e493;
+            let _e494 = phi_864_;
+            let _e496 = phi_865_;
+            phi_866_ = _e494;
+            phi_867_ = _e496;
         } else {
-            phi_862_ = f32();
-            phi_863_ = true;
+            phi_866_ = f32();
+            phi_867_ = true;
         }
-        let _e495 = phi_862_;
-        let _e497 = phi_863_;
-        if _e497 {
-            phi_867_ = _e473;
+        let _e498 = phi_866_;
+        let _e500 = phi_867_;
+        if _e500 {
+            phi_871_ = _e476;
         } else {
-            phi_867_ = _e495;
+            phi_871_ = _e498;
         }
-        let _e499 = phi_867_;
-        let _e503 = ((_e471 - (_e499 * 0.69314575f)) - (_e499 * 0.0000014286068f));
-        phi_905_ = ((((((((((((((((1f / 5040f) * _e503) + (1f / 720f)) * _e503) + (1f / 120f)) * _e503) + (1f / 24f)) * _e503) + (1f / 6f)) * _e503) + 0.5f) * _e503) + 1f) * _e503) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e499), i32(-2147483648), (_e499 < bitcast<f32>(3472883712u))), 2147483647i, (_e499 > bitcast<f32>(1325400063u))), (_e499 == _e499)) + 127i)) << bitcast<u32>(23i))));
+        let _e502 = phi_871_;
+        let _e506 = ((_e474 - (_e502 * 0.69314575f)) - (_e502 * 0.0000014286068f));
+        phi_909_ = ((((((((((((((((1f / 5040f) * _e506) + (1f / 720f)) * _e506) + (1f / 120f)) * _e506) + (1f / 24f)) * _e506) + (1f / 6f)) * _e506) + 0.5f) * _e506) + 1f) * _e506) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e502), i32(-2147483648), (_e502 < bitcast<f32>(3472883712u))), 2147483647i, (_e502 > bitcast<f32>(1325400063u))), (_e502 == _e502)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e539 = phi_905_;
-    if ((bitcast<u32>(_e458) & 2147483647u) > 2139095040u) {
-        phi_993_ = _e458;
+    let _e542 = phi_909_;
+    if ((bitcast<u32>(_e461) & 2147483647u) > 2139095040u) {
+        phi_997_ = _e461;
     } else {
-        if (_e458 < -87f) {
-            phi_916_ = -87f;
+        if (_e461 < -87f) {
+            phi_920_ = -87f;
         } else {
-            phi_916_ = _e458;
+            phi_920_ = _e461;
         }
-        let _e545 = phi_916_;
-        if (_e545 > 88f) {
-            phi_921_ = 88f;
+        let _e548 = phi_920_;
+        if (_e548 > 88f) {
+            phi_925_ = 88f;
         } else {
-            phi_921_ = _e545;
+            phi_925_ = _e548;
         }
-        let _e548 = phi_921_;
-        let _e550 = ((_e548 * 1.442695f) + 0.5f);
-        if (_e550 > -8388608f) {
-            let _e562 = f32(select(0i, select(select(i32(_e550), i32(-2147483648), (_e550 < bitcast<f32>(3472883712u))), 2147483647i, (_e550 > bitcast<f32>(1325400063u))), (_e550 == _e550)));
-            if (_e562 > _e550) {
-                phi_943_ = 1f;
+        let _e551 = phi_925_;
+        let _e553 = ((_e551 * 1.442695f) + 0.5f);
+        if (_e553 > -8388608f) {
+            let _e565 = f32(select(0i, select(select(i32(_e553), i32(-2147483648), (_e553 < bitcast<f32>(3472883712u))), 2147483647i, (_e553 > bitcast<f32>(1325400063u))), (_e553 == _e553)));
+            if (_e565 > _e553) {
+                phi_947_ = 1f;
             } else {
-                phi_943_ = 0f;
+                phi_947_ = 0f;
             }
-            let _e565 = phi_943_;
-            if (_e550 < 8388608f) {
-                phi_948_ = (_e562 - _e565);
-                phi_949_ = false;
+            let _e568 = phi_947_;
+            if (_e553 < 8388608f) {
+                phi_952_ = (_e565 - _e568);
+                phi_953_ = false;
             } else {
-                phi_948_ = f32();
-                phi_949_ = true;
+                phi_952_ = f32();
+                phi_953_ = true;
             }
-            let _e568 = phi_948_;
-            let _e570 = phi_949_;
-            phi_950_ = _e568;
-            phi_951_ = _e570;
+            let _e571 = phi_952_;
+            let _e573 = phi_953_;
+            phi_954_ = _e571;
+            phi_955_ = _e573;
         } else {
-            phi_950_ = f32();
-            phi_951_ = true;
+            phi_954_ = f32();
+            phi_955_ = true;
         }
-        let _e572 = phi_950_;
-        let _e574 = phi_951_;
-        if _e574 {
-            phi_955_ = _e550;
+        let _e575 = phi_954_;
+        let _e577 = phi_955_;
+        if _e577 {
+            phi_959_ = _e553;
         } else {
-            phi_955_ = _e572;
+            phi_959_ = _e575;
         }
-        let _e576 = phi_955_;
-        let _e580 = ((_e548 - (_e576 * 0.69314575f)) - (_e576 * 0.0000014286068f));
-        phi_993_ = ((((((((((((((((1f / 5040f) * _e580) + (1f / 720f)) * _e580) + (1f / 120f)) * _e580) + (1f / 24f)) * _e580) + (1f / 6f)) * _e580) + 0.5f) * _e580) + 1f) * _e580) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e576), i32(-2147483648), (_e576 < bitcast<f32>(3472883712u))), 2147483647i, (_e576 > bitcast<f32>(1325400063u))), (_e576 == _e576)) + 127i)) << bitcast<u32>(23i))));
+        let _e579 = phi_959_;
+        let _e583 = ((_e551 - (_e579 * 0.69314575f)) - (_e579 * 0.0000014286068f));
+        phi_997_ = ((((((((((((((((1f / 5040f) * _e583) + (1f / 720f)) * _e583) + (1f / 120f)) * _e583) + (1f / 24f)) * _e583) + (1f / 6f)) * _e583) + 0.5f) * _e583) + 1f) * _e583) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e579), i32(-2147483648), (_e579 < bitcast<f32>(3472883712u))), 2147483647i, (_e579 > bitcast<f32>(1325400063u))), (_e579 == _e579)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e616 = phi_993_;
-    if ((bitcast<u32>(_e460) & 2147483647u) > 2139095040u) {
-        phi_1081_ = _e460;
+    let _e619 = phi_997_;
+    if ((bitcast<u32>(_e463) & 2147483647u) > 2139095040u) {
+        phi_1085_ = _e463;
     } else {
-        if (_e460 < -87f) {
-            phi_1004_ = -87f;
+        if (_e463 < -87f) {
+            phi_1008_ = -87f;
         } else {
-            phi_1004_ = _e460;
+            phi_1008_ = _e463;
         }
-        let _e622 = phi_1004_;
-        if (_e622 > 88f) {
-            phi_1009_ = 88f;
+        let _e625 = phi_1008_;
+        if (_e625 > 88f) {
+            phi_1013_ = 88f;
         } else {
-            phi_1009_ = _e622;
+            phi_1013_ = _e625;
         }
-        let _e625 = phi_1009_;
-        let _e627 = ((_e625 * 1.442695f) + 0.5f);
-        if (_e627 > -8388608f) {
-            let _e639 = f32(select(0i, select(select(i32(_e627), i32(-2147483648), (_e627 < bitcast<f32>(3472883712u))), 2147483647i, (_e627 > bitcast<f32>(1325400063u))), (_e627 == _e627)));
-            if (_e639 > _e627) {
-                phi_1031_ = 1f;
+        let _e628 = phi_1013_;
+        let _e630 = ((_e628 * 1.442695f) + 0.5f);
+        if (_e630 > -8388608f) {
+            let _e642 = f32(select(0i, select(select(i32(_e630), i32(-2147483648), (_e630 < bitcast<f32>(3472883712u))), 2147483647i, (_e630 > bitcast<f32>(1325400063u))), (_e630 == _e630)));
+            if (_e642 > _e630) {
+                phi_1035_ = 1f;
             } else {
-                phi_1031_ = 0f;
+                phi_1035_ = 0f;
             }
-            let _e642 = phi_1031_;
-            if (_e627 < 8388608f) {
-                phi_1036_ = (_e639 - _e642);
-                phi_1037_ = false;
+            let _e645 = phi_1035_;
+            if (_e630 < 8388608f) {
+                phi_1040_ = (_e642 - _e645);
+                phi_1041_ = false;
             } else {
-                phi_1036_ = f32();
-                phi_1037_ = true;
+                phi_1040_ = f32();
+                phi_1041_ = true;
             }
-            let _e645 = phi_1036_;
-            let _e647 = phi_1037_;
-            phi_1038_ = _e645;
-            phi_1039_ = _e647;
+            let _e648 = phi_1040_;
+            let _e650 = phi_1041_;
+            phi_1042_ = _e648;
+            phi_1043_ = _e650;
         } else {
-            phi_1038_ = f32();
-            phi_1039_ = true;
+            phi_1042_ = f32();
+            phi_1043_ = true;
         }
-        let _e649 = phi_1038_;
-        let _e651 = phi_1039_;
-        if _e651 {
-            phi_1043_ = _e627;
+        let _e652 = phi_1042_;
+        let _e654 = phi_1043_;
+        if _e654 {
+            phi_1047_ = _e630;
         } else {
-            phi_1043_ = _e649;
+            phi_1047_ = _e652;
         }
-        let _e653 = phi_1043_;
-        let _e657 = ((_e625 - (_e653 * 0.69314575f)) - (_e653 * 0.0000014286068f));
-        phi_1081_ = ((((((((((((((((1f / 5040f) * _e657) + (1f / 720f)) * _e657) + (1f / 120f)) * _e657) + (1f / 24f)) * _e657) + (1f / 6f)) * _e657) + 0.5f) * _e657) + 1f) * _e657) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e653), i32(-2147483648), (_e653 < bitcast<f32>(3472883712u))), 2147483647i, (_e653 > bitcast<f32>(1325400063u))), (_e653 == _e653)) + 127i)) << bitcast<u32>(23i))));
+        let _e656 = phi_1047_;
+        let _e660 = ((_e628 - (_e656 * 0.69314575f)) - (_e656 * 0.0000014286068f));
+        phi_1085_ = ((((((((((((((((1f / 5040f) * _e660) + (1f / 720f)) * _e660) + (1f / 120f)) * _e660) + (1f / 24f)) * _e660) + (1f / 6f)) * _e660) + 0.5f) * _e660) + 1f) * _e660) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e656), i32(-2147483648), (_e656 < bitcast<f32>(3472883712u))), 2147483647i, (_e656 > bitcast<f32>(1325400063u))), (_e656 == _e656)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e693 = phi_1081_;
-    if ((bitcast<u32>(_e462) & 2147483647u) > 2139095040u) {
-        phi_1169_ = _e462;
+    let _e696 = phi_1085_;
+    if ((bitcast<u32>(_e465) & 2147483647u) > 2139095040u) {
+        phi_1173_ = _e465;
     } else {
-        if (_e462 < -87f) {
-            phi_1092_ = -87f;
+        if (_e465 < -87f) {
+            phi_1096_ = -87f;
         } else {
-            phi_1092_ = _e462;
+            phi_1096_ = _e465;
         }
-        let _e699 = phi_1092_;
-        if (_e699 > 88f) {
-            phi_1097_ = 88f;
+        let _e702 = phi_1096_;
+        if (_e702 > 88f) {
+            phi_1101_ = 88f;
         } else {
-            phi_1097_ = _e699;
+            phi_1101_ = _e702;
         }
-        let _e702 = phi_1097_;
-        let _e704 = ((_e702 * 1.442695f) + 0.5f);
-        if (_e704 > -8388608f) {
-            let _e716 = f32(select(0i, select(select(i32(_e704), i32(-2147483648), (_e704 < bitcast<f32>(3472883712u))), 2147483647i, (_e704 > bitcast<f32>(1325400063u))), (_e704 == _e704)));
-            if (_e716 > _e704) {
-                phi_1119_ = 1f;
+        let _e705 = phi_1101_;
+        let _e707 = ((_e705 * 1.442695f) + 0.5f);
+        if (_e707 > -8388608f) {
+            let _e719 = f32(select(0i, select(select(i32(_e707), i32(-2147483648), (_e707 < bitcast<f32>(3472883712u))), 2147483647i, (_e707 > bitcast<f32>(1325400063u))), (_e707 == _e707)));
+            if (_e719 > _e707) {
+                phi_1123_ = 1f;
             } else {
-                phi_1119_ = 0f;
+                phi_1123_ = 0f;
             }
-            let _e719 = phi_1119_;
-            if (_e704 < 8388608f) {
-                phi_1124_ = (_e716 - _e719);
-                phi_1125_ = false;
+            let _e722 = phi_1123_;
+            if (_e707 < 8388608f) {
+                phi_1128_ = (_e719 - _e722);
+                phi_1129_ = false;
             } else {
-                phi_1124_ = f32();
-                phi_1125_ = true;
+                phi_1128_ = f32();
+                phi_1129_ = true;
             }
-            let _e722 = phi_1124_;
-            let _e724 = phi_1125_;
-            phi_1126_ = _e722;
-            phi_1127_ = _e724;
+            let _e725 = phi_1128_;
+            let _e727 = phi_1129_;
+            phi_1130_ = _e725;
+            phi_1131_ = _e727;
         } else {
-            phi_1126_ = f32();
-            phi_1127_ = true;
+            phi_1130_ = f32();
+            phi_1131_ = true;
         }
-        let _e726 = phi_1126_;
-        let _e728 = phi_1127_;
-        if _e728 {
-            phi_1131_ = _e704;
+        let _e729 = phi_1130_;
+        let _e731 = phi_1131_;
+        if _e731 {
+            phi_1135_ = _e707;
         } else {
-            phi_1131_ = _e726;
+            phi_1135_ = _e729;
         }
-        let _e730 = phi_1131_;
-        let _e734 = ((_e702 - (_e730 * 0.69314575f)) - (_e730 * 0.0000014286068f));
-        phi_1169_ = ((((((((((((((((1f / 5040f) * _e734) + (1f / 720f)) * _e734) + (1f / 120f)) * _e734) + (1f / 24f)) * _e734) + (1f / 6f)) * _e734) + 0.5f) * _e734) + 1f) * _e734) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e730), i32(-2147483648), (_e730 < bitcast<f32>(3472883712u))), 2147483647i, (_e730 > bitcast<f32>(1325400063u))), (_e730 == _e730)) + 127i)) << bitcast<u32>(23i))));
+        let _e733 = phi_1135_;
+        let _e737 = ((_e705 - (_e733 * 0.69314575f)) - (_e733 * 0.0000014286068f));
+        phi_1173_ = ((((((((((((((((1f / 5040f) * _e737) + (1f / 720f)) * _e737) + (1f / 120f)) * _e737) + (1f / 24f)) * _e737) + (1f / 6f)) * _e737) + 0.5f) * _e737) + 1f) * _e737) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e733), i32(-2147483648), (_e733 < bitcast<f32>(3472883712u))), 2147483647i, (_e733 > bitcast<f32>(1325400063u))), (_e733 == _e733)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e770 = phi_1169_;
-    let _e772 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e539);
-    let _e774 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e616);
-    let _e776 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e693);
-    let _e778 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e770);
-    let _e780 = (*param_4).min_variance;
-    let _e782 = ((_e780 * _e453) * _e453);
-    let _e793 = ((((_e772 * param_6.x) + (_e774 * param_6.y)) + (_e776 * param_6.z)) + (_e778 * param_6.w));
-    let _e794 = (_e772 - _e793);
-    let _e795 = (_e774 - _e793);
-    let _e796 = (_e776 - _e793);
-    let _e797 = (_e778 - _e793);
-    let _e812 = (((((_e794 * _e794) * param_6.x) + ((_e795 * _e795) * param_6.y)) + ((_e796 * _e796) * param_6.z)) + ((_e797 * _e797) * param_6.w));
-    if ((bitcast<u32>(_e782) & 2147483647u) > 2139095040u) {
-        phi_1222_ = true;
+    let _e773 = phi_1173_;
+    let _e775 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e542);
+    let _e777 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e619);
+    let _e779 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e696);
+    let _e781 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e773);
+    let _e783 = (*param_4).min_variance;
+    let _e785 = ((_e783 * _e456) * _e456);
+    let _e796 = ((((_e775 * param_6.x) + (_e777 * param_6.y)) + (_e779 * param_6.z)) + (_e781 * param_6.w));
+    let _e797 = (_e775 - _e796);
+    let _e798 = (_e777 - _e796);
+    let _e799 = (_e779 - _e796);
+    let _e800 = (_e781 - _e796);
+    let _e815 = (((((_e797 * _e797) * param_6.x) + ((_e798 * _e798) * param_6.y)) + ((_e799 * _e799) * param_6.z)) + ((_e800 * _e800) * param_6.w));
+    if ((bitcast<u32>(_e785) & 2147483647u) > 2139095040u) {
+        phi_1226_ = true;
     } else {
-        let _e816 = (_e782 > _e812);
-        if _e816 {
+        let _e819 = (_e785 > _e815);
+        if _e819 {
         }
-        phi_1222_ = _e816;
+        phi_1226_ = _e819;
     }
-    let _e818 = phi_1222_;
-    if _e818 {
-        phi_1226_ = _e782;
+    let _e821 = phi_1226_;
+    if _e821 {
+        phi_1230_ = _e785;
     } else {
-        phi_1226_ = _e812;
+        phi_1230_ = _e815;
     }
-    let _e820 = phi_1226_;
-    let _e821 = -(_e793);
-    if (_e821 <= 0f) {
-        let _e825 = ((bitcast<u32>(_e820) & 2147483647u) > 2139095040u);
-        if _e825 {
+    let _e823 = phi_1230_;
+    let _e824 = -(_e796);
+    if (_e824 <= 0f) {
+        let _e828 = ((bitcast<u32>(_e823) & 2147483647u) > 2139095040u);
+        if _e828 {
         }
-        phi_1238_ = _e825;
+        phi_1242_ = _e828;
     } else {
-        phi_1238_ = true;
+        phi_1242_ = true;
     }
-    let _e827 = phi_1238_;
-    if _e827 {
-        phi_1245_ = (_e820 / (_e820 + (_e821 * _e821)));
+    let _e830 = phi_1242_;
+    if _e830 {
+        phi_1249_ = (_e823 / (_e823 + (_e824 * _e824)));
     } else {
-        phi_1245_ = 1f;
+        phi_1249_ = 1f;
     }
-    let _e832 = phi_1245_;
-    if ((bitcast<u32>(_e832) & 2147483647u) > 2139095040u) {
-        phi_1256_ = true;
+    let _e835 = phi_1249_;
+    if ((bitcast<u32>(_e835) & 2147483647u) > 2139095040u) {
+        phi_1260_ = true;
     } else {
-        let _e836 = (_e832 < _e443);
-        if _e836 {
+        let _e839 = (_e835 < _e446);
+        if _e839 {
         }
-        phi_1256_ = _e836;
+        phi_1260_ = _e839;
     }
-    let _e838 = phi_1256_;
-    if _e838 {
-        phi_1260_ = _e832;
+    let _e841 = phi_1260_;
+    if _e841 {
+        phi_1264_ = _e835;
     } else {
-        phi_1260_ = _e443;
+        phi_1264_ = _e446;
     }
-    let _e840 = phi_1260_;
-    if ((bitcast<u32>(_e840) & 2147483647u) > 2139095040u) {
-        phi_1277_ = _e840;
+    let _e843 = phi_1264_;
+    if ((bitcast<u32>(_e843) & 2147483647u) > 2139095040u) {
+        phi_1281_ = _e843;
     } else {
-        if (_e840 < 0f) {
-            phi_1276_ = 0f;
+        if (_e843 < 0f) {
+            phi_1280_ = 0f;
         } else {
-            if (_e840 > 1f) {
-                phi_1275_ = 1f;
+            if (_e843 > 1f) {
+                phi_1279_ = 1f;
             } else {
-                phi_1275_ = _e840;
+                phi_1279_ = _e843;
             }
-            let _e847 = phi_1275_;
-            phi_1276_ = _e847;
+            let _e850 = phi_1279_;
+            phi_1280_ = _e850;
         }
-        let _e849 = phi_1276_;
-        phi_1277_ = _e849;
+        let _e852 = phi_1280_;
+        phi_1281_ = _e852;
     }
-    let _e851 = phi_1277_;
-    return _e851;
+    let _e854 = phi_1281_;
+    return _e854;
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_7: ptr<function, lt_math_Evsm>, param_8: vec4<f32>, param_9: vec4<f32>, param_10: f32) -> f32 {
-    var phi_200_: f32;
-    var phi_201_: f32;
-    var phi_202_: f32;
-    var phi_218_: f32;
-    var phi_219_: f32;
-    var phi_220_: f32;
-    var phi_236_: f32;
-    var phi_237_: f32;
-    var phi_238_: f32;
-    var phi_254_: f32;
-    var phi_255_: f32;
-    var phi_256_: f32;
-    var phi_272_: f32;
-    var phi_273_: f32;
-    var phi_274_: f32;
-    var phi_311_: bool;
-    var phi_312_: bool;
-    var phi_313_: bool;
-    var phi_314_: bool;
+    var phi_204_: f32;
+    var phi_205_: f32;
+    var phi_206_: f32;
+    var phi_222_: f32;
+    var phi_223_: f32;
+    var phi_224_: f32;
+    var phi_240_: f32;
+    var phi_241_: f32;
+    var phi_242_: f32;
+    var phi_258_: f32;
+    var phi_259_: f32;
+    var phi_260_: f32;
+    var phi_276_: f32;
+    var phi_277_: f32;
+    var phi_278_: f32;
     var phi_315_: bool;
     var phi_316_: bool;
     var phi_317_: bool;
@@ -825,820 +821,868 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_o
     var phi_319_: bool;
     var phi_320_: bool;
     var phi_321_: bool;
+    var phi_322_: bool;
+    var phi_323_: bool;
+    var phi_324_: bool;
     var phi_325_: bool;
     var phi_329_: bool;
-    var phi_334_: f32;
+    var phi_333_: bool;
+    var phi_338_: f32;
 
     if ((bitcast<u32>(param_10) & 2147483647u) > 2139095040u) {
-        phi_202_ = param_10;
+        phi_206_ = param_10;
     } else {
         if (param_10 < 0f) {
-            phi_201_ = 0f;
+            phi_205_ = 0f;
         } else {
             if (param_10 > 1f) {
-                phi_200_ = 1f;
+                phi_204_ = 1f;
             } else {
-                phi_200_ = param_10;
+                phi_204_ = param_10;
             }
-            let _e63 = phi_200_;
-            phi_201_ = _e63;
+            let _e66 = phi_204_;
+            phi_205_ = _e66;
         }
-        let _e65 = phi_201_;
-        phi_202_ = _e65;
+        let _e68 = phi_205_;
+        phi_206_ = _e68;
     }
-    let _e67 = phi_202_;
+    let _e70 = phi_206_;
     if ((bitcast<u32>(param_8.x) & 2147483647u) > 2139095040u) {
-        phi_220_ = param_8.x;
+        phi_224_ = param_8.x;
     } else {
         if (param_8.x < 0f) {
-            phi_219_ = 0f;
+            phi_223_ = 0f;
         } else {
             if (param_8.x > 1f) {
-                phi_218_ = 1f;
+                phi_222_ = 1f;
             } else {
-                phi_218_ = param_8.x;
+                phi_222_ = param_8.x;
             }
-            let _e75 = phi_218_;
-            phi_219_ = _e75;
+            let _e78 = phi_222_;
+            phi_223_ = _e78;
         }
-        let _e77 = phi_219_;
-        phi_220_ = _e77;
+        let _e80 = phi_223_;
+        phi_224_ = _e80;
     }
-    let _e79 = phi_220_;
+    let _e82 = phi_224_;
     if ((bitcast<u32>(param_8.y) & 2147483647u) > 2139095040u) {
-        phi_238_ = param_8.y;
+        phi_242_ = param_8.y;
     } else {
         if (param_8.y < 0f) {
-            phi_237_ = 0f;
+            phi_241_ = 0f;
         } else {
             if (param_8.y > 1f) {
-                phi_236_ = 1f;
+                phi_240_ = 1f;
             } else {
-                phi_236_ = param_8.y;
+                phi_240_ = param_8.y;
             }
-            let _e87 = phi_236_;
-            phi_237_ = _e87;
+            let _e90 = phi_240_;
+            phi_241_ = _e90;
         }
-        let _e89 = phi_237_;
-        phi_238_ = _e89;
+        let _e92 = phi_241_;
+        phi_242_ = _e92;
     }
-    let _e91 = phi_238_;
+    let _e94 = phi_242_;
     if ((bitcast<u32>(param_8.z) & 2147483647u) > 2139095040u) {
-        phi_256_ = param_8.z;
+        phi_260_ = param_8.z;
     } else {
         if (param_8.z < 0f) {
-            phi_255_ = 0f;
+            phi_259_ = 0f;
         } else {
             if (param_8.z > 1f) {
-                phi_254_ = 1f;
+                phi_258_ = 1f;
             } else {
-                phi_254_ = param_8.z;
+                phi_258_ = param_8.z;
             }
-            let _e99 = phi_254_;
-            phi_255_ = _e99;
+            let _e102 = phi_258_;
+            phi_259_ = _e102;
         }
-        let _e101 = phi_255_;
-        phi_256_ = _e101;
+        let _e104 = phi_259_;
+        phi_260_ = _e104;
     }
-    let _e103 = phi_256_;
+    let _e106 = phi_260_;
     if ((bitcast<u32>(param_8.w) & 2147483647u) > 2139095040u) {
-        phi_274_ = param_8.w;
+        phi_278_ = param_8.w;
     } else {
         if (param_8.w < 0f) {
-            phi_273_ = 0f;
+            phi_277_ = 0f;
         } else {
             if (param_8.w > 1f) {
-                phi_272_ = 1f;
+                phi_276_ = 1f;
             } else {
-                phi_272_ = param_8.w;
+                phi_276_ = param_8.w;
             }
-            let _e111 = phi_272_;
-            phi_273_ = _e111;
+            let _e114 = phi_276_;
+            phi_277_ = _e114;
         }
-        let _e113 = phi_273_;
-        phi_274_ = _e113;
+        let _e116 = phi_277_;
+        phi_278_ = _e116;
     }
-    let _e115 = phi_274_;
-    let _e116 = (_e79 - _e67);
-    let _e117 = (_e91 - _e67);
-    let _e118 = (_e103 - _e67);
-    let _e119 = (_e115 - _e67);
-    if (_e116 >= 0f) {
-        if (_e117 >= 0f) {
-            if (_e118 >= 0f) {
-                if (_e119 >= 0f) {
-                    phi_311_ = !(((bitcast<u32>(((((_e116 * param_9.x) + (_e117 * param_9.y)) + (_e118 * param_9.z)) + (_e119 * param_9.w))) & 2147483647u) > 2139095040u));
-                    phi_312_ = false;
+    let _e118 = phi_278_;
+    let _e119 = (_e82 - _e70);
+    let _e120 = (_e94 - _e70);
+    let _e121 = (_e106 - _e70);
+    let _e122 = (_e118 - _e70);
+    if (_e119 >= 0f) {
+        if (_e120 >= 0f) {
+            if (_e121 >= 0f) {
+                if (_e122 >= 0f) {
+                    phi_315_ = !(((bitcast<u32>(((((_e119 * param_9.x) + (_e120 * param_9.y)) + (_e121 * param_9.z)) + (_e122 * param_9.w))) & 2147483647u) > 2139095040u));
+                    phi_316_ = false;
                 } else {
-                    phi_311_ = bool();
-                    phi_312_ = true;
+                    phi_315_ = bool();
+                    phi_316_ = true;
                 }
-                let _e141 = phi_311_;
-                let _e143 = phi_312_;
-                phi_313_ = _e141;
-                phi_314_ = false;
-                phi_315_ = _e143;
+                let _e144 = phi_315_;
+                let _e146 = phi_316_;
+                phi_317_ = _e144;
+                phi_318_ = false;
+                phi_319_ = _e146;
             } else {
-                phi_313_ = bool();
-                phi_314_ = true;
-                phi_315_ = false;
+                phi_317_ = bool();
+                phi_318_ = true;
+                phi_319_ = false;
             }
-            let _e145 = phi_313_;
-            let _e147 = phi_314_;
-            let _e149 = phi_315_;
-            phi_316_ = _e145;
-            phi_317_ = _e147;
-            phi_318_ = _e149;
+            let _e148 = phi_317_;
+            let _e150 = phi_318_;
+            let _e152 = phi_319_;
+            phi_320_ = _e148;
+            phi_321_ = _e150;
+            phi_322_ = _e152;
         } else {
-            phi_316_ = bool();
-            phi_317_ = true;
-            phi_318_ = false;
+            phi_320_ = bool();
+            phi_321_ = true;
+            phi_322_ = false;
         }
-        let _e151 = phi_316_;
-        let _e153 = phi_317_;
-        let _e155 = phi_318_;
-        phi_319_ = _e151;
-        phi_320_ = _e153;
-        phi_321_ = _e155;
+        let _e154 = phi_320_;
+        let _e156 = phi_321_;
+        let _e158 = phi_322_;
+        phi_323_ = _e154;
+        phi_324_ = _e156;
+        phi_325_ = _e158;
     } else {
-        phi_319_ = bool();
-        phi_320_ = true;
-        phi_321_ = false;
+        phi_323_ = bool();
+        phi_324_ = true;
+        phi_325_ = false;
     }
-    let _e157 = phi_319_;
-    let _e159 = phi_320_;
-    let _e161 = phi_321_;
-    if _e159 {
-        phi_325_ = true;
+    let _e160 = phi_323_;
+    let _e162 = phi_324_;
+    let _e164 = phi_325_;
+    if _e162 {
+        phi_329_ = true;
     } else {
-        phi_325_ = _e161;
+        phi_329_ = _e164;
     }
-    let _e163 = phi_325_;
-    if _e163 {
-        phi_329_ = false;
+    let _e166 = phi_329_;
+    if _e166 {
+        phi_333_ = false;
     } else {
-        phi_329_ = _e157;
+        phi_333_ = _e160;
     }
-    let _e165 = phi_329_;
-    if _e165 {
-        phi_334_ = 1f;
+    let _e168 = phi_333_;
+    if _e168 {
+        phi_338_ = 1f;
     } else {
-        let _e166 = _lt_math_evsm_Evsm_bound_of_offsets(param_7, vec4<f32>(_e116, _e117, _e118, _e119), param_9);
-        phi_334_ = _e166;
+        let _e169 = _lt_math_evsm_Evsm_bound_of_offsets(param_7, vec4<f32>(_e119, _e120, _e121, _e122), param_9);
+        phi_338_ = _e169;
     }
-    let _e168 = phi_334_;
-    return _e168;
+    let _e171 = phi_338_;
+    return _e171;
 }
 
 fn function_() {
     var local: lt_math_Evsm;
-    var phi_1337_: bool;
-    var phi_1338_: bool;
-    var phi_1339_: bool;
-    var phi_1340_: bool;
+    var phi_1341_: bool;
+    var phi_1342_: bool;
+    var phi_1343_: bool;
     var phi_1344_: bool;
-    var phi_1414_: bool;
-    var phi_1415_: bool;
-    var phi_1426_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1427_: bool;
-    var phi_1428_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1429_: bool;
-    var phi_1436_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1348_: bool;
+    var phi_1418_: bool;
+    var phi_1419_: bool;
+    var phi_1430_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1431_: bool;
+    var phi_1432_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1433_: bool;
     var phi_1440_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1460_: lt_math_LightPoint;
-    var phi_1463_: u32;
-    var phi_1465_: lt_math_LevelPoint;
-    var phi_1551_: bool;
-    var phi_1560_: bool;
-    var phi_1569_: bool;
-    var phi_1570_: bool;
-    var phi_1571_: bool;
-    var phi_1572_: bool;
+    var phi_1444_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1464_: lt_math_LightPoint;
+    var phi_1467_: u32;
+    var phi_1469_: lt_math_LevelPoint;
+    var phi_1555_: bool;
+    var phi_1564_: bool;
     var phi_1573_: bool;
     var phi_1574_: bool;
     var phi_1575_: bool;
+    var phi_1576_: bool;
+    var phi_1577_: bool;
+    var phi_1578_: bool;
     var phi_1579_: bool;
-    var phi_1606_: bool;
-    var phi_1607_: bool;
-    var phi_1608_: bool;
-    var phi_1609_: bool;
+    var phi_1583_: bool;
     var phi_1610_: bool;
     var phi_1611_: bool;
     var phi_1612_: bool;
     var phi_1613_: bool;
+    var phi_1614_: bool;
+    var phi_1615_: bool;
+    var phi_1616_: bool;
     var phi_1617_: bool;
-    var phi_1626_: lt_math_LightPoint;
-    var phi_1627_: u32;
-    var phi_1628_: lt_math_LevelPoint;
-    var phi_1629_: bool;
-    var phi_1461_: lt_math_LightPoint;
-    var phi_1464_: u32;
-    var phi_1466_: lt_math_LevelPoint;
-    var phi_1630_: bool;
+    var phi_1621_: bool;
+    var phi_1630_: lt_math_LightPoint;
+    var phi_1631_: u32;
+    var phi_1632_: lt_math_LevelPoint;
+    var phi_1633_: bool;
+    var phi_1465_: lt_math_LightPoint;
+    var phi_1468_: u32;
+    var phi_1470_: lt_math_LevelPoint;
+    var phi_1634_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_1670_: bool;
-    var phi_1671_: bool;
-    var phi_1672_: bool;
-    var phi_1673_: bool;
+    var phi_1674_: bool;
+    var phi_1675_: bool;
+    var phi_1676_: bool;
     var phi_1677_: bool;
-    var phi_1759_: f32;
-    var phi_1877_: f32;
-    var phi_1878_: f32;
+    var phi_1681_: bool;
+    var phi_1763_: f32;
     var phi_1881_: f32;
-    var phi_1910_: f32;
-    var phi_1915_: f32;
-    var phi_1916_: bool;
-    var phi_1917_: f32;
-    var phi_1918_: bool;
-    var phi_1922_: f32;
-    var phi_1942_: f32;
-    var phi_1947_: f32;
-    var phi_1948_: bool;
-    var phi_1949_: f32;
-    var phi_1950_: bool;
-    var phi_1954_: f32;
+    var phi_1882_: f32;
+    var phi_1885_: f32;
+    var phi_1914_: f32;
+    var phi_1919_: f32;
+    var phi_1920_: bool;
+    var phi_1921_: f32;
+    var phi_1922_: bool;
+    var phi_1926_: f32;
+    var phi_1946_: f32;
+    var phi_1951_: f32;
+    var phi_1952_: bool;
+    var phi_1953_: f32;
+    var phi_1954_: bool;
+    var phi_1958_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_2007_: i32;
-    var phi_2012_: i32;
-    var phi_2017_: i32;
-    var phi_2022_: i32;
-    var phi_2031_: i32;
-    var phi_2036_: i32;
-    var phi_2041_: i32;
-    var phi_2046_: i32;
-    var phi_2097_: bool;
-    var phi_2105_: bool;
-    var phi_2117_: bool;
-    var phi_2118_: bool;
-    var phi_2122_: f32;
+    var phi_2011_: i32;
+    var phi_2016_: i32;
+    var phi_2021_: i32;
+    var phi_2026_: i32;
+    var phi_2035_: i32;
+    var phi_2040_: i32;
+    var phi_2045_: i32;
+    var phi_2050_: i32;
+    var phi_2103_: bool;
+    var phi_2111_: bool;
+    var phi_2123_: bool;
+    var phi_2124_: bool;
     var phi_2128_: f32;
-    var phi_2130_: evaluate_Verdict;
-    var phi_2135_: evaluate_Verdict;
+    var phi_2134_: f32;
     var phi_2136_: evaluate_Verdict;
+    var phi_2146_: u32;
+    var phi_2155_: f32;
+    var phi_2157_: evaluate_Verdict;
+    var phi_2158_: bool;
+    var phi_2159_: evaluate_Verdict;
+    var phi_2160_: bool;
+    var phi_2165_: evaluate_Verdict;
+    var phi_2170_: evaluate_Verdict;
+    var phi_2171_: evaluate_Verdict;
 
-    let _e54 = id_1;
-    let _e61 = arrayLength((&map.member));
-    let _e67 = arrayLength((&levels.member));
-    let _e70 = p.member.size[0u];
-    let _e72 = p.member.size[1u];
-    let _e73 = lt_shaders_entry_pixel_index(_e54, _e70, _e72);
-    if (bitcast<i32>(_e73.root) != 0i) {
-        let _e79 = p.member.level_count;
-        if (_e73.first_primitive < arrayLength((&samples.member))) {
+    let _e57 = id_1;
+    let _e64 = arrayLength((&map.member));
+    let _e70 = arrayLength((&levels.member));
+    let _e73 = p.member.size[0u];
+    let _e75 = p.member.size[1u];
+    let _e76 = lt_shaders_entry_pixel_index(_e57, _e73, _e75);
+    if (bitcast<i32>(_e76.root) != 0i) {
+        let _e82 = p.member.level_count;
+        if (_e76.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e86 = samples.member[(0u + _e73.first_primitive)].normal[0u];
-        let _e88 = global[0u];
-        if (_e86 == _e88) {
-            let _e91 = samples.member[(0u + _e73.first_primitive)].normal[1u];
-            let _e93 = global[1u];
-            if (_e91 == _e93) {
-                let _e96 = samples.member[(0u + _e73.first_primitive)].normal[2u];
-                let _e98 = global[2u];
-                phi_1337_ = (_e96 == _e98);
-                phi_1338_ = false;
+        let _e89 = samples.member[(0u + _e76.first_primitive)].normal[0u];
+        let _e91 = global[0u];
+        if (_e89 == _e91) {
+            let _e94 = samples.member[(0u + _e76.first_primitive)].normal[1u];
+            let _e96 = global[1u];
+            if (_e94 == _e96) {
+                let _e99 = samples.member[(0u + _e76.first_primitive)].normal[2u];
+                let _e101 = global[2u];
+                phi_1341_ = (_e99 == _e101);
+                phi_1342_ = false;
             } else {
-                phi_1337_ = bool();
-                phi_1338_ = true;
+                phi_1341_ = bool();
+                phi_1342_ = true;
             }
-            let _e101 = phi_1337_;
-            let _e103 = phi_1338_;
-            phi_1339_ = _e101;
-            phi_1340_ = _e103;
+            let _e104 = phi_1341_;
+            let _e106 = phi_1342_;
+            phi_1343_ = _e104;
+            phi_1344_ = _e106;
         } else {
-            phi_1339_ = bool();
-            phi_1340_ = true;
+            phi_1343_ = bool();
+            phi_1344_ = true;
         }
-        let _e105 = phi_1339_;
-        let _e107 = phi_1340_;
-        if _e107 {
-            phi_1344_ = false;
+        let _e108 = phi_1343_;
+        let _e110 = phi_1344_;
+        if _e110 {
+            phi_1348_ = false;
         } else {
-            phi_1344_ = _e105;
+            phi_1348_ = _e108;
         }
-        let _e109 = phi_1344_;
-        if !(_e109) {
-            let _e112 = samples.member[(0u + _e73.first_primitive)].position;
-            let _e114 = p.member.light.place;
-            let _e120 = p.member.light.place[3u];
-            let _e127 = (_e114.x - (_e112.x * _e120));
-            let _e128 = (_e114.y - (_e112.y * _e120));
-            let _e129 = (_e114.z - (_e112.z * _e120));
-            let _e131 = samples.member[(0u + _e73.first_primitive)].normal;
-            if ((((_e131.x * _e127) + (_e131.y * _e128)) + (_e131.z * _e129)) > 0f) {
-                let _e145 = (((_e127 * _e127) + (_e128 * _e128)) + (_e129 * _e129));
-                let _e147 = p.member.light.axis;
-                let _e159 = p.member.light.place[3u];
-                if (_e159 == 0f) {
-                    phi_1415_ = true;
+        let _e112 = phi_1348_;
+        if !(_e112) {
+            let _e115 = samples.member[(0u + _e76.first_primitive)].position;
+            let _e117 = p.member.light.place;
+            let _e123 = p.member.light.place[3u];
+            let _e130 = (_e117.x - (_e115.x * _e123));
+            let _e131 = (_e117.y - (_e115.y * _e123));
+            let _e132 = (_e117.z - (_e115.z * _e123));
+            let _e134 = samples.member[(0u + _e76.first_primitive)].normal;
+            if ((((_e134.x * _e130) + (_e134.y * _e131)) + (_e134.z * _e132)) > 0f) {
+                let _e148 = (((_e130 * _e130) + (_e131 * _e131)) + (_e132 * _e132));
+                let _e150 = p.member.light.axis;
+                let _e162 = p.member.light.place[3u];
+                if (_e162 == 0f) {
+                    phi_1419_ = true;
                 } else {
-                    let _e162 = p.member.light.range_squared;
-                    if (_e145 <= _e162) {
-                        let _e165 = p.member.light.cos_outer;
-                        phi_1414_ = (-((((_e127 * _e147.x) + (_e128 * _e147.y)) + (_e129 * _e147.z))) >= (_e165 * sqrt(_e145)));
+                    let _e165 = p.member.light.range_squared;
+                    if (_e148 <= _e165) {
+                        let _e168 = p.member.light.cos_outer;
+                        phi_1418_ = (-((((_e130 * _e150.x) + (_e131 * _e150.y)) + (_e132 * _e150.z))) >= (_e168 * sqrt(_e148)));
                     } else {
-                        phi_1414_ = false;
+                        phi_1418_ = false;
                     }
-                    let _e170 = phi_1414_;
-                    phi_1415_ = _e170;
+                    let _e173 = phi_1418_;
+                    phi_1419_ = _e173;
                 }
-                let _e172 = phi_1415_;
-                if _e172 {
-                    let _e174 = samples.member[(0u + _e73.first_primitive)].flags;
-                    let _e182 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e188 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e182.unnamed.visibility, false), _e182.unnamed_1);
-                    phi_1426_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e188.unnamed, ((_e174 & 1u) == 0u));
-                    phi_1427_ = false;
+                let _e175 = phi_1419_;
+                if _e175 {
+                    let _e177 = samples.member[(0u + _e76.first_primitive)].flags;
+                    let _e185 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e185.unnamed.visibility, false), _e185.unnamed_1);
+                    phi_1430_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e191.unnamed, ((_e177 & 1u) == 0u));
+                    phi_1431_ = false;
                 } else {
-                    phi_1426_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_1427_ = true;
+                    phi_1430_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_1431_ = true;
                 }
-                let _e193 = phi_1426_;
-                let _e195 = phi_1427_;
-                phi_1428_ = _e193;
-                phi_1429_ = _e195;
+                let _e196 = phi_1430_;
+                let _e198 = phi_1431_;
+                phi_1432_ = _e196;
+                phi_1433_ = _e198;
             } else {
-                phi_1428_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_1429_ = true;
+                phi_1432_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_1433_ = true;
             }
-            let _e197 = phi_1428_;
-            let _e199 = phi_1429_;
-            if _e199 {
-                let _e205 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e205.unnamed.visibility, false), _e205.unnamed_1);
-                phi_1436_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e211.unnamed, true);
+            let _e200 = phi_1432_;
+            let _e202 = phi_1433_;
+            if _e202 {
+                let _e208 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e208.unnamed.visibility, false), _e208.unnamed_1);
+                phi_1440_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e214.unnamed, true);
             } else {
-                phi_1436_ = _e197;
+                phi_1440_ = _e200;
             }
-            let _e216 = phi_1436_;
-            phi_1440_ = _e216;
+            let _e219 = phi_1440_;
+            phi_1444_ = _e219;
         } else {
-            let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
-            phi_1440_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, true);
+            let _e225 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e231 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e225.unnamed.visibility, false), _e225.unnamed_1);
+            phi_1444_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e231.unnamed, true);
         }
-        let _e233 = phi_1440_;
-        if _e233.unnamed_1 {
-            phi_2136_ = evaluate_Verdict(_e233.unnamed.visibility, _e233.unnamed.is_doubted);
+        let _e236 = phi_1444_;
+        if _e236.unnamed_1 {
+            phi_2171_ = evaluate_Verdict(_e236.unnamed.visibility, _e236.unnamed.is_doubted);
         } else {
-            let _e241 = samples.member[(0u + _e73.first_primitive)].position;
-            let _e243 = p.member.map_size;
-            let _e245 = (0.5f / f32(_e243));
-            let _e252 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e259 = lt_math_LightPoint(vec2<f32>(_e252.uv.x, 0f), _e252.depth, _e252.is_inside);
-            let _e263 = lt_math_LightPoint(_e259.uv, 0f, _e259.is_inside);
-            phi_1460_ = lt_math_LightPoint();
-            phi_1463_ = 0u;
-            phi_1465_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e263.uv, _e263.depth, false));
+            let _e244 = samples.member[(0u + _e76.first_primitive)].position;
+            let _e246 = p.member.map_size;
+            let _e248 = (0.5f / f32(_e246));
+            let _e255 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e262 = lt_math_LightPoint(vec2<f32>(_e255.uv.x, 0f), _e255.depth, _e255.is_inside);
+            let _e266 = lt_math_LightPoint(_e262.uv, 0f, _e262.is_inside);
+            phi_1464_ = lt_math_LightPoint();
+            phi_1467_ = 0u;
+            phi_1469_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e266.uv, _e266.depth, false));
             loop {
-                let _e270 = phi_1460_;
-                let _e272 = phi_1463_;
-                let _e274 = phi_1465_;
-                local_1 = _e274;
-                local_2 = _e274;
-                local_3 = _e274;
-                if (_e272 < _e79) {
-                    if _e274.point.is_inside {
-                        phi_1626_ = lt_math_LightPoint();
-                        phi_1627_ = u32();
-                        phi_1628_ = lt_math_LevelPoint();
-                        phi_1629_ = false;
+                let _e273 = phi_1464_;
+                let _e275 = phi_1467_;
+                let _e277 = phi_1469_;
+                local_1 = _e277;
+                local_2 = _e277;
+                local_3 = _e277;
+                if (_e275 < _e82) {
+                    if _e277.point.is_inside {
+                        phi_1630_ = lt_math_LightPoint();
+                        phi_1631_ = u32();
+                        phi_1632_ = lt_math_LevelPoint();
+                        phi_1633_ = false;
                     } else {
-                        if (_e272 < _e67) {
+                        if (_e275 < _e70) {
                         } else {
                             return;
                         }
-                        let _e285 = levels.member[(0u + _e272)].row_w;
-                        let _e296 = ((((_e285.x * _e241.x) + (_e285.y * _e241.y)) + (_e285.z * _e241.z)) + (_e285.w * 1f));
-                        let _e298 = levels.member[(0u + _e272)].row_x;
-                        let _e310 = (((((_e298.x * _e241.x) + (_e298.y * _e241.y)) + (_e298.z * _e241.z)) + (_e298.w * 1f)) / _e296);
-                        let _e312 = levels.member[(0u + _e272)].row_y;
-                        let _e324 = (((((_e312.x * _e241.x) + (_e312.y * _e241.y)) + (_e312.z * _e241.z)) + (_e312.w * 1f)) / _e296);
-                        let _e326 = levels.member[(0u + _e272)].row_z;
-                        let _e337 = ((((_e326.x * _e241.x) + (_e326.y * _e241.y)) + (_e326.z * _e241.z)) + (_e326.w * 1f));
-                        if (_e296 > 0f) {
-                            if (_e310 >= 0f) {
-                                phi_1551_ = (_e310 <= 1f);
+                        let _e288 = levels.member[(0u + _e275)].row_w;
+                        let _e299 = ((((_e288.x * _e244.x) + (_e288.y * _e244.y)) + (_e288.z * _e244.z)) + (_e288.w * 1f));
+                        let _e301 = levels.member[(0u + _e275)].row_x;
+                        let _e313 = (((((_e301.x * _e244.x) + (_e301.y * _e244.y)) + (_e301.z * _e244.z)) + (_e301.w * 1f)) / _e299);
+                        let _e315 = levels.member[(0u + _e275)].row_y;
+                        let _e327 = (((((_e315.x * _e244.x) + (_e315.y * _e244.y)) + (_e315.z * _e244.z)) + (_e315.w * 1f)) / _e299);
+                        let _e329 = levels.member[(0u + _e275)].row_z;
+                        let _e340 = ((((_e329.x * _e244.x) + (_e329.y * _e244.y)) + (_e329.z * _e244.z)) + (_e329.w * 1f));
+                        if (_e299 > 0f) {
+                            if (_e313 >= 0f) {
+                                phi_1555_ = (_e313 <= 1f);
                             } else {
-                                phi_1551_ = false;
+                                phi_1555_ = false;
                             }
-                            let _e342 = phi_1551_;
-                            if _e342 {
-                                if (_e324 >= 0f) {
-                                    phi_1560_ = (_e324 <= 1f);
+                            let _e345 = phi_1555_;
+                            if _e345 {
+                                if (_e327 >= 0f) {
+                                    phi_1564_ = (_e327 <= 1f);
                                 } else {
-                                    phi_1560_ = false;
+                                    phi_1564_ = false;
                                 }
-                                let _e346 = phi_1560_;
-                                if _e346 {
-                                    if (_e337 >= 0f) {
-                                        phi_1569_ = (_e337 <= 1f);
+                                let _e349 = phi_1564_;
+                                if _e349 {
+                                    if (_e340 >= 0f) {
+                                        phi_1573_ = (_e340 <= 1f);
                                     } else {
-                                        phi_1569_ = false;
+                                        phi_1573_ = false;
                                     }
-                                    let _e350 = phi_1569_;
-                                    phi_1570_ = _e350;
-                                    phi_1571_ = false;
+                                    let _e353 = phi_1573_;
+                                    phi_1574_ = _e353;
+                                    phi_1575_ = false;
                                 } else {
-                                    phi_1570_ = bool();
-                                    phi_1571_ = true;
+                                    phi_1574_ = bool();
+                                    phi_1575_ = true;
                                 }
-                                let _e352 = phi_1570_;
-                                let _e354 = phi_1571_;
-                                phi_1572_ = _e352;
-                                phi_1573_ = _e354;
+                                let _e355 = phi_1574_;
+                                let _e357 = phi_1575_;
+                                phi_1576_ = _e355;
+                                phi_1577_ = _e357;
                             } else {
-                                phi_1572_ = bool();
-                                phi_1573_ = true;
+                                phi_1576_ = bool();
+                                phi_1577_ = true;
                             }
-                            let _e356 = phi_1572_;
-                            let _e358 = phi_1573_;
-                            phi_1574_ = _e356;
-                            phi_1575_ = _e358;
+                            let _e359 = phi_1576_;
+                            let _e361 = phi_1577_;
+                            phi_1578_ = _e359;
+                            phi_1579_ = _e361;
                         } else {
-                            phi_1574_ = bool();
-                            phi_1575_ = true;
+                            phi_1578_ = bool();
+                            phi_1579_ = true;
                         }
-                        let _e360 = phi_1574_;
-                        let _e362 = phi_1575_;
-                        if _e362 {
-                            phi_1579_ = false;
+                        let _e363 = phi_1578_;
+                        let _e365 = phi_1579_;
+                        if _e365 {
+                            phi_1583_ = false;
                         } else {
-                            phi_1579_ = _e360;
+                            phi_1583_ = _e363;
                         }
-                        let _e364 = phi_1579_;
-                        if _e364 {
-                            if (_e310 >= _e245) {
-                                if (_e310 <= (1f - _e245)) {
-                                    if (_e324 >= _e245) {
-                                        phi_1606_ = (_e324 <= (1f - _e245));
-                                        phi_1607_ = false;
+                        let _e367 = phi_1583_;
+                        if _e367 {
+                            if (_e313 >= _e248) {
+                                if (_e313 <= (1f - _e248)) {
+                                    if (_e327 >= _e248) {
+                                        phi_1610_ = (_e327 <= (1f - _e248));
+                                        phi_1611_ = false;
                                     } else {
-                                        phi_1606_ = bool();
-                                        phi_1607_ = true;
+                                        phi_1610_ = bool();
+                                        phi_1611_ = true;
                                     }
-                                    let _e372 = phi_1606_;
-                                    let _e374 = phi_1607_;
-                                    phi_1608_ = _e372;
-                                    phi_1609_ = _e374;
+                                    let _e375 = phi_1610_;
+                                    let _e377 = phi_1611_;
+                                    phi_1612_ = _e375;
+                                    phi_1613_ = _e377;
                                 } else {
-                                    phi_1608_ = bool();
-                                    phi_1609_ = true;
+                                    phi_1612_ = bool();
+                                    phi_1613_ = true;
                                 }
-                                let _e376 = phi_1608_;
-                                let _e378 = phi_1609_;
-                                phi_1610_ = _e376;
-                                phi_1611_ = _e378;
+                                let _e379 = phi_1612_;
+                                let _e381 = phi_1613_;
+                                phi_1614_ = _e379;
+                                phi_1615_ = _e381;
                             } else {
-                                phi_1610_ = bool();
-                                phi_1611_ = true;
+                                phi_1614_ = bool();
+                                phi_1615_ = true;
                             }
-                            let _e380 = phi_1610_;
-                            let _e382 = phi_1611_;
-                            phi_1612_ = _e380;
-                            phi_1613_ = _e382;
+                            let _e383 = phi_1614_;
+                            let _e385 = phi_1615_;
+                            phi_1616_ = _e383;
+                            phi_1617_ = _e385;
                         } else {
-                            phi_1612_ = bool();
-                            phi_1613_ = true;
+                            phi_1616_ = bool();
+                            phi_1617_ = true;
                         }
-                        let _e384 = phi_1612_;
-                        let _e386 = phi_1613_;
-                        if _e386 {
-                            phi_1617_ = false;
+                        let _e387 = phi_1616_;
+                        let _e389 = phi_1617_;
+                        if _e389 {
+                            phi_1621_ = false;
                         } else {
-                            phi_1617_ = _e384;
+                            phi_1621_ = _e387;
                         }
-                        let _e388 = phi_1617_;
-                        let _e395 = lt_math_LightPoint(vec2<f32>(_e310, _e270.uv.y), _e270.depth, _e270.is_inside);
-                        let _e402 = lt_math_LightPoint(vec2<f32>(_e395.uv.x, _e324), _e395.depth, _e395.is_inside);
-                        let _e406 = lt_math_LightPoint(_e402.uv, _e337, _e402.is_inside);
-                        let _e410 = lt_math_LightPoint(_e406.uv, _e406.depth, _e388);
-                        phi_1626_ = _e410;
-                        phi_1627_ = (_e272 + 1u);
-                        phi_1628_ = lt_math_LevelPoint(_e272, _e410);
-                        phi_1629_ = true;
+                        let _e391 = phi_1621_;
+                        let _e398 = lt_math_LightPoint(vec2<f32>(_e313, _e273.uv.y), _e273.depth, _e273.is_inside);
+                        let _e405 = lt_math_LightPoint(vec2<f32>(_e398.uv.x, _e327), _e398.depth, _e398.is_inside);
+                        let _e409 = lt_math_LightPoint(_e405.uv, _e340, _e405.is_inside);
+                        let _e413 = lt_math_LightPoint(_e409.uv, _e409.depth, _e391);
+                        phi_1630_ = _e413;
+                        phi_1631_ = (_e275 + 1u);
+                        phi_1632_ = lt_math_LevelPoint(_e275, _e413);
+                        phi_1633_ = true;
                     }
-                    let _e414 = phi_1626_;
-                    let _e416 = phi_1627_;
-                    let _e418 = phi_1628_;
-                    let _e420 = phi_1629_;
-                    phi_1461_ = _e414;
-                    phi_1464_ = _e416;
-                    phi_1466_ = _e418;
-                    phi_1630_ = _e420;
+                    let _e417 = phi_1630_;
+                    let _e419 = phi_1631_;
+                    let _e421 = phi_1632_;
+                    let _e423 = phi_1633_;
+                    phi_1465_ = _e417;
+                    phi_1468_ = _e419;
+                    phi_1470_ = _e421;
+                    phi_1634_ = _e423;
                 } else {
-                    phi_1461_ = lt_math_LightPoint();
-                    phi_1464_ = u32();
-                    phi_1466_ = lt_math_LevelPoint();
-                    phi_1630_ = false;
+                    phi_1465_ = lt_math_LightPoint();
+                    phi_1468_ = u32();
+                    phi_1470_ = lt_math_LevelPoint();
+                    phi_1634_ = false;
                 }
-                let _e422 = phi_1461_;
-                let _e424 = phi_1464_;
-                let _e426 = phi_1466_;
-                let _e428 = phi_1630_;
+                let _e425 = phi_1465_;
+                let _e427 = phi_1468_;
+                let _e429 = phi_1470_;
+                let _e431 = phi_1634_;
                 continue;
                 continuing {
-                    phi_1460_ = _e422;
-                    phi_1463_ = _e424;
-                    phi_1465_ = _e426;
-                    break if !(_e428);
+                    phi_1464_ = _e425;
+                    phi_1467_ = _e427;
+                    phi_1469_ = _e429;
+                    break if !(_e431);
                 }
             }
-            let _e431 = local_1;
-            if _e431.point.is_inside {
+            let _e434 = local_1;
+            if _e434.point.is_inside {
                 if (0f > 0f) {
-                    let _e437 = local_2;
-                    if (_e437.level < _e67) {
+                    let _e440 = local_2;
+                    if (_e440.level < _e70) {
                     } else {
                         return;
                     }
-                    let _e442 = levels.member[(0u + _e437.level)];
-                    let _e448 = global[0u];
-                    if (_e442.row_w.x == _e448) {
-                        let _e451 = global[1u];
-                        if (_e442.row_w.y == _e451) {
-                            let _e454 = global[2u];
-                            phi_1670_ = (_e442.row_w.z == _e454);
-                            phi_1671_ = false;
+                    let _e445 = levels.member[(0u + _e440.level)];
+                    let _e451 = global[0u];
+                    if (_e445.row_w.x == _e451) {
+                        let _e454 = global[1u];
+                        if (_e445.row_w.y == _e454) {
+                            let _e457 = global[2u];
+                            phi_1674_ = (_e445.row_w.z == _e457);
+                            phi_1675_ = false;
                         } else {
-                            phi_1670_ = bool();
-                            phi_1671_ = true;
+                            phi_1674_ = bool();
+                            phi_1675_ = true;
                         }
-                        let _e457 = phi_1670_;
-                        let _e459 = phi_1671_;
-                        phi_1672_ = _e457;
-                        phi_1673_ = _e459;
+                        let _e460 = phi_1674_;
+                        let _e462 = phi_1675_;
+                        phi_1676_ = _e460;
+                        phi_1677_ = _e462;
                     } else {
-                        phi_1672_ = bool();
-                        phi_1673_ = true;
+                        phi_1676_ = bool();
+                        phi_1677_ = true;
                     }
-                    let _e461 = phi_1672_;
-                    let _e463 = phi_1673_;
-                    if _e463 {
-                        phi_1677_ = false;
+                    let _e464 = phi_1676_;
+                    let _e466 = phi_1677_;
+                    if _e466 {
+                        phi_1681_ = false;
                     } else {
-                        phi_1677_ = _e461;
+                        phi_1681_ = _e464;
                     }
-                    let _e465 = phi_1677_;
-                    if _e465 {
-                        let _e467 = samples.member[(0u + _e73.first_primitive)].normal;
-                        let _e469 = p.member.map_size;
-                        let _e539 = ((abs(((((_e442.row_x.x * _e467.x) + (_e442.row_x.y * _e467.y)) + (_e442.row_x.z * _e467.z)) / (((_e442.row_x.x * _e442.row_x.x) + (_e442.row_x.y * _e442.row_x.y)) + (_e442.row_x.z * _e442.row_x.z)))) + abs(((((_e442.row_y.x * _e467.x) + (_e442.row_y.y * _e467.y)) + (_e442.row_y.z * _e467.z)) / (((_e442.row_y.x * _e442.row_y.x) + (_e442.row_y.y * _e442.row_y.y)) + (_e442.row_y.z * _e442.row_y.z))))) / (abs(((((_e442.row_z.x * _e467.x) + (_e442.row_z.y * _e467.y)) + (_e442.row_z.z * _e467.z)) / (((_e442.row_z.x * _e442.row_z.x) + (_e442.row_z.y * _e442.row_z.y)) + (_e442.row_z.z * _e442.row_z.z)))) * f32(_e469)));
-                        if (_e539 < 0.002f) {
-                            phi_1759_ = _e539;
+                    let _e468 = phi_1681_;
+                    if _e468 {
+                        let _e470 = samples.member[(0u + _e76.first_primitive)].normal;
+                        let _e472 = p.member.map_size;
+                        let _e542 = ((abs(((((_e445.row_x.x * _e470.x) + (_e445.row_x.y * _e470.y)) + (_e445.row_x.z * _e470.z)) / (((_e445.row_x.x * _e445.row_x.x) + (_e445.row_x.y * _e445.row_x.y)) + (_e445.row_x.z * _e445.row_x.z)))) + abs(((((_e445.row_y.x * _e470.x) + (_e445.row_y.y * _e470.y)) + (_e445.row_y.z * _e470.z)) / (((_e445.row_y.x * _e445.row_y.x) + (_e445.row_y.y * _e445.row_y.y)) + (_e445.row_y.z * _e445.row_y.z))))) / (abs(((((_e445.row_z.x * _e470.x) + (_e445.row_z.y * _e470.y)) + (_e445.row_z.z * _e470.z)) / (((_e445.row_z.x * _e445.row_z.x) + (_e445.row_z.y * _e445.row_z.y)) + (_e445.row_z.z * _e445.row_z.z)))) * f32(_e472)));
+                        if (_e542 < 0.002f) {
+                            phi_1763_ = _e542;
                         } else {
-                            phi_1759_ = 0.002f;
+                            phi_1763_ = 0.002f;
                         }
-                        let _e542 = phi_1759_;
-                        phi_1878_ = _e542;
+                        let _e545 = phi_1763_;
+                        phi_1882_ = _e545;
                     } else {
-                        let _e544 = p.member.map_size;
-                        let _e550 = samples.member[(0u + _e73.first_primitive)].position;
-                        let _e561 = ((((_e442.row_w.x * _e550.x) + (_e442.row_w.y * _e550.y)) + (_e442.row_w.z * _e550.z)) + _e442.row_w.w);
-                        let _e574 = ((_e442.row_x.x - (_e442.row_w.x * _e431.point.uv.x)) / _e561);
-                        let _e575 = ((_e442.row_x.y - (_e442.row_w.y * _e431.point.uv.x)) / _e561);
-                        let _e576 = ((_e442.row_x.z - (_e442.row_w.z * _e431.point.uv.x)) / _e561);
-                        let _e589 = ((_e442.row_y.x - (_e442.row_w.x * _e431.point.uv.y)) / _e561);
-                        let _e590 = ((_e442.row_y.y - (_e442.row_w.y * _e431.point.uv.y)) / _e561);
-                        let _e591 = ((_e442.row_y.z - (_e442.row_w.z * _e431.point.uv.y)) / _e561);
-                        let _e597 = samples.member[(0u + _e73.first_primitive)].normal;
-                        let _e602 = ((_e590 * _e597.z) - (_e597.y * _e591));
-                        let _e607 = ((_e591 * _e597.x) - (_e597.z * _e589));
-                        let _e612 = ((_e589 * _e597.y) - (_e597.x * _e590));
-                        let _e614 = samples.member[(0u + _e73.first_primitive)].normal;
-                        let _e619 = ((_e575 * _e614.z) - (_e614.y * _e576));
-                        let _e624 = ((_e576 * _e614.x) - (_e614.z * _e574));
-                        let _e629 = ((_e574 * _e614.y) - (_e614.x * _e575));
-                        let _e656 = ((abs(((((_e442.row_z.x * _e602) + (_e442.row_z.y * _e607)) + (_e442.row_z.z * _e612)) / (((_e574 * _e602) + (_e575 * _e607)) + (_e576 * _e612)))) + abs(((((_e442.row_z.x * _e619) + (_e442.row_z.y * _e624)) + (_e442.row_z.z * _e629)) / (((_e589 * _e619) + (_e590 * _e624)) + (_e591 * _e629))))) / f32(_e544));
-                        let _e658 = (16f / f32(_e544));
-                        if (_e656 < _e658) {
-                            phi_1877_ = _e656;
+                        let _e547 = p.member.map_size;
+                        let _e553 = samples.member[(0u + _e76.first_primitive)].position;
+                        let _e564 = ((((_e445.row_w.x * _e553.x) + (_e445.row_w.y * _e553.y)) + (_e445.row_w.z * _e553.z)) + _e445.row_w.w);
+                        let _e577 = ((_e445.row_x.x - (_e445.row_w.x * _e434.point.uv.x)) / _e564);
+                        let _e578 = ((_e445.row_x.y - (_e445.row_w.y * _e434.point.uv.x)) / _e564);
+                        let _e579 = ((_e445.row_x.z - (_e445.row_w.z * _e434.point.uv.x)) / _e564);
+                        let _e592 = ((_e445.row_y.x - (_e445.row_w.x * _e434.point.uv.y)) / _e564);
+                        let _e593 = ((_e445.row_y.y - (_e445.row_w.y * _e434.point.uv.y)) / _e564);
+                        let _e594 = ((_e445.row_y.z - (_e445.row_w.z * _e434.point.uv.y)) / _e564);
+                        let _e600 = samples.member[(0u + _e76.first_primitive)].normal;
+                        let _e605 = ((_e593 * _e600.z) - (_e600.y * _e594));
+                        let _e610 = ((_e594 * _e600.x) - (_e600.z * _e592));
+                        let _e615 = ((_e592 * _e600.y) - (_e600.x * _e593));
+                        let _e617 = samples.member[(0u + _e76.first_primitive)].normal;
+                        let _e622 = ((_e578 * _e617.z) - (_e617.y * _e579));
+                        let _e627 = ((_e579 * _e617.x) - (_e617.z * _e577));
+                        let _e632 = ((_e577 * _e617.y) - (_e617.x * _e578));
+                        let _e659 = ((abs(((((_e445.row_z.x * _e605) + (_e445.row_z.y * _e610)) + (_e445.row_z.z * _e615)) / (((_e577 * _e605) + (_e578 * _e610)) + (_e579 * _e615)))) + abs(((((_e445.row_z.x * _e622) + (_e445.row_z.y * _e627)) + (_e445.row_z.z * _e632)) / (((_e592 * _e622) + (_e593 * _e627)) + (_e594 * _e632))))) / f32(_e547));
+                        let _e661 = (16f / f32(_e547));
+                        if (_e659 < _e661) {
+                            phi_1881_ = _e659;
                         } else {
-                            phi_1877_ = _e658;
+                            phi_1881_ = _e661;
                         }
-                        let _e661 = phi_1877_;
-                        phi_1878_ = _e661;
+                        let _e664 = phi_1881_;
+                        phi_1882_ = _e664;
                     }
-                    let _e663 = phi_1878_;
-                    phi_1881_ = (_e431.point.depth - (0f * _e663));
+                    let _e666 = phi_1882_;
+                    phi_1885_ = (_e434.point.depth - (0f * _e666));
                 } else {
-                    phi_1881_ = _e431.point.depth;
+                    phi_1885_ = _e434.point.depth;
                 }
-                let _e667 = phi_1881_;
-                let _e673 = p.member.map_size;
-                let _e674 = f32(_e673);
-                let _e677 = ((_e431.point.uv.x * _e674) - 0.5f);
-                let _e678 = ((_e431.point.uv.y * _e674) - 0.5f);
-                if (_e677 > -8388608f) {
-                    let _e690 = f32(select(0i, select(select(i32(_e677), i32(-2147483648), (_e677 < bitcast<f32>(3472883712u))), 2147483647i, (_e677 > bitcast<f32>(1325400063u))), (_e677 == _e677)));
-                    if (_e690 > _e677) {
-                        phi_1910_ = 1f;
+                let _e670 = phi_1885_;
+                let _e676 = p.member.map_size;
+                let _e677 = f32(_e676);
+                let _e680 = ((_e434.point.uv.x * _e677) - 0.5f);
+                let _e681 = ((_e434.point.uv.y * _e677) - 0.5f);
+                if (_e680 > -8388608f) {
+                    let _e693 = f32(select(0i, select(select(i32(_e680), i32(-2147483648), (_e680 < bitcast<f32>(3472883712u))), 2147483647i, (_e680 > bitcast<f32>(1325400063u))), (_e680 == _e680)));
+                    if (_e693 > _e680) {
+                        phi_1914_ = 1f;
                     } else {
-                        phi_1910_ = 0f;
+                        phi_1914_ = 0f;
                     }
-                    let _e693 = phi_1910_;
-                    if (_e677 < 8388608f) {
-                        phi_1915_ = (_e690 - _e693);
-                        phi_1916_ = false;
+                    let _e696 = phi_1914_;
+                    if (_e680 < 8388608f) {
+                        phi_1919_ = (_e693 - _e696);
+                        phi_1920_ = false;
                     } else {
-                        phi_1915_ = f32();
-                        phi_1916_ = true;
+                        phi_1919_ = f32();
+                        phi_1920_ = true;
                     }
-                    let _e696 = phi_1915_;
-                    let _e698 = phi_1916_;
-                    phi_1917_ = _e696;
-                    phi_1918_ = _e698;
+                    let _e699 = phi_1919_;
+                    let _e701 = phi_1920_;
+                    phi_1921_ = _e699;
+                    phi_1922_ = _e701;
                 } else {
-                    phi_1917_ = f32();
-                    phi_1918_ = true;
+                    phi_1921_ = f32();
+                    phi_1922_ = true;
                 }
-                let _e700 = phi_1917_;
-                let _e702 = phi_1918_;
-                if _e702 {
-                    phi_1922_ = _e677;
+                let _e703 = phi_1921_;
+                let _e705 = phi_1922_;
+                if _e705 {
+                    phi_1926_ = _e680;
                 } else {
-                    phi_1922_ = _e700;
+                    phi_1926_ = _e703;
                 }
-                let _e704 = phi_1922_;
-                if (_e678 > -8388608f) {
-                    let _e716 = f32(select(0i, select(select(i32(_e678), i32(-2147483648), (_e678 < bitcast<f32>(3472883712u))), 2147483647i, (_e678 > bitcast<f32>(1325400063u))), (_e678 == _e678)));
-                    if (_e716 > _e678) {
-                        phi_1942_ = 1f;
+                let _e707 = phi_1926_;
+                if (_e681 > -8388608f) {
+                    let _e719 = f32(select(0i, select(select(i32(_e681), i32(-2147483648), (_e681 < bitcast<f32>(3472883712u))), 2147483647i, (_e681 > bitcast<f32>(1325400063u))), (_e681 == _e681)));
+                    if (_e719 > _e681) {
+                        phi_1946_ = 1f;
                     } else {
-                        phi_1942_ = 0f;
+                        phi_1946_ = 0f;
                     }
-                    let _e719 = phi_1942_;
-                    if (_e678 < 8388608f) {
-                        phi_1947_ = (_e716 - _e719);
-                        phi_1948_ = false;
+                    let _e722 = phi_1946_;
+                    if (_e681 < 8388608f) {
+                        phi_1951_ = (_e719 - _e722);
+                        phi_1952_ = false;
                     } else {
-                        phi_1947_ = f32();
-                        phi_1948_ = true;
+                        phi_1951_ = f32();
+                        phi_1952_ = true;
                     }
-                    let _e722 = phi_1947_;
-                    let _e724 = phi_1948_;
-                    phi_1949_ = _e722;
-                    phi_1950_ = _e724;
+                    let _e725 = phi_1951_;
+                    let _e727 = phi_1952_;
+                    phi_1953_ = _e725;
+                    phi_1954_ = _e727;
                 } else {
-                    phi_1949_ = f32();
-                    phi_1950_ = true;
+                    phi_1953_ = f32();
+                    phi_1954_ = true;
                 }
-                let _e726 = phi_1949_;
-                let _e728 = phi_1950_;
-                if _e728 {
-                    phi_1954_ = _e678;
+                let _e729 = phi_1953_;
+                let _e731 = phi_1954_;
+                if _e731 {
+                    phi_1958_ = _e681;
                 } else {
-                    phi_1954_ = _e726;
+                    phi_1958_ = _e729;
                 }
-                let _e730 = phi_1954_;
-                let _e731 = (_e677 - _e704);
-                let _e732 = (_e678 - _e730);
-                let _e741 = select(0i, select(select(i32(_e704), i32(-2147483648), (_e704 < bitcast<f32>(3472883712u))), 2147483647i, (_e704 > bitcast<f32>(1325400063u))), (_e704 == _e704));
-                let _e750 = select(0i, select(select(i32(_e730), i32(-2147483648), (_e730 < bitcast<f32>(3472883712u))), 2147483647i, (_e730 > bitcast<f32>(1325400063u))), (_e730 == _e730));
-                let _e761 = p.member.test;
-                let _e762 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e761);
-                let _e764 = p.member.map_size;
-                let _e766 = local_3;
-                local = lt_math_Evsm(_e762.positive_exponent, _e762.negative_exponent, _e762.min_variance);
-                let _e773 = ((_e766.level * _e764) * _e764);
-                let _e775 = (bitcast<i32>(_e764) - 1i);
-                if (_e741 > 0i) {
-                    phi_2007_ = _e741;
+                let _e733 = phi_1958_;
+                let _e734 = (_e680 - _e707);
+                let _e735 = (_e681 - _e733);
+                let _e744 = select(0i, select(select(i32(_e707), i32(-2147483648), (_e707 < bitcast<f32>(3472883712u))), 2147483647i, (_e707 > bitcast<f32>(1325400063u))), (_e707 == _e707));
+                let _e753 = select(0i, select(select(i32(_e733), i32(-2147483648), (_e733 < bitcast<f32>(3472883712u))), 2147483647i, (_e733 > bitcast<f32>(1325400063u))), (_e733 == _e733));
+                let _e764 = p.member.test;
+                let _e765 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e764);
+                let _e767 = p.member.map_size;
+                let _e769 = local_3;
+                local = lt_math_Evsm(_e765.positive_exponent, _e765.negative_exponent, _e765.min_variance);
+                let _e776 = ((_e769.level * _e767) * _e767);
+                let _e778 = (bitcast<i32>(_e767) - 1i);
+                if (_e744 > 0i) {
+                    phi_2011_ = _e744;
                 } else {
-                    phi_2007_ = 0i;
+                    phi_2011_ = 0i;
                 }
-                let _e778 = phi_2007_;
-                if (_e750 > 0i) {
-                    phi_2012_ = _e750;
+                let _e781 = phi_2011_;
+                if (_e753 > 0i) {
+                    phi_2016_ = _e753;
                 } else {
-                    phi_2012_ = 0i;
+                    phi_2016_ = 0i;
                 }
-                let _e781 = phi_2012_;
-                if (_e778 < _e775) {
-                    phi_2017_ = _e778;
+                let _e784 = phi_2016_;
+                if (_e781 < _e778) {
+                    phi_2021_ = _e781;
                 } else {
-                    phi_2017_ = _e775;
+                    phi_2021_ = _e778;
                 }
-                let _e784 = phi_2017_;
-                if (_e781 < _e775) {
-                    phi_2022_ = _e781;
+                let _e787 = phi_2021_;
+                if (_e784 < _e778) {
+                    phi_2026_ = _e784;
                 } else {
-                    phi_2022_ = _e775;
+                    phi_2026_ = _e778;
                 }
-                let _e787 = phi_2022_;
-                let _e788 = bitcast<u32>(_e784);
-                let _e790 = (_e741 + 1i);
-                let _e791 = (_e750 + 1i);
-                if (_e790 > 0i) {
-                    phi_2031_ = _e790;
+                let _e790 = phi_2026_;
+                let _e791 = bitcast<u32>(_e787);
+                let _e793 = (_e744 + 1i);
+                let _e794 = (_e753 + 1i);
+                if (_e793 > 0i) {
+                    phi_2035_ = _e793;
                 } else {
-                    phi_2031_ = 0i;
+                    phi_2035_ = 0i;
                 }
-                let _e794 = phi_2031_;
-                if (_e791 > 0i) {
-                    phi_2036_ = _e791;
+                let _e797 = phi_2035_;
+                if (_e794 > 0i) {
+                    phi_2040_ = _e794;
                 } else {
-                    phi_2036_ = 0i;
+                    phi_2040_ = 0i;
                 }
-                let _e797 = phi_2036_;
-                if (_e794 < _e775) {
-                    phi_2041_ = _e794;
+                let _e800 = phi_2040_;
+                if (_e797 < _e778) {
+                    phi_2045_ = _e797;
                 } else {
-                    phi_2041_ = _e775;
+                    phi_2045_ = _e778;
                 }
-                let _e800 = phi_2041_;
-                if (_e797 < _e775) {
-                    phi_2046_ = _e797;
+                let _e803 = phi_2045_;
+                if (_e800 < _e778) {
+                    phi_2050_ = _e800;
                 } else {
-                    phi_2046_ = _e775;
+                    phi_2050_ = _e778;
                 }
-                let _e803 = phi_2046_;
-                let _e804 = bitcast<u32>(_e800);
-                let _e806 = (bitcast<u32>(_e787) * _e764);
-                let _e807 = (bitcast<u32>(_e803) * _e764);
-                let _e812 = ((_e806 + _e788) + _e773);
-                let _e813 = ((_e806 + _e804) + _e773);
-                let _e814 = ((_e807 + _e788) + _e773);
-                let _e815 = ((_e807 + _e804) + _e773);
-                if (_e812 < _e61) {
+                let _e806 = phi_2050_;
+                let _e807 = bitcast<u32>(_e803);
+                let _e809 = (bitcast<u32>(_e790) * _e767);
+                let _e810 = (bitcast<u32>(_e806) * _e767);
+                let _e815 = ((_e809 + _e791) + _e776);
+                let _e816 = ((_e809 + _e807) + _e776);
+                let _e817 = ((_e810 + _e791) + _e776);
+                let _e818 = ((_e810 + _e807) + _e776);
+                if (_e815 < _e64) {
                 } else {
                     return;
                 }
-                let _e819 = map.member[(0u + _e812)];
-                if (_e813 < _e61) {
+                let _e822 = map.member[(0u + _e815)];
+                if (_e816 < _e64) {
                 } else {
                     return;
                 }
-                let _e823 = map.member[(0u + _e813)];
-                if (_e814 < _e61) {
+                let _e826 = map.member[(0u + _e816)];
+                if (_e817 < _e64) {
                 } else {
                     return;
                 }
-                let _e827 = map.member[(0u + _e814)];
-                if (_e815 < _e61) {
+                let _e830 = map.member[(0u + _e817)];
+                if (_e818 < _e64) {
                 } else {
                     return;
                 }
-                let _e831 = map.member[(0u + _e815)];
-                let _e833 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e819, _e823, _e827, _e831), vec4<f32>(((1f - _e731) * (1f - _e732)), (_e731 * (1f - _e732)), ((1f - _e731) * _e732), (_e731 * _e732)), _e667);
-                let _e835 = p.member.epsilon;
-                if (_e833 <= _e835) {
-                    phi_2097_ = true;
+                let _e834 = map.member[(0u + _e818)];
+                let _e836 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e822, _e826, _e830, _e834), vec4<f32>(((1f - _e734) * (1f - _e735)), (_e734 * (1f - _e735)), ((1f - _e734) * _e735), (_e734 * _e735)), _e670);
+                let _e840 = p.member.epsilon;
+                if (_e836 <= _e840) {
+                    phi_2103_ = true;
                 } else {
-                    phi_2097_ = (_e833 >= (1f - _e835));
+                    phi_2103_ = (_e836 >= (1f - _e840));
                 }
-                let _e840 = phi_2097_;
-                if ((bitcast<u32>(_e833) & 2147483647u) > 2139095040u) {
-                    phi_2105_ = true;
+                let _e845 = phi_2103_;
+                if ((bitcast<u32>(_e836) & 2147483647u) > 2139095040u) {
+                    phi_2111_ = true;
                 } else {
-                    phi_2105_ = !(_e840);
+                    phi_2111_ = !(_e845);
                 }
-                let _e846 = phi_2105_;
-                if _e846 {
-                    if (_e833 > 0f) {
-                        if (_e833 < 1f) {
-                            phi_2117_ = false;
+                let _e851 = phi_2111_;
+                if _e851 {
+                    if (_e836 > 0f) {
+                        if (_e836 < 1f) {
+                            phi_2123_ = false;
                         } else {
-                            phi_2117_ = true;
+                            phi_2123_ = true;
                         }
-                        let _e850 = phi_2117_;
-                        phi_2118_ = _e850;
+                        let _e855 = phi_2123_;
+                        phi_2124_ = _e855;
                     } else {
-                        phi_2118_ = true;
+                        phi_2124_ = true;
                     }
-                    let _e852 = phi_2118_;
-                    if _e852 {
-                        phi_2122_ = 0.5f;
+                    let _e857 = phi_2124_;
+                    if _e857 {
+                        phi_2128_ = 0.5f;
                     } else {
-                        phi_2122_ = _e833;
+                        phi_2128_ = _e836;
                     }
-                    let _e854 = phi_2122_;
-                    phi_2130_ = evaluate_Verdict(_e854, true);
+                    let _e859 = phi_2128_;
+                    phi_2136_ = evaluate_Verdict(_e859, true);
                 } else {
-                    if (_e833 > 0.5f) {
-                        phi_2128_ = 1f;
+                    if (_e836 > 0.5f) {
+                        phi_2134_ = 1f;
                     } else {
-                        phi_2128_ = 0f;
+                        phi_2134_ = 0f;
                     }
-                    let _e858 = phi_2128_;
-                    phi_2130_ = evaluate_Verdict(_e858, false);
+                    let _e863 = phi_2134_;
+                    phi_2136_ = evaluate_Verdict(_e863, false);
                 }
-                let _e861 = phi_2130_;
-                phi_2135_ = evaluate_Verdict(_e861.visibility, _e861.is_doubted);
+                let _e866 = phi_2136_;
+                let _e869 = (_e866.visibility < 0.5f);
+                if _e866.is_doubted {
+                    phi_2159_ = evaluate_Verdict();
+                    phi_2160_ = true;
+                } else {
+                    if _e869 {
+                        phi_2146_ = 2u;
+                    } else {
+                        phi_2146_ = 1u;
+                    }
+                    let _e871 = phi_2146_;
+                    if ((0u & _e871) != 0u) {
+                        if _e869 {
+                            phi_2155_ = 0.000000059604645f;
+                        } else {
+                            phi_2155_ = 0.99999994f;
+                        }
+                        let _e875 = phi_2155_;
+                        phi_2157_ = evaluate_Verdict(_e875, true);
+                        phi_2158_ = false;
+                    } else {
+                        phi_2157_ = evaluate_Verdict();
+                        phi_2158_ = true;
+                    }
+                    let _e878 = phi_2157_;
+                    let _e880 = phi_2158_;
+                    phi_2159_ = _e878;
+                    phi_2160_ = _e880;
+                }
+                let _e882 = phi_2159_;
+                let _e884 = phi_2160_;
+                if _e884 {
+                    phi_2165_ = evaluate_Verdict(_e866.visibility, _e866.is_doubted);
+                } else {
+                    phi_2165_ = _e882;
+                }
+                let _e887 = phi_2165_;
+                phi_2170_ = evaluate_Verdict(_e887.visibility, _e887.is_doubted);
             } else {
-                phi_2135_ = evaluate_Verdict(0.5f, true);
+                phi_2170_ = evaluate_Verdict(0.5f, true);
             }
-            let _e867 = phi_2135_;
-            phi_2136_ = _e867;
+            let _e893 = phi_2170_;
+            phi_2171_ = _e893;
         }
-        let _e869 = phi_2136_;
-        if (_e73.first_primitive < arrayLength((&visibility.member))) {
+        let _e895 = phi_2171_;
+        if (_e76.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e73.first_primitive)] = _e869.visibility;
+        visibility.member[(0u + _e76.first_primitive)] = _e895.visibility;
     }
     return;
 }

@@ -68,14 +68,14 @@ struct type_35 {
     member: abi_ShadowParams,
 }
 
+struct lt_math_OneLevel {
+    projection: lt_math_LightProjection,
+}
+
 struct lt_math_Evsm {
     positive_exponent: f32,
     negative_exponent: f32,
     min_variance: f32,
-}
-
-struct lt_math_OneLevel {
-    projection: lt_math_LightProjection,
 }
 
 var<private> id_1: vec3<u32>;
@@ -90,37 +90,37 @@ var<storage, read_write> visibility: type_19;
 var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_153_: lt_bvh_traverse_Tree;
-    var phi_154_: bool;
-    var phi_155_: lt_bvh_traverse_Tree;
-    var phi_156_: bool;
-    var phi_161_: lt_bvh_traverse_Tree;
+    var phi_157_: lt_bvh_traverse_Tree;
+    var phi_158_: bool;
+    var phi_159_: lt_bvh_traverse_Tree;
+    var phi_160_: bool;
+    var phi_165_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_153_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_154_ = false;
+            phi_157_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_158_ = false;
         } else {
-            phi_153_ = lt_bvh_traverse_Tree();
-            phi_154_ = true;
+            phi_157_ = lt_bvh_traverse_Tree();
+            phi_158_ = true;
         }
-        let _e60 = phi_153_;
-        let _e62 = phi_154_;
-        phi_155_ = _e60;
-        phi_156_ = _e62;
+        let _e63 = phi_157_;
+        let _e65 = phi_158_;
+        phi_159_ = _e63;
+        phi_160_ = _e65;
     } else {
-        phi_155_ = lt_bvh_traverse_Tree();
-        phi_156_ = true;
+        phi_159_ = lt_bvh_traverse_Tree();
+        phi_160_ = true;
     }
-    let _e64 = phi_155_;
-    let _e66 = phi_156_;
-    if _e66 {
-        phi_161_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e67 = phi_159_;
+    let _e69 = phi_160_;
+    if _e69 {
+        phi_165_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_161_ = _e64;
+        phi_165_ = _e67;
     }
-    let _e71 = phi_161_;
-    return lt_bvh_traverse_Tree(_e71.root, _e71.first_primitive);
+    let _e74 = phi_165_;
+    return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> lt_math_Evsm {
@@ -128,796 +128,840 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_par
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_4: ptr<function, lt_math_Evsm>, param_5: f32) -> vec4<f32> {
-    var phi_188_: f32;
-    var phi_189_: f32;
-    var phi_190_: f32;
-    var phi_203_: bool;
-    var phi_207_: f32;
-    var phi_219_: f32;
-    var phi_224_: f32;
-    var phi_246_: f32;
-    var phi_251_: f32;
-    var phi_252_: bool;
-    var phi_253_: f32;
-    var phi_254_: bool;
-    var phi_258_: f32;
-    var phi_296_: f32;
-    var phi_309_: bool;
-    var phi_313_: f32;
-    var phi_326_: f32;
-    var phi_331_: f32;
-    var phi_353_: f32;
-    var phi_358_: f32;
-    var phi_359_: bool;
-    var phi_360_: f32;
-    var phi_361_: bool;
-    var phi_365_: f32;
-    var phi_403_: f32;
+    var phi_192_: f32;
+    var phi_193_: f32;
+    var phi_194_: f32;
+    var phi_207_: bool;
+    var phi_211_: f32;
+    var phi_223_: f32;
+    var phi_228_: f32;
+    var phi_250_: f32;
+    var phi_255_: f32;
+    var phi_256_: bool;
+    var phi_257_: f32;
+    var phi_258_: bool;
+    var phi_262_: f32;
+    var phi_300_: f32;
+    var phi_313_: bool;
+    var phi_317_: f32;
+    var phi_330_: f32;
+    var phi_335_: f32;
+    var phi_357_: f32;
+    var phi_362_: f32;
+    var phi_363_: bool;
+    var phi_364_: f32;
+    var phi_365_: bool;
+    var phi_369_: f32;
+    var phi_407_: f32;
 
     if ((bitcast<u32>(param_5) & 2147483647u) > 2139095040u) {
-        phi_190_ = param_5;
+        phi_194_ = param_5;
     } else {
         if (param_5 < 0f) {
-            phi_189_ = 0f;
+            phi_193_ = 0f;
         } else {
             if (param_5 > 1f) {
-                phi_188_ = 1f;
+                phi_192_ = 1f;
             } else {
-                phi_188_ = param_5;
+                phi_192_ = param_5;
             }
-            let _e55 = phi_188_;
-            phi_189_ = _e55;
+            let _e58 = phi_192_;
+            phi_193_ = _e58;
         }
-        let _e57 = phi_189_;
-        phi_190_ = _e57;
+        let _e60 = phi_193_;
+        phi_194_ = _e60;
     }
-    let _e59 = phi_190_;
-    let _e61 = (*param_4).positive_exponent;
+    let _e62 = phi_194_;
+    let _e64 = (*param_4).positive_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_203_ = true;
+        phi_207_ = true;
     } else {
-        let _e65 = (42f < _e61);
-        if _e65 {
+        let _e68 = (42f < _e64);
+        if _e68 {
         }
-        phi_203_ = _e65;
+        phi_207_ = _e68;
     }
-    let _e67 = phi_203_;
-    if _e67 {
-        phi_207_ = 42f;
+    let _e70 = phi_207_;
+    if _e70 {
+        phi_211_ = 42f;
     } else {
-        phi_207_ = _e61;
+        phi_211_ = _e64;
     }
-    let _e69 = phi_207_;
-    let _e70 = (_e69 * _e59);
-    if ((bitcast<u32>(_e70) & 2147483647u) > 2139095040u) {
-        phi_296_ = _e70;
+    let _e72 = phi_211_;
+    let _e73 = (_e72 * _e62);
+    if ((bitcast<u32>(_e73) & 2147483647u) > 2139095040u) {
+        phi_300_ = _e73;
     } else {
-        if (_e70 < -87f) {
-            phi_219_ = -87f;
+        if (_e73 < -87f) {
+            phi_223_ = -87f;
         } else {
-            phi_219_ = _e70;
+            phi_223_ = _e73;
         }
-        let _e76 = phi_219_;
-        if (_e76 > 88f) {
-            phi_224_ = 88f;
+        let _e79 = phi_223_;
+        if (_e79 > 88f) {
+            phi_228_ = 88f;
         } else {
-            phi_224_ = _e76;
+            phi_228_ = _e79;
         }
-        let _e79 = phi_224_;
-        let _e81 = ((_e79 * 1.442695f) + 0.5f);
-        if (_e81 > -8388608f) {
-            let _e93 = f32(select(0i, select(select(i32(_e81), i32(-2147483648), (_e81 < bitcast<f32>(3472883712u))), 2147483647i, (_e81 > bitcast<f32>(1325400063u))), (_e81 == _e81)));
-            if (_e93 > _e81) {
-                phi_246_ = 1f;
+        let _e82 = phi_228_;
+        let _e84 = ((_e82 * 1.442695f) + 0.5f);
+        if (_e84 > -8388608f) {
+            let _e96 = f32(select(0i, select(select(i32(_e84), i32(-2147483648), (_e84 < bitcast<f32>(3472883712u))), 2147483647i, (_e84 > bitcast<f32>(1325400063u))), (_e84 == _e84)));
+            if (_e96 > _e84) {
+                phi_250_ = 1f;
             } else {
-                phi_246_ = 0f;
+                phi_250_ = 0f;
             }
-            let _e96 = phi_246_;
-            if (_e81 < 8388608f) {
-                phi_251_ = (_e93 - _e96);
-                phi_252_ = false;
+            let _e99 = phi_250_;
+            if (_e84 < 8388608f) {
+                phi_255_ = (_e96 - _e99);
+                phi_256_ = false;
             } else {
-                phi_251_ = f32();
-                phi_252_ = true;
+                phi_255_ = f32();
+                phi_256_ = true;
             }
-            let _e99 = phi_251_;
-            let _e101 = phi_252_;
-            phi_253_ = _e99;
-            phi_254_ = _e101;
+            let _e102 = phi_255_;
+            let _e104 = phi_256_;
+            phi_257_ = _e102;
+            phi_258_ = _e104;
         } else {
-            phi_253_ = f32();
-            phi_254_ = true;
+            phi_257_ = f32();
+            phi_258_ = true;
         }
-        let _e103 = phi_253_;
-        let _e105 = phi_254_;
-        if _e105 {
-            phi_258_ = _e81;
+        let _e106 = phi_257_;
+        let _e108 = phi_258_;
+        if _e108 {
+            phi_262_ = _e84;
         } else {
-            phi_258_ = _e103;
+            phi_262_ = _e106;
         }
-        let _e107 = phi_258_;
-        let _e111 = ((_e79 - (_e107 * 0.69314575f)) - (_e107 * 0.0000014286068f));
-        phi_296_ = ((((((((((((((((1f / 5040f) * _e111) + (1f / 720f)) * _e111) + (1f / 120f)) * _e111) + (1f / 24f)) * _e111) + (1f / 6f)) * _e111) + 0.5f) * _e111) + 1f) * _e111) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e107), i32(-2147483648), (_e107 < bitcast<f32>(3472883712u))), 2147483647i, (_e107 > bitcast<f32>(1325400063u))), (_e107 == _e107)) + 127i)) << bitcast<u32>(23i))));
+        let _e110 = phi_262_;
+        let _e114 = ((_e82 - (_e110 * 0.69314575f)) - (_e110 * 0.0000014286068f));
+        phi_300_ = ((((((((((((((((1f / 5040f) * _e114) + (1f / 720f)) * _e114) + (1f / 120f)) * _e114) + (1f / 24f)) * _e114) + (1f / 6f)) * _e114) + 0.5f) * _e114) + 1f) * _e114) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e110), i32(-2147483648), (_e110 < bitcast<f32>(3472883712u))), 2147483647i, (_e110 > bitcast<f32>(1325400063u))), (_e110 == _e110)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e147 = phi_296_;
-    let _e149 = (*param_4).negative_exponent;
+    let _e150 = phi_300_;
+    let _e152 = (*param_4).negative_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_309_ = true;
+        phi_313_ = true;
     } else {
-        let _e153 = (42f < _e149);
-        if _e153 {
+        let _e156 = (42f < _e152);
+        if _e156 {
         }
-        phi_309_ = _e153;
+        phi_313_ = _e156;
     }
-    let _e155 = phi_309_;
-    if _e155 {
-        phi_313_ = 42f;
+    let _e158 = phi_313_;
+    if _e158 {
+        phi_317_ = 42f;
     } else {
-        phi_313_ = _e149;
+        phi_317_ = _e152;
     }
-    let _e157 = phi_313_;
-    let _e159 = (-(_e157) * _e59);
-    if ((bitcast<u32>(_e159) & 2147483647u) > 2139095040u) {
-        phi_403_ = _e159;
+    let _e160 = phi_317_;
+    let _e162 = (-(_e160) * _e62);
+    if ((bitcast<u32>(_e162) & 2147483647u) > 2139095040u) {
+        phi_407_ = _e162;
     } else {
-        if (_e159 < -87f) {
-            phi_326_ = -87f;
+        if (_e162 < -87f) {
+            phi_330_ = -87f;
         } else {
-            phi_326_ = _e159;
+            phi_330_ = _e162;
         }
-        let _e165 = phi_326_;
-        if (_e165 > 88f) {
-            phi_331_ = 88f;
+        let _e168 = phi_330_;
+        if (_e168 > 88f) {
+            phi_335_ = 88f;
         } else {
-            phi_331_ = _e165;
+            phi_335_ = _e168;
         }
-        let _e168 = phi_331_;
-        let _e170 = ((_e168 * 1.442695f) + 0.5f);
-        if (_e170 > -8388608f) {
-            let _e182 = f32(select(0i, select(select(i32(_e170), i32(-2147483648), (_e170 < bitcast<f32>(3472883712u))), 2147483647i, (_e170 > bitcast<f32>(1325400063u))), (_e170 == _e170)));
-            if (_e182 > _e170) {
-                phi_353_ = 1f;
+        let _e171 = phi_335_;
+        let _e173 = ((_e171 * 1.442695f) + 0.5f);
+        if (_e173 > -8388608f) {
+            let _e185 = f32(select(0i, select(select(i32(_e173), i32(-2147483648), (_e173 < bitcast<f32>(3472883712u))), 2147483647i, (_e173 > bitcast<f32>(1325400063u))), (_e173 == _e173)));
+            if (_e185 > _e173) {
+                phi_357_ = 1f;
             } else {
-                phi_353_ = 0f;
+                phi_357_ = 0f;
             }
-            let _e185 = phi_353_;
-            if (_e170 < 8388608f) {
-                phi_358_ = (_e182 - _e185);
-                phi_359_ = false;
+            let _e188 = phi_357_;
+            if (_e173 < 8388608f) {
+                phi_362_ = (_e185 - _e188);
+                phi_363_ = false;
             } else {
-                phi_358_ = f32();
-                phi_359_ = true;
+                phi_362_ = f32();
+                phi_363_ = true;
             }
-            let _e188 = phi_358_;
-            let _e190 = phi_359_;
-            phi_360_ = _e188;
-            phi_361_ = _e190;
+            let _e191 = phi_362_;
+            let _e193 = phi_363_;
+            phi_364_ = _e191;
+            phi_365_ = _e193;
         } else {
-            phi_360_ = f32();
-            phi_361_ = true;
+            phi_364_ = f32();
+            phi_365_ = true;
         }
-        let _e192 = phi_360_;
-        let _e194 = phi_361_;
-        if _e194 {
-            phi_365_ = _e170;
+        let _e195 = phi_364_;
+        let _e197 = phi_365_;
+        if _e197 {
+            phi_369_ = _e173;
         } else {
-            phi_365_ = _e192;
+            phi_369_ = _e195;
         }
-        let _e196 = phi_365_;
-        let _e200 = ((_e168 - (_e196 * 0.69314575f)) - (_e196 * 0.0000014286068f));
-        phi_403_ = ((((((((((((((((1f / 5040f) * _e200) + (1f / 720f)) * _e200) + (1f / 120f)) * _e200) + (1f / 24f)) * _e200) + (1f / 6f)) * _e200) + 0.5f) * _e200) + 1f) * _e200) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e196), i32(-2147483648), (_e196 < bitcast<f32>(3472883712u))), 2147483647i, (_e196 > bitcast<f32>(1325400063u))), (_e196 == _e196)) + 127i)) << bitcast<u32>(23i))));
+        let _e199 = phi_369_;
+        let _e203 = ((_e171 - (_e199 * 0.69314575f)) - (_e199 * 0.0000014286068f));
+        phi_407_ = ((((((((((((((((1f / 5040f) * _e203) + (1f / 720f)) * _e203) + (1f / 120f)) * _e203) + (1f / 24f)) * _e203) + (1f / 6f)) * _e203) + 0.5f) * _e203) + 1f) * _e203) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e199), i32(-2147483648), (_e199 < bitcast<f32>(3472883712u))), 2147483647i, (_e199 > bitcast<f32>(1325400063u))), (_e199 == _e199)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e236 = phi_403_;
-    let _e237 = -(_e236);
-    return vec4<f32>(_e147, (_e147 * _e147), _e237, (_e237 * _e237));
+    let _e239 = phi_407_;
+    let _e240 = -(_e239);
+    return vec4<f32>(_e150, (_e150 * _e150), _e240, (_e240 * _e240));
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_6: ptr<function, lt_math_Evsm>, param_7: vec4<f32>, param_8: f32) -> f32 {
-    var phi_425_: bool;
-    var phi_429_: f32;
-    var phi_453_: bool;
-    var phi_457_: f32;
-    var phi_469_: bool;
-    var phi_476_: f32;
-    var phi_489_: bool;
-    var phi_493_: f32;
-    var phi_517_: bool;
-    var phi_521_: f32;
-    var phi_533_: bool;
-    var phi_540_: f32;
-    var phi_551_: bool;
-    var phi_555_: f32;
-    var phi_570_: f32;
-    var phi_571_: f32;
-    var phi_572_: f32;
+    var phi_429_: bool;
+    var phi_433_: f32;
+    var phi_457_: bool;
+    var phi_461_: f32;
+    var phi_473_: bool;
+    var phi_480_: f32;
+    var phi_493_: bool;
+    var phi_497_: f32;
+    var phi_521_: bool;
+    var phi_525_: f32;
+    var phi_537_: bool;
+    var phi_544_: f32;
+    var phi_555_: bool;
+    var phi_559_: f32;
+    var phi_574_: f32;
+    var phi_575_: f32;
+    var phi_576_: f32;
 
-    let _e50 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_6, param_8);
-    let _e52 = (*param_6).positive_exponent;
+    let _e53 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_6, param_8);
+    let _e55 = (*param_6).positive_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_425_ = true;
+        phi_429_ = true;
     } else {
-        let _e56 = (42f < _e52);
-        if _e56 {
+        let _e59 = (42f < _e55);
+        if _e59 {
         }
-        phi_425_ = _e56;
+        phi_429_ = _e59;
     }
-    let _e58 = phi_425_;
-    if _e58 {
-        phi_429_ = 42f;
+    let _e61 = phi_429_;
+    if _e61 {
+        phi_433_ = 42f;
     } else {
-        phi_429_ = _e52;
+        phi_433_ = _e55;
     }
-    let _e60 = phi_429_;
-    let _e62 = (*param_6).min_variance;
-    let _e66 = (((_e62 * _e60) * _e60) * _e50.y);
-    let _e73 = ((param_7.y - (param_7.x * param_7.x)) + (0.00000047683716f * param_7.y));
-    if ((bitcast<u32>(_e66) & 2147483647u) > 2139095040u) {
-        phi_453_ = true;
+    let _e63 = phi_433_;
+    let _e65 = (*param_6).min_variance;
+    let _e69 = (((_e65 * _e63) * _e63) * _e53.y);
+    let _e76 = ((param_7.y - (param_7.x * param_7.x)) + (0.00000047683716f * param_7.y));
+    if ((bitcast<u32>(_e69) & 2147483647u) > 2139095040u) {
+        phi_457_ = true;
     } else {
-        let _e77 = (_e66 > _e73);
-        if _e77 {
+        let _e80 = (_e69 > _e76);
+        if _e80 {
         }
-        phi_453_ = _e77;
+        phi_457_ = _e80;
     }
-    let _e79 = phi_453_;
-    if _e79 {
-        phi_457_ = _e66;
+    let _e82 = phi_457_;
+    if _e82 {
+        phi_461_ = _e69;
     } else {
-        phi_457_ = _e73;
+        phi_461_ = _e76;
     }
-    let _e81 = phi_457_;
-    let _e82 = (_e50.x - param_7.x);
-    if (_e82 <= 0f) {
-        let _e86 = ((bitcast<u32>(_e81) & 2147483647u) > 2139095040u);
-        if _e86 {
+    let _e84 = phi_461_;
+    let _e85 = (_e53.x - param_7.x);
+    if (_e85 <= 0f) {
+        let _e89 = ((bitcast<u32>(_e84) & 2147483647u) > 2139095040u);
+        if _e89 {
         }
-        phi_469_ = _e86;
+        phi_473_ = _e89;
     } else {
-        phi_469_ = true;
+        phi_473_ = true;
     }
-    let _e88 = phi_469_;
-    if _e88 {
-        phi_476_ = (_e81 / (_e81 + (_e82 * _e82)));
+    let _e91 = phi_473_;
+    if _e91 {
+        phi_480_ = (_e84 / (_e84 + (_e85 * _e85)));
     } else {
-        phi_476_ = 1f;
+        phi_480_ = 1f;
     }
-    let _e93 = phi_476_;
-    let _e95 = (*param_6).negative_exponent;
+    let _e96 = phi_480_;
+    let _e98 = (*param_6).negative_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_489_ = true;
+        phi_493_ = true;
     } else {
-        let _e99 = (42f < _e95);
-        if _e99 {
+        let _e102 = (42f < _e98);
+        if _e102 {
         }
-        phi_489_ = _e99;
+        phi_493_ = _e102;
     }
-    let _e101 = phi_489_;
-    if _e101 {
-        phi_493_ = 42f;
+    let _e104 = phi_493_;
+    if _e104 {
+        phi_497_ = 42f;
     } else {
-        phi_493_ = _e95;
+        phi_497_ = _e98;
     }
-    let _e103 = phi_493_;
-    let _e105 = (*param_6).min_variance;
-    let _e109 = (((_e105 * _e103) * _e103) * _e50.w);
-    let _e116 = ((param_7.w - (param_7.z * param_7.z)) + (0.00000047683716f * param_7.w));
-    if ((bitcast<u32>(_e109) & 2147483647u) > 2139095040u) {
-        phi_517_ = true;
+    let _e106 = phi_497_;
+    let _e108 = (*param_6).min_variance;
+    let _e112 = (((_e108 * _e106) * _e106) * _e53.w);
+    let _e119 = ((param_7.w - (param_7.z * param_7.z)) + (0.00000047683716f * param_7.w));
+    if ((bitcast<u32>(_e112) & 2147483647u) > 2139095040u) {
+        phi_521_ = true;
     } else {
-        let _e120 = (_e109 > _e116);
-        if _e120 {
+        let _e123 = (_e112 > _e119);
+        if _e123 {
         }
-        phi_517_ = _e120;
+        phi_521_ = _e123;
     }
-    let _e122 = phi_517_;
-    if _e122 {
-        phi_521_ = _e109;
+    let _e125 = phi_521_;
+    if _e125 {
+        phi_525_ = _e112;
     } else {
-        phi_521_ = _e116;
+        phi_525_ = _e119;
     }
-    let _e124 = phi_521_;
-    let _e125 = (_e50.z - param_7.z);
-    if (_e125 <= 0f) {
-        let _e129 = ((bitcast<u32>(_e124) & 2147483647u) > 2139095040u);
-        if _e129 {
+    let _e127 = phi_525_;
+    let _e128 = (_e53.z - param_7.z);
+    if (_e128 <= 0f) {
+        let _e132 = ((bitcast<u32>(_e127) & 2147483647u) > 2139095040u);
+        if _e132 {
         }
-        phi_533_ = _e129;
+        phi_537_ = _e132;
     } else {
-        phi_533_ = true;
+        phi_537_ = true;
     }
-    let _e131 = phi_533_;
-    if _e131 {
-        phi_540_ = (_e124 / (_e124 + (_e125 * _e125)));
+    let _e134 = phi_537_;
+    if _e134 {
+        phi_544_ = (_e127 / (_e127 + (_e128 * _e128)));
     } else {
-        phi_540_ = 1f;
+        phi_544_ = 1f;
     }
-    let _e136 = phi_540_;
-    if ((bitcast<u32>(_e136) & 2147483647u) > 2139095040u) {
-        phi_551_ = true;
+    let _e139 = phi_544_;
+    if ((bitcast<u32>(_e139) & 2147483647u) > 2139095040u) {
+        phi_555_ = true;
     } else {
-        let _e140 = (_e136 < _e93);
-        if _e140 {
+        let _e143 = (_e139 < _e96);
+        if _e143 {
         }
-        phi_551_ = _e140;
+        phi_555_ = _e143;
     }
-    let _e142 = phi_551_;
-    if _e142 {
-        phi_555_ = _e136;
+    let _e145 = phi_555_;
+    if _e145 {
+        phi_559_ = _e139;
     } else {
-        phi_555_ = _e93;
+        phi_559_ = _e96;
     }
-    let _e144 = phi_555_;
-    if ((bitcast<u32>(_e144) & 2147483647u) > 2139095040u) {
-        phi_572_ = _e144;
+    let _e147 = phi_559_;
+    if ((bitcast<u32>(_e147) & 2147483647u) > 2139095040u) {
+        phi_576_ = _e147;
     } else {
-        if (_e144 < 0f) {
-            phi_571_ = 0f;
+        if (_e147 < 0f) {
+            phi_575_ = 0f;
         } else {
-            if (_e144 > 1f) {
-                phi_570_ = 1f;
+            if (_e147 > 1f) {
+                phi_574_ = 1f;
             } else {
-                phi_570_ = _e144;
+                phi_574_ = _e147;
             }
-            let _e151 = phi_570_;
-            phi_571_ = _e151;
+            let _e154 = phi_574_;
+            phi_575_ = _e154;
         }
-        let _e153 = phi_571_;
-        phi_572_ = _e153;
+        let _e156 = phi_575_;
+        phi_576_ = _e156;
     }
-    let _e155 = phi_572_;
-    return _e155;
+    let _e158 = phi_576_;
+    return _e158;
 }
 
 fn function_() {
     var local: lt_math_Evsm;
-    var phi_628_: bool;
-    var phi_629_: bool;
-    var phi_630_: bool;
-    var phi_631_: bool;
+    var phi_632_: bool;
+    var phi_633_: bool;
+    var phi_634_: bool;
     var phi_635_: bool;
-    var phi_705_: bool;
-    var phi_706_: bool;
-    var phi_717_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_718_: bool;
-    var phi_719_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_720_: bool;
-    var phi_727_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_639_: bool;
+    var phi_709_: bool;
+    var phi_710_: bool;
+    var phi_721_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_722_: bool;
+    var phi_723_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_724_: bool;
     var phi_731_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_805_: bool;
-    var phi_814_: bool;
-    var phi_823_: bool;
-    var phi_824_: bool;
-    var phi_825_: bool;
-    var phi_826_: bool;
+    var phi_735_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_809_: bool;
+    var phi_818_: bool;
     var phi_827_: bool;
     var phi_828_: bool;
     var phi_829_: bool;
+    var phi_830_: bool;
+    var phi_831_: bool;
+    var phi_832_: bool;
     var phi_833_: bool;
-    var phi_923_: f32;
-    var phi_926_: f32;
-    var phi_955_: f32;
-    var phi_960_: f32;
-    var phi_961_: bool;
-    var phi_962_: f32;
-    var phi_963_: bool;
-    var phi_967_: f32;
-    var phi_987_: f32;
-    var phi_992_: f32;
-    var phi_993_: bool;
-    var phi_994_: f32;
-    var phi_995_: bool;
-    var phi_999_: f32;
-    var phi_1051_: i32;
-    var phi_1056_: i32;
-    var phi_1061_: i32;
-    var phi_1066_: i32;
-    var phi_1075_: i32;
-    var phi_1080_: i32;
-    var phi_1085_: i32;
-    var phi_1090_: i32;
-    var phi_1185_: bool;
-    var phi_1193_: bool;
-    var phi_1205_: bool;
-    var phi_1206_: bool;
-    var phi_1210_: f32;
+    var phi_837_: bool;
+    var phi_927_: f32;
+    var phi_930_: f32;
+    var phi_959_: f32;
+    var phi_964_: f32;
+    var phi_965_: bool;
+    var phi_966_: f32;
+    var phi_967_: bool;
+    var phi_971_: f32;
+    var phi_991_: f32;
+    var phi_996_: f32;
+    var phi_997_: bool;
+    var phi_998_: f32;
+    var phi_999_: bool;
+    var phi_1003_: f32;
+    var phi_1055_: i32;
+    var phi_1060_: i32;
+    var phi_1065_: i32;
+    var phi_1070_: i32;
+    var phi_1079_: i32;
+    var phi_1084_: i32;
+    var phi_1089_: i32;
+    var phi_1094_: i32;
+    var phi_1191_: bool;
+    var phi_1199_: bool;
+    var phi_1211_: bool;
+    var phi_1212_: bool;
     var phi_1216_: f32;
-    var phi_1218_: evaluate_Verdict;
-    var phi_1223_: evaluate_Verdict;
+    var phi_1222_: f32;
     var phi_1224_: evaluate_Verdict;
+    var phi_1234_: u32;
+    var phi_1243_: f32;
+    var phi_1245_: evaluate_Verdict;
+    var phi_1246_: bool;
+    var phi_1247_: evaluate_Verdict;
+    var phi_1248_: bool;
+    var phi_1253_: evaluate_Verdict;
+    var phi_1258_: evaluate_Verdict;
+    var phi_1259_: evaluate_Verdict;
 
-    let _e48 = id_1;
-    let _e55 = arrayLength((&map.member));
-    let _e61 = p.member.size[0u];
-    let _e63 = p.member.size[1u];
-    let _e64 = lt_shaders_entry_pixel_index(_e48, _e61, _e63);
-    if (bitcast<i32>(_e64.root) != 0i) {
-        let _e70 = p.member.projection;
-        if (_e64.first_primitive < arrayLength((&samples.member))) {
+    let _e51 = id_1;
+    let _e58 = arrayLength((&map.member));
+    let _e64 = p.member.size[0u];
+    let _e66 = p.member.size[1u];
+    let _e67 = lt_shaders_entry_pixel_index(_e51, _e64, _e66);
+    if (bitcast<i32>(_e67.root) != 0i) {
+        let _e73 = p.member.projection;
+        if (_e67.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e74 = lt_math_OneLevel(_e70);
-        let _e78 = samples.member[(0u + _e64.first_primitive)].normal[0u];
-        let _e80 = global[0u];
-        if (_e78 == _e80) {
-            let _e83 = samples.member[(0u + _e64.first_primitive)].normal[1u];
-            let _e85 = global[1u];
-            if (_e83 == _e85) {
-                let _e88 = samples.member[(0u + _e64.first_primitive)].normal[2u];
-                let _e90 = global[2u];
-                phi_628_ = (_e88 == _e90);
-                phi_629_ = false;
+        let _e77 = lt_math_OneLevel(_e73);
+        let _e81 = samples.member[(0u + _e67.first_primitive)].normal[0u];
+        let _e83 = global[0u];
+        if (_e81 == _e83) {
+            let _e86 = samples.member[(0u + _e67.first_primitive)].normal[1u];
+            let _e88 = global[1u];
+            if (_e86 == _e88) {
+                let _e91 = samples.member[(0u + _e67.first_primitive)].normal[2u];
+                let _e93 = global[2u];
+                phi_632_ = (_e91 == _e93);
+                phi_633_ = false;
             } else {
-                phi_628_ = bool();
-                phi_629_ = true;
+                phi_632_ = bool();
+                phi_633_ = true;
             }
-            let _e93 = phi_628_;
-            let _e95 = phi_629_;
-            phi_630_ = _e93;
-            phi_631_ = _e95;
+            let _e96 = phi_632_;
+            let _e98 = phi_633_;
+            phi_634_ = _e96;
+            phi_635_ = _e98;
         } else {
-            phi_630_ = bool();
-            phi_631_ = true;
+            phi_634_ = bool();
+            phi_635_ = true;
         }
-        let _e97 = phi_630_;
-        let _e99 = phi_631_;
-        if _e99 {
-            phi_635_ = false;
+        let _e100 = phi_634_;
+        let _e102 = phi_635_;
+        if _e102 {
+            phi_639_ = false;
         } else {
-            phi_635_ = _e97;
+            phi_639_ = _e100;
         }
-        let _e101 = phi_635_;
-        if !(_e101) {
-            let _e104 = samples.member[(0u + _e64.first_primitive)].position;
-            let _e106 = p.member.light.place;
-            let _e112 = p.member.light.place[3u];
-            let _e119 = (_e106.x - (_e104.x * _e112));
-            let _e120 = (_e106.y - (_e104.y * _e112));
-            let _e121 = (_e106.z - (_e104.z * _e112));
-            let _e123 = samples.member[(0u + _e64.first_primitive)].normal;
-            if ((((_e123.x * _e119) + (_e123.y * _e120)) + (_e123.z * _e121)) > 0f) {
-                let _e137 = (((_e119 * _e119) + (_e120 * _e120)) + (_e121 * _e121));
-                let _e139 = p.member.light.axis;
-                let _e151 = p.member.light.place[3u];
-                if (_e151 == 0f) {
-                    phi_706_ = true;
+        let _e104 = phi_639_;
+        if !(_e104) {
+            let _e107 = samples.member[(0u + _e67.first_primitive)].position;
+            let _e109 = p.member.light.place;
+            let _e115 = p.member.light.place[3u];
+            let _e122 = (_e109.x - (_e107.x * _e115));
+            let _e123 = (_e109.y - (_e107.y * _e115));
+            let _e124 = (_e109.z - (_e107.z * _e115));
+            let _e126 = samples.member[(0u + _e67.first_primitive)].normal;
+            if ((((_e126.x * _e122) + (_e126.y * _e123)) + (_e126.z * _e124)) > 0f) {
+                let _e140 = (((_e122 * _e122) + (_e123 * _e123)) + (_e124 * _e124));
+                let _e142 = p.member.light.axis;
+                let _e154 = p.member.light.place[3u];
+                if (_e154 == 0f) {
+                    phi_710_ = true;
                 } else {
-                    let _e154 = p.member.light.range_squared;
-                    if (_e137 <= _e154) {
-                        let _e157 = p.member.light.cos_outer;
-                        phi_705_ = (-((((_e119 * _e139.x) + (_e120 * _e139.y)) + (_e121 * _e139.z))) >= (_e157 * sqrt(_e137)));
+                    let _e157 = p.member.light.range_squared;
+                    if (_e140 <= _e157) {
+                        let _e160 = p.member.light.cos_outer;
+                        phi_709_ = (-((((_e122 * _e142.x) + (_e123 * _e142.y)) + (_e124 * _e142.z))) >= (_e160 * sqrt(_e140)));
                     } else {
-                        phi_705_ = false;
+                        phi_709_ = false;
                     }
-                    let _e162 = phi_705_;
-                    phi_706_ = _e162;
+                    let _e165 = phi_709_;
+                    phi_710_ = _e165;
                 }
-                let _e164 = phi_706_;
-                if _e164 {
-                    let _e166 = samples.member[(0u + _e64.first_primitive)].flags;
-                    let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e180 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e174.unnamed.visibility, false), _e174.unnamed_1);
-                    phi_717_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e180.unnamed, ((_e166 & 1u) == 0u));
-                    phi_718_ = false;
+                let _e167 = phi_710_;
+                if _e167 {
+                    let _e169 = samples.member[(0u + _e67.first_primitive)].flags;
+                    let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e183 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e177.unnamed.visibility, false), _e177.unnamed_1);
+                    phi_721_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e183.unnamed, ((_e169 & 1u) == 0u));
+                    phi_722_ = false;
                 } else {
-                    phi_717_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_718_ = true;
+                    phi_721_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_722_ = true;
                 }
-                let _e185 = phi_717_;
-                let _e187 = phi_718_;
-                phi_719_ = _e185;
-                phi_720_ = _e187;
+                let _e188 = phi_721_;
+                let _e190 = phi_722_;
+                phi_723_ = _e188;
+                phi_724_ = _e190;
             } else {
-                phi_719_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_720_ = true;
+                phi_723_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_724_ = true;
             }
-            let _e189 = phi_719_;
-            let _e191 = phi_720_;
-            if _e191 {
-                let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e203 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e197.unnamed.visibility, false), _e197.unnamed_1);
-                phi_727_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e203.unnamed, true);
+            let _e192 = phi_723_;
+            let _e194 = phi_724_;
+            if _e194 {
+                let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e206 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e200.unnamed.visibility, false), _e200.unnamed_1);
+                phi_731_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e206.unnamed, true);
             } else {
-                phi_727_ = _e189;
+                phi_731_ = _e192;
             }
-            let _e208 = phi_727_;
-            phi_731_ = _e208;
+            let _e211 = phi_731_;
+            phi_735_ = _e211;
         } else {
-            let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e220 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e214.unnamed.visibility, false), _e214.unnamed_1);
-            phi_731_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e220.unnamed, true);
+            let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e223 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e217.unnamed.visibility, false), _e217.unnamed_1);
+            phi_735_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e223.unnamed, true);
         }
-        let _e225 = phi_731_;
-        if _e225.unnamed_1 {
-            phi_1224_ = evaluate_Verdict(_e225.unnamed.visibility, _e225.unnamed.is_doubted);
+        let _e228 = phi_735_;
+        if _e228.unnamed_1 {
+            phi_1259_ = evaluate_Verdict(_e228.unnamed.visibility, _e228.unnamed.is_doubted);
         } else {
-            let _e233 = samples.member[(0u + _e64.first_primitive)].position;
-            let _e251 = ((((_e74.projection.row_w.x * _e233.x) + (_e74.projection.row_w.y * _e233.y)) + (_e74.projection.row_w.z * _e233.z)) + (_e74.projection.row_w.w * 1f));
-            let _e265 = (((((_e74.projection.row_x.x * _e233.x) + (_e74.projection.row_x.y * _e233.y)) + (_e74.projection.row_x.z * _e233.z)) + (_e74.projection.row_x.w * 1f)) / _e251);
-            let _e279 = (((((_e74.projection.row_y.x * _e233.x) + (_e74.projection.row_y.y * _e233.y)) + (_e74.projection.row_y.z * _e233.z)) + (_e74.projection.row_y.w * 1f)) / _e251);
-            let _e292 = ((((_e74.projection.row_z.x * _e233.x) + (_e74.projection.row_z.y * _e233.y)) + (_e74.projection.row_z.z * _e233.z)) + (_e74.projection.row_z.w * 1f));
-            if (_e251 > 0f) {
-                if (_e265 >= 0f) {
-                    phi_805_ = (_e265 <= 1f);
+            let _e236 = samples.member[(0u + _e67.first_primitive)].position;
+            let _e254 = ((((_e77.projection.row_w.x * _e236.x) + (_e77.projection.row_w.y * _e236.y)) + (_e77.projection.row_w.z * _e236.z)) + (_e77.projection.row_w.w * 1f));
+            let _e268 = (((((_e77.projection.row_x.x * _e236.x) + (_e77.projection.row_x.y * _e236.y)) + (_e77.projection.row_x.z * _e236.z)) + (_e77.projection.row_x.w * 1f)) / _e254);
+            let _e282 = (((((_e77.projection.row_y.x * _e236.x) + (_e77.projection.row_y.y * _e236.y)) + (_e77.projection.row_y.z * _e236.z)) + (_e77.projection.row_y.w * 1f)) / _e254);
+            let _e295 = ((((_e77.projection.row_z.x * _e236.x) + (_e77.projection.row_z.y * _e236.y)) + (_e77.projection.row_z.z * _e236.z)) + (_e77.projection.row_z.w * 1f));
+            if (_e254 > 0f) {
+                if (_e268 >= 0f) {
+                    phi_809_ = (_e268 <= 1f);
                 } else {
-                    phi_805_ = false;
+                    phi_809_ = false;
                 }
-                let _e297 = phi_805_;
-                if _e297 {
-                    if (_e279 >= 0f) {
-                        phi_814_ = (_e279 <= 1f);
+                let _e300 = phi_809_;
+                if _e300 {
+                    if (_e282 >= 0f) {
+                        phi_818_ = (_e282 <= 1f);
                     } else {
-                        phi_814_ = false;
+                        phi_818_ = false;
                     }
-                    let _e301 = phi_814_;
-                    if _e301 {
-                        if (_e292 >= 0f) {
-                            phi_823_ = (_e292 <= 1f);
+                    let _e304 = phi_818_;
+                    if _e304 {
+                        if (_e295 >= 0f) {
+                            phi_827_ = (_e295 <= 1f);
                         } else {
-                            phi_823_ = false;
+                            phi_827_ = false;
                         }
-                        let _e305 = phi_823_;
-                        phi_824_ = _e305;
-                        phi_825_ = false;
+                        let _e308 = phi_827_;
+                        phi_828_ = _e308;
+                        phi_829_ = false;
                     } else {
-                        phi_824_ = bool();
-                        phi_825_ = true;
+                        phi_828_ = bool();
+                        phi_829_ = true;
                     }
-                    let _e307 = phi_824_;
-                    let _e309 = phi_825_;
-                    phi_826_ = _e307;
-                    phi_827_ = _e309;
+                    let _e310 = phi_828_;
+                    let _e312 = phi_829_;
+                    phi_830_ = _e310;
+                    phi_831_ = _e312;
                 } else {
-                    phi_826_ = bool();
-                    phi_827_ = true;
+                    phi_830_ = bool();
+                    phi_831_ = true;
                 }
-                let _e311 = phi_826_;
-                let _e313 = phi_827_;
-                phi_828_ = _e311;
-                phi_829_ = _e313;
+                let _e314 = phi_830_;
+                let _e316 = phi_831_;
+                phi_832_ = _e314;
+                phi_833_ = _e316;
             } else {
-                phi_828_ = bool();
-                phi_829_ = true;
+                phi_832_ = bool();
+                phi_833_ = true;
             }
-            let _e315 = phi_828_;
-            let _e317 = phi_829_;
-            if _e317 {
-                phi_833_ = false;
+            let _e318 = phi_832_;
+            let _e320 = phi_833_;
+            if _e320 {
+                phi_837_ = false;
             } else {
-                phi_833_ = _e315;
+                phi_837_ = _e318;
             }
-            let _e319 = phi_833_;
-            if _e319 {
+            let _e322 = phi_837_;
+            if _e322 {
                 if (0f > 0f) {
-                    let _e322 = samples.member[(0u + _e64.first_primitive)].normal;
-                    let _e324 = p.member.map_size;
-                    let _e394 = ((abs(((((_e70.row_x.x * _e322.x) + (_e70.row_x.y * _e322.y)) + (_e70.row_x.z * _e322.z)) / (((_e70.row_x.x * _e70.row_x.x) + (_e70.row_x.y * _e70.row_x.y)) + (_e70.row_x.z * _e70.row_x.z)))) + abs(((((_e70.row_y.x * _e322.x) + (_e70.row_y.y * _e322.y)) + (_e70.row_y.z * _e322.z)) / (((_e70.row_y.x * _e70.row_y.x) + (_e70.row_y.y * _e70.row_y.y)) + (_e70.row_y.z * _e70.row_y.z))))) / (abs(((((_e70.row_z.x * _e322.x) + (_e70.row_z.y * _e322.y)) + (_e70.row_z.z * _e322.z)) / (((_e70.row_z.x * _e70.row_z.x) + (_e70.row_z.y * _e70.row_z.y)) + (_e70.row_z.z * _e70.row_z.z)))) * f32(_e324)));
-                    if (_e394 < 0.002f) {
-                        phi_923_ = _e394;
+                    let _e325 = samples.member[(0u + _e67.first_primitive)].normal;
+                    let _e327 = p.member.map_size;
+                    let _e397 = ((abs(((((_e73.row_x.x * _e325.x) + (_e73.row_x.y * _e325.y)) + (_e73.row_x.z * _e325.z)) / (((_e73.row_x.x * _e73.row_x.x) + (_e73.row_x.y * _e73.row_x.y)) + (_e73.row_x.z * _e73.row_x.z)))) + abs(((((_e73.row_y.x * _e325.x) + (_e73.row_y.y * _e325.y)) + (_e73.row_y.z * _e325.z)) / (((_e73.row_y.x * _e73.row_y.x) + (_e73.row_y.y * _e73.row_y.y)) + (_e73.row_y.z * _e73.row_y.z))))) / (abs(((((_e73.row_z.x * _e325.x) + (_e73.row_z.y * _e325.y)) + (_e73.row_z.z * _e325.z)) / (((_e73.row_z.x * _e73.row_z.x) + (_e73.row_z.y * _e73.row_z.y)) + (_e73.row_z.z * _e73.row_z.z)))) * f32(_e327)));
+                    if (_e397 < 0.002f) {
+                        phi_927_ = _e397;
                     } else {
-                        phi_923_ = 0.002f;
+                        phi_927_ = 0.002f;
                     }
-                    let _e397 = phi_923_;
-                    phi_926_ = (_e292 - (0f * _e397));
+                    let _e400 = phi_927_;
+                    phi_930_ = (_e295 - (0f * _e400));
                 } else {
-                    phi_926_ = _e292;
+                    phi_930_ = _e295;
                 }
-                let _e401 = phi_926_;
-                let _e403 = p.member.map_size;
-                let _e404 = f32(_e403);
-                let _e407 = ((_e265 * _e404) - 0.5f);
-                let _e408 = ((_e279 * _e404) - 0.5f);
-                if (_e407 > -8388608f) {
-                    let _e420 = f32(select(0i, select(select(i32(_e407), i32(-2147483648), (_e407 < bitcast<f32>(3472883712u))), 2147483647i, (_e407 > bitcast<f32>(1325400063u))), (_e407 == _e407)));
-                    if (_e420 > _e407) {
-                        phi_955_ = 1f;
+                let _e404 = phi_930_;
+                let _e406 = p.member.map_size;
+                let _e407 = f32(_e406);
+                let _e410 = ((_e268 * _e407) - 0.5f);
+                let _e411 = ((_e282 * _e407) - 0.5f);
+                if (_e410 > -8388608f) {
+                    let _e423 = f32(select(0i, select(select(i32(_e410), i32(-2147483648), (_e410 < bitcast<f32>(3472883712u))), 2147483647i, (_e410 > bitcast<f32>(1325400063u))), (_e410 == _e410)));
+                    if (_e423 > _e410) {
+                        phi_959_ = 1f;
                     } else {
-                        phi_955_ = 0f;
+                        phi_959_ = 0f;
                     }
-                    let _e423 = phi_955_;
-                    if (_e407 < 8388608f) {
-                        phi_960_ = (_e420 - _e423);
-                        phi_961_ = false;
+                    let _e426 = phi_959_;
+                    if (_e410 < 8388608f) {
+                        phi_964_ = (_e423 - _e426);
+                        phi_965_ = false;
                     } else {
-                        phi_960_ = f32();
-                        phi_961_ = true;
+                        phi_964_ = f32();
+                        phi_965_ = true;
                     }
-                    let _e426 = phi_960_;
-                    let _e428 = phi_961_;
-                    phi_962_ = _e426;
-                    phi_963_ = _e428;
+                    let _e429 = phi_964_;
+                    let _e431 = phi_965_;
+                    phi_966_ = _e429;
+                    phi_967_ = _e431;
                 } else {
-                    phi_962_ = f32();
-                    phi_963_ = true;
+                    phi_966_ = f32();
+                    phi_967_ = true;
                 }
-                let _e430 = phi_962_;
-                let _e432 = phi_963_;
-                if _e432 {
-                    phi_967_ = _e407;
+                let _e433 = phi_966_;
+                let _e435 = phi_967_;
+                if _e435 {
+                    phi_971_ = _e410;
                 } else {
-                    phi_967_ = _e430;
+                    phi_971_ = _e433;
                 }
-                let _e434 = phi_967_;
-                if (_e408 > -8388608f) {
-                    let _e446 = f32(select(0i, select(select(i32(_e408), i32(-2147483648), (_e408 < bitcast<f32>(3472883712u))), 2147483647i, (_e408 > bitcast<f32>(1325400063u))), (_e408 == _e408)));
-                    if (_e446 > _e408) {
-                        phi_987_ = 1f;
+                let _e437 = phi_971_;
+                if (_e411 > -8388608f) {
+                    let _e449 = f32(select(0i, select(select(i32(_e411), i32(-2147483648), (_e411 < bitcast<f32>(3472883712u))), 2147483647i, (_e411 > bitcast<f32>(1325400063u))), (_e411 == _e411)));
+                    if (_e449 > _e411) {
+                        phi_991_ = 1f;
                     } else {
-                        phi_987_ = 0f;
+                        phi_991_ = 0f;
                     }
-                    let _e449 = phi_987_;
-                    if (_e408 < 8388608f) {
-                        phi_992_ = (_e446 - _e449);
-                        phi_993_ = false;
+                    let _e452 = phi_991_;
+                    if (_e411 < 8388608f) {
+                        phi_996_ = (_e449 - _e452);
+                        phi_997_ = false;
                     } else {
-                        phi_992_ = f32();
-                        phi_993_ = true;
+                        phi_996_ = f32();
+                        phi_997_ = true;
                     }
-                    let _e452 = phi_992_;
-                    let _e454 = phi_993_;
-                    phi_994_ = _e452;
-                    phi_995_ = _e454;
+                    let _e455 = phi_996_;
+                    let _e457 = phi_997_;
+                    phi_998_ = _e455;
+                    phi_999_ = _e457;
                 } else {
-                    phi_994_ = f32();
-                    phi_995_ = true;
+                    phi_998_ = f32();
+                    phi_999_ = true;
                 }
-                let _e456 = phi_994_;
-                let _e458 = phi_995_;
-                if _e458 {
-                    phi_999_ = _e408;
+                let _e459 = phi_998_;
+                let _e461 = phi_999_;
+                if _e461 {
+                    phi_1003_ = _e411;
                 } else {
-                    phi_999_ = _e456;
+                    phi_1003_ = _e459;
                 }
-                let _e460 = phi_999_;
-                let _e461 = (_e407 - _e434);
-                let _e462 = (_e408 - _e460);
-                let _e471 = select(0i, select(select(i32(_e434), i32(-2147483648), (_e434 < bitcast<f32>(3472883712u))), 2147483647i, (_e434 > bitcast<f32>(1325400063u))), (_e434 == _e434));
-                let _e480 = select(0i, select(select(i32(_e460), i32(-2147483648), (_e460 < bitcast<f32>(3472883712u))), 2147483647i, (_e460 > bitcast<f32>(1325400063u))), (_e460 == _e460));
-                let _e483 = ((1f - _e461) * (1f - _e462));
-                let _e485 = (_e461 * (1f - _e462));
-                let _e487 = ((1f - _e461) * _e462);
-                let _e488 = (_e461 * _e462);
-                let _e490 = p.member.test;
-                let _e491 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e490);
-                let _e493 = p.member.map_size;
-                local = lt_math_Evsm(_e491.positive_exponent, _e491.negative_exponent, _e491.min_variance);
-                let _e499 = ((0u * _e493) * _e493);
-                let _e501 = (bitcast<i32>(_e493) - 1i);
-                if (_e471 > 0i) {
-                    phi_1051_ = _e471;
+                let _e463 = phi_1003_;
+                let _e464 = (_e410 - _e437);
+                let _e465 = (_e411 - _e463);
+                let _e474 = select(0i, select(select(i32(_e437), i32(-2147483648), (_e437 < bitcast<f32>(3472883712u))), 2147483647i, (_e437 > bitcast<f32>(1325400063u))), (_e437 == _e437));
+                let _e483 = select(0i, select(select(i32(_e463), i32(-2147483648), (_e463 < bitcast<f32>(3472883712u))), 2147483647i, (_e463 > bitcast<f32>(1325400063u))), (_e463 == _e463));
+                let _e486 = ((1f - _e464) * (1f - _e465));
+                let _e488 = (_e464 * (1f - _e465));
+                let _e490 = ((1f - _e464) * _e465);
+                let _e491 = (_e464 * _e465);
+                let _e493 = p.member.test;
+                let _e494 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e493);
+                let _e496 = p.member.map_size;
+                local = lt_math_Evsm(_e494.positive_exponent, _e494.negative_exponent, _e494.min_variance);
+                let _e502 = ((0u * _e496) * _e496);
+                let _e504 = (bitcast<i32>(_e496) - 1i);
+                if (_e474 > 0i) {
+                    phi_1055_ = _e474;
                 } else {
-                    phi_1051_ = 0i;
+                    phi_1055_ = 0i;
                 }
-                let _e504 = phi_1051_;
-                if (_e480 > 0i) {
-                    phi_1056_ = _e480;
+                let _e507 = phi_1055_;
+                if (_e483 > 0i) {
+                    phi_1060_ = _e483;
                 } else {
-                    phi_1056_ = 0i;
+                    phi_1060_ = 0i;
                 }
-                let _e507 = phi_1056_;
-                if (_e504 < _e501) {
-                    phi_1061_ = _e504;
+                let _e510 = phi_1060_;
+                if (_e507 < _e504) {
+                    phi_1065_ = _e507;
                 } else {
-                    phi_1061_ = _e501;
+                    phi_1065_ = _e504;
                 }
-                let _e510 = phi_1061_;
-                if (_e507 < _e501) {
-                    phi_1066_ = _e507;
+                let _e513 = phi_1065_;
+                if (_e510 < _e504) {
+                    phi_1070_ = _e510;
                 } else {
-                    phi_1066_ = _e501;
+                    phi_1070_ = _e504;
                 }
-                let _e513 = phi_1066_;
-                let _e514 = bitcast<u32>(_e510);
-                let _e516 = (_e471 + 1i);
-                let _e517 = (_e480 + 1i);
-                if (_e516 > 0i) {
-                    phi_1075_ = _e516;
+                let _e516 = phi_1070_;
+                let _e517 = bitcast<u32>(_e513);
+                let _e519 = (_e474 + 1i);
+                let _e520 = (_e483 + 1i);
+                if (_e519 > 0i) {
+                    phi_1079_ = _e519;
                 } else {
-                    phi_1075_ = 0i;
+                    phi_1079_ = 0i;
                 }
-                let _e520 = phi_1075_;
-                if (_e517 > 0i) {
-                    phi_1080_ = _e517;
+                let _e523 = phi_1079_;
+                if (_e520 > 0i) {
+                    phi_1084_ = _e520;
                 } else {
-                    phi_1080_ = 0i;
+                    phi_1084_ = 0i;
                 }
-                let _e523 = phi_1080_;
-                if (_e520 < _e501) {
-                    phi_1085_ = _e520;
+                let _e526 = phi_1084_;
+                if (_e523 < _e504) {
+                    phi_1089_ = _e523;
                 } else {
-                    phi_1085_ = _e501;
+                    phi_1089_ = _e504;
                 }
-                let _e526 = phi_1085_;
-                if (_e523 < _e501) {
-                    phi_1090_ = _e523;
+                let _e529 = phi_1089_;
+                if (_e526 < _e504) {
+                    phi_1094_ = _e526;
                 } else {
-                    phi_1090_ = _e501;
+                    phi_1094_ = _e504;
                 }
-                let _e529 = phi_1090_;
-                let _e530 = bitcast<u32>(_e526);
-                let _e532 = (bitcast<u32>(_e513) * _e493);
-                let _e533 = (bitcast<u32>(_e529) * _e493);
-                let _e538 = ((_e532 + _e514) + _e499);
-                let _e539 = ((_e532 + _e530) + _e499);
-                let _e540 = ((_e533 + _e514) + _e499);
-                let _e541 = ((_e533 + _e530) + _e499);
-                if (_e538 < _e55) {
+                let _e532 = phi_1094_;
+                let _e533 = bitcast<u32>(_e529);
+                let _e535 = (bitcast<u32>(_e516) * _e496);
+                let _e536 = (bitcast<u32>(_e532) * _e496);
+                let _e541 = ((_e535 + _e517) + _e502);
+                let _e542 = ((_e535 + _e533) + _e502);
+                let _e543 = ((_e536 + _e517) + _e502);
+                let _e544 = ((_e536 + _e533) + _e502);
+                if (_e541 < _e58) {
                 } else {
                     return;
                 }
-                let _e545 = map.member[(0u + _e538)];
-                if (_e539 < _e55) {
+                let _e548 = map.member[(0u + _e541)];
+                if (_e542 < _e58) {
                 } else {
                     return;
                 }
-                let _e557 = map.member[(0u + _e539)];
-                if (_e540 < _e55) {
+                let _e560 = map.member[(0u + _e542)];
+                if (_e543 < _e58) {
                 } else {
                     return;
                 }
-                let _e573 = map.member[(0u + _e540)];
-                if (_e541 < _e55) {
+                let _e576 = map.member[(0u + _e543)];
+                if (_e544 < _e58) {
                 } else {
                     return;
                 }
-                let _e589 = map.member[(0u + _e541)];
-                let _e603 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e545.x * _e483) + (_e557.x * _e485)) + (_e573.x * _e487)) + (_e589.x * _e488)), ((((_e545.y * _e483) + (_e557.y * _e485)) + (_e573.y * _e487)) + (_e589.y * _e488)), ((((_e545.z * _e483) + (_e557.z * _e485)) + (_e573.z * _e487)) + (_e589.z * _e488)), ((((_e545.w * _e483) + (_e557.w * _e485)) + (_e573.w * _e487)) + (_e589.w * _e488))), _e401);
-                let _e605 = p.member.epsilon;
-                if (_e603 <= _e605) {
-                    phi_1185_ = true;
+                let _e592 = map.member[(0u + _e544)];
+                let _e606 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e548.x * _e486) + (_e560.x * _e488)) + (_e576.x * _e490)) + (_e592.x * _e491)), ((((_e548.y * _e486) + (_e560.y * _e488)) + (_e576.y * _e490)) + (_e592.y * _e491)), ((((_e548.z * _e486) + (_e560.z * _e488)) + (_e576.z * _e490)) + (_e592.z * _e491)), ((((_e548.w * _e486) + (_e560.w * _e488)) + (_e576.w * _e490)) + (_e592.w * _e491))), _e404);
+                let _e610 = p.member.epsilon;
+                if (_e606 <= _e610) {
+                    phi_1191_ = true;
                 } else {
-                    phi_1185_ = (_e603 >= (1f - _e605));
+                    phi_1191_ = (_e606 >= (1f - _e610));
                 }
-                let _e610 = phi_1185_;
-                if ((bitcast<u32>(_e603) & 2147483647u) > 2139095040u) {
-                    phi_1193_ = true;
+                let _e615 = phi_1191_;
+                if ((bitcast<u32>(_e606) & 2147483647u) > 2139095040u) {
+                    phi_1199_ = true;
                 } else {
-                    phi_1193_ = !(_e610);
+                    phi_1199_ = !(_e615);
                 }
-                let _e616 = phi_1193_;
-                if _e616 {
-                    if (_e603 > 0f) {
-                        if (_e603 < 1f) {
-                            phi_1205_ = false;
+                let _e621 = phi_1199_;
+                if _e621 {
+                    if (_e606 > 0f) {
+                        if (_e606 < 1f) {
+                            phi_1211_ = false;
                         } else {
-                            phi_1205_ = true;
+                            phi_1211_ = true;
                         }
-                        let _e620 = phi_1205_;
-                        phi_1206_ = _e620;
+                        let _e625 = phi_1211_;
+                        phi_1212_ = _e625;
                     } else {
-                        phi_1206_ = true;
+                        phi_1212_ = true;
                     }
-                    let _e622 = phi_1206_;
-                    if _e622 {
-                        phi_1210_ = 0.5f;
+                    let _e627 = phi_1212_;
+                    if _e627 {
+                        phi_1216_ = 0.5f;
                     } else {
-                        phi_1210_ = _e603;
+                        phi_1216_ = _e606;
                     }
-                    let _e624 = phi_1210_;
-                    phi_1218_ = evaluate_Verdict(_e624, true);
+                    let _e629 = phi_1216_;
+                    phi_1224_ = evaluate_Verdict(_e629, true);
                 } else {
-                    if (_e603 > 0.5f) {
-                        phi_1216_ = 1f;
+                    if (_e606 > 0.5f) {
+                        phi_1222_ = 1f;
                     } else {
-                        phi_1216_ = 0f;
+                        phi_1222_ = 0f;
                     }
-                    let _e628 = phi_1216_;
-                    phi_1218_ = evaluate_Verdict(_e628, false);
+                    let _e633 = phi_1222_;
+                    phi_1224_ = evaluate_Verdict(_e633, false);
                 }
-                let _e631 = phi_1218_;
-                phi_1223_ = evaluate_Verdict(_e631.visibility, _e631.is_doubted);
+                let _e636 = phi_1224_;
+                let _e639 = (_e636.visibility < 0.5f);
+                if _e636.is_doubted {
+                    phi_1247_ = evaluate_Verdict();
+                    phi_1248_ = true;
+                } else {
+                    if _e639 {
+                        phi_1234_ = 2u;
+                    } else {
+                        phi_1234_ = 1u;
+                    }
+                    let _e641 = phi_1234_;
+                    if ((0u & _e641) != 0u) {
+                        if _e639 {
+                            phi_1243_ = 0.000000059604645f;
+                        } else {
+                            phi_1243_ = 0.99999994f;
+                        }
+                        let _e645 = phi_1243_;
+                        phi_1245_ = evaluate_Verdict(_e645, true);
+                        phi_1246_ = false;
+                    } else {
+                        phi_1245_ = evaluate_Verdict();
+                        phi_1246_ = true;
+                    }
+                    let _e648 = phi_1245_;
+                    let _e650 = phi_1246_;
+                    phi_1247_ = _e648;
+                    phi_1248_ = _e650;
+                }
+                let _e652 = phi_1247_;
+                let _e654 = phi_1248_;
+                if _e654 {
+                    phi_1253_ = evaluate_Verdict(_e636.visibility, _e636.is_doubted);
+                } else {
+                    phi_1253_ = _e652;
+                }
+                let _e657 = phi_1253_;
+                phi_1258_ = evaluate_Verdict(_e657.visibility, _e657.is_doubted);
             } else {
-                phi_1223_ = evaluate_Verdict(0.5f, true);
+                phi_1258_ = evaluate_Verdict(0.5f, true);
             }
-            let _e637 = phi_1223_;
-            phi_1224_ = _e637;
+            let _e663 = phi_1258_;
+            phi_1259_ = _e663;
         }
-        let _e639 = phi_1224_;
-        if (_e64.first_primitive < arrayLength((&visibility.member))) {
+        let _e665 = phi_1259_;
+        if (_e67.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e64.first_primitive)] = _e639.visibility;
+        visibility.member[(0u + _e67.first_primitive)] = _e665.visibility;
     }
     return;
 }

@@ -85,37 +85,37 @@ var<storage> map: type_19;
 var<storage, read_write> visibility: type_19;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_134_: lt_bvh_traverse_Tree;
-    var phi_135_: bool;
-    var phi_136_: lt_bvh_traverse_Tree;
-    var phi_137_: bool;
-    var phi_142_: lt_bvh_traverse_Tree;
+    var phi_138_: lt_bvh_traverse_Tree;
+    var phi_139_: bool;
+    var phi_140_: lt_bvh_traverse_Tree;
+    var phi_141_: bool;
+    var phi_146_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_134_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_135_ = false;
+            phi_138_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_139_ = false;
         } else {
-            phi_134_ = lt_bvh_traverse_Tree();
-            phi_135_ = true;
+            phi_138_ = lt_bvh_traverse_Tree();
+            phi_139_ = true;
         }
-        let _e49 = phi_134_;
-        let _e51 = phi_135_;
-        phi_136_ = _e49;
-        phi_137_ = _e51;
+        let _e52 = phi_138_;
+        let _e54 = phi_139_;
+        phi_140_ = _e52;
+        phi_141_ = _e54;
     } else {
-        phi_136_ = lt_bvh_traverse_Tree();
-        phi_137_ = true;
+        phi_140_ = lt_bvh_traverse_Tree();
+        phi_141_ = true;
     }
-    let _e53 = phi_136_;
-    let _e55 = phi_137_;
-    if _e55 {
-        phi_142_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e56 = phi_140_;
+    let _e58 = phi_141_;
+    if _e58 {
+        phi_146_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_142_ = _e53;
+        phi_146_ = _e56;
     }
-    let _e60 = phi_142_;
-    return lt_bvh_traverse_Tree(_e60.root, _e60.first_primitive);
+    let _e63 = phi_146_;
+    return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -123,928 +123,972 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_169_: f32;
-    var phi_170_: f32;
-    var phi_171_: f32;
-    var phi_188_: f32;
-    var phi_189_: f32;
-    var phi_190_: f32;
-    var phi_206_: f32;
-    var phi_207_: f32;
-    var phi_208_: f32;
-    var phi_224_: f32;
-    var phi_225_: f32;
-    var phi_226_: f32;
-    var phi_242_: f32;
-    var phi_243_: f32;
-    var phi_244_: f32;
-    var phi_279_: bool;
-    var phi_280_: bool;
-    var phi_281_: bool;
-    var phi_282_: bool;
+    var phi_173_: f32;
+    var phi_174_: f32;
+    var phi_175_: f32;
+    var phi_192_: f32;
+    var phi_193_: f32;
+    var phi_194_: f32;
+    var phi_210_: f32;
+    var phi_211_: f32;
+    var phi_212_: f32;
+    var phi_228_: f32;
+    var phi_229_: f32;
+    var phi_230_: f32;
+    var phi_246_: f32;
+    var phi_247_: f32;
+    var phi_248_: f32;
     var phi_283_: bool;
     var phi_284_: bool;
+    var phi_285_: bool;
+    var phi_286_: bool;
+    var phi_287_: bool;
     var phi_288_: bool;
-    var phi_599_: f32;
-    var phi_600_: f32;
-    var phi_601_: f32;
-    var phi_618_: f32;
-    var phi_619_: f32;
-    var phi_620_: f32;
-    var phi_637_: f32;
-    var phi_638_: f32;
-    var phi_639_: f32;
-    var phi_656_: f32;
-    var phi_657_: f32;
-    var phi_658_: f32;
-    var phi_681_: f32;
-    var phi_682_: f32;
-    var phi_683_: f32;
-    var phi_694_: f32;
-    var phi_709_: f32;
-    var phi_711_: lt_bvh_slab_Span;
-    var phi_769_: f32;
-    var phi_770_: f32;
-    var phi_771_: f32;
-    var phi_772_: f32;
+    var phi_292_: bool;
+    var phi_603_: f32;
+    var phi_604_: f32;
+    var phi_605_: f32;
+    var phi_622_: f32;
+    var phi_623_: f32;
+    var phi_624_: f32;
+    var phi_641_: f32;
+    var phi_642_: f32;
+    var phi_643_: f32;
+    var phi_660_: f32;
+    var phi_661_: f32;
+    var phi_662_: f32;
+    var phi_685_: f32;
+    var phi_686_: f32;
+    var phi_687_: f32;
+    var phi_698_: f32;
+    var phi_713_: f32;
+    var phi_715_: lt_bvh_slab_Span;
     var phi_773_: f32;
-    var phi_774_: bool;
-    var phi_778_: f32;
-    var phi_793_: f32;
-    var phi_794_: f32;
-    var phi_795_: f32;
-    var phi_796_: f32;
+    var phi_774_: f32;
+    var phi_775_: f32;
+    var phi_776_: f32;
+    var phi_777_: f32;
+    var phi_778_: bool;
+    var phi_782_: f32;
     var phi_797_: f32;
     var phi_798_: f32;
     var phi_799_: f32;
-    var phi_800_: bool;
+    var phi_800_: f32;
     var phi_801_: f32;
     var phi_802_: f32;
-    var phi_803_: bool;
-    var phi_807_: f32;
+    var phi_803_: f32;
+    var phi_804_: bool;
+    var phi_805_: f32;
+    var phi_806_: f32;
+    var phi_807_: bool;
+    var phi_811_: f32;
 
-    let _e40 = (*param_4);
+    let _e43 = (*param_4);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_171_ = param_7;
+        phi_175_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_170_ = 0f;
+            phi_174_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_169_ = 1f;
+                phi_173_ = 1f;
             } else {
-                phi_169_ = param_7;
+                phi_173_ = param_7;
             }
-            let _e47 = phi_169_;
-            phi_170_ = _e47;
+            let _e50 = phi_173_;
+            phi_174_ = _e50;
         }
-        let _e49 = phi_170_;
-        phi_171_ = _e49;
+        let _e52 = phi_174_;
+        phi_175_ = _e52;
     }
-    let _e51 = phi_171_;
-    let _e52 = (_e51 - 0.00000047683716f);
+    let _e54 = phi_175_;
+    let _e55 = (_e54 - 0.00000047683716f);
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_190_ = param_5.x;
+        phi_194_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_189_ = 0f;
+            phi_193_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_188_ = 1f;
+                phi_192_ = 1f;
             } else {
-                phi_188_ = param_5.x;
+                phi_192_ = param_5.x;
             }
-            let _e60 = phi_188_;
-            phi_189_ = _e60;
+            let _e63 = phi_192_;
+            phi_193_ = _e63;
         }
-        let _e62 = phi_189_;
-        phi_190_ = _e62;
+        let _e65 = phi_193_;
+        phi_194_ = _e65;
     }
-    let _e64 = phi_190_;
+    let _e67 = phi_194_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_208_ = param_5.y;
+        phi_212_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_207_ = 0f;
+            phi_211_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_206_ = 1f;
+                phi_210_ = 1f;
             } else {
-                phi_206_ = param_5.y;
+                phi_210_ = param_5.y;
             }
-            let _e72 = phi_206_;
-            phi_207_ = _e72;
+            let _e75 = phi_210_;
+            phi_211_ = _e75;
         }
-        let _e74 = phi_207_;
-        phi_208_ = _e74;
+        let _e77 = phi_211_;
+        phi_212_ = _e77;
     }
-    let _e76 = phi_208_;
+    let _e79 = phi_212_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_226_ = param_5.z;
+        phi_230_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_225_ = 0f;
+            phi_229_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_224_ = 1f;
+                phi_228_ = 1f;
             } else {
-                phi_224_ = param_5.z;
+                phi_228_ = param_5.z;
             }
-            let _e84 = phi_224_;
-            phi_225_ = _e84;
+            let _e87 = phi_228_;
+            phi_229_ = _e87;
         }
-        let _e86 = phi_225_;
-        phi_226_ = _e86;
+        let _e89 = phi_229_;
+        phi_230_ = _e89;
     }
-    let _e88 = phi_226_;
+    let _e91 = phi_230_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_244_ = param_5.w;
+        phi_248_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_243_ = 0f;
+            phi_247_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_242_ = 1f;
+                phi_246_ = 1f;
             } else {
-                phi_242_ = param_5.w;
+                phi_246_ = param_5.w;
             }
-            let _e96 = phi_242_;
-            phi_243_ = _e96;
+            let _e99 = phi_246_;
+            phi_247_ = _e99;
         }
-        let _e98 = phi_243_;
-        phi_244_ = _e98;
+        let _e101 = phi_247_;
+        phi_248_ = _e101;
     }
-    let _e100 = phi_244_;
-    let _e101 = (_e64 - _e52);
-    let _e102 = (_e76 - _e52);
-    let _e103 = (_e88 - _e52);
-    let _e104 = (_e100 - _e52);
-    let _e115 = ((((_e101 * param_6.x) + (_e102 * param_6.y)) + (_e103 * param_6.z)) + (_e104 * param_6.w));
-    if ((bitcast<u32>(_e115) & 2147483647u) > 2139095040u) {
-        phi_801_ = _e115;
-        phi_802_ = f32();
-        phi_803_ = true;
+    let _e103 = phi_248_;
+    let _e104 = (_e67 - _e55);
+    let _e105 = (_e79 - _e55);
+    let _e106 = (_e91 - _e55);
+    let _e107 = (_e103 - _e55);
+    let _e118 = ((((_e104 * param_6.x) + (_e105 * param_6.y)) + (_e106 * param_6.z)) + (_e107 * param_6.w));
+    if ((bitcast<u32>(_e118) & 2147483647u) > 2139095040u) {
+        phi_805_ = _e118;
+        phi_806_ = f32();
+        phi_807_ = true;
     } else {
-        if (_e101 >= 0f) {
-            if (_e102 >= 0f) {
-                if (_e103 >= 0f) {
-                    phi_279_ = (_e104 >= 0f);
-                    phi_280_ = false;
+        if (_e104 >= 0f) {
+            if (_e105 >= 0f) {
+                if (_e106 >= 0f) {
+                    phi_283_ = (_e107 >= 0f);
+                    phi_284_ = false;
                 } else {
-                    phi_279_ = bool();
-                    phi_280_ = true;
+                    phi_283_ = bool();
+                    phi_284_ = true;
                 }
-                let _e124 = phi_279_;
-                let _e126 = phi_280_;
-                phi_281_ = _e124;
-                phi_282_ = _e126;
+                let _e127 = phi_283_;
+                let _e129 = phi_284_;
+                phi_285_ = _e127;
+                phi_286_ = _e129;
             } else {
-                phi_281_ = bool();
-                phi_282_ = true;
+                phi_285_ = bool();
+                phi_286_ = true;
             }
-            let _e128 = phi_281_;
-            let _e130 = phi_282_;
-            phi_283_ = _e128;
-            phi_284_ = _e130;
+            let _e131 = phi_285_;
+            let _e133 = phi_286_;
+            phi_287_ = _e131;
+            phi_288_ = _e133;
         } else {
-            phi_283_ = bool();
-            phi_284_ = true;
+            phi_287_ = bool();
+            phi_288_ = true;
         }
-        let _e132 = phi_283_;
-        let _e134 = phi_284_;
-        if _e134 {
-            phi_288_ = false;
+        let _e135 = phi_287_;
+        let _e137 = phi_288_;
+        if _e137 {
+            phi_292_ = false;
         } else {
-            phi_288_ = _e132;
+            phi_292_ = _e135;
         }
-        let _e136 = phi_288_;
-        if _e136 {
-            phi_798_ = 1f;
-            phi_799_ = f32();
-            phi_800_ = true;
+        let _e139 = phi_292_;
+        if _e139 {
+            phi_802_ = 1f;
+            phi_803_ = f32();
+            phi_804_ = true;
         } else {
-            let _e137 = (0.5f * _e40);
-            let _e138 = (1f - _e40);
-            let _e140 = (param_6.x * _e138);
-            let _e142 = (param_6.y * _e138);
-            let _e144 = (param_6.z * _e138);
-            let _e146 = (param_6.w * _e138);
-            let _e147 = -(_e52);
-            let _e148 = (1f - _e52);
-            let _e150 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e64);
-            let _e152 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e76);
-            let _e154 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e88);
-            let _e156 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e100);
-            let _e157 = (_e101 - _e102);
-            let _e158 = (_e102 - _e103);
-            let _e159 = (_e103 - _e104);
-            let _e160 = (_e104 - _e101);
-            let _e161 = (_e157 * _e157);
-            let _e162 = (_e158 * _e158);
-            let _e163 = (_e159 * _e159);
+            let _e140 = (0.5f * _e43);
+            let _e141 = (1f - _e43);
+            let _e143 = (param_6.x * _e141);
+            let _e145 = (param_6.y * _e141);
+            let _e147 = (param_6.z * _e141);
+            let _e149 = (param_6.w * _e141);
+            let _e150 = -(_e55);
+            let _e151 = (1f - _e55);
+            let _e153 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e67);
+            let _e155 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e79);
+            let _e157 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e91);
+            let _e159 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e103);
+            let _e160 = (_e104 - _e105);
+            let _e161 = (_e105 - _e106);
+            let _e162 = (_e106 - _e107);
+            let _e163 = (_e107 - _e104);
             let _e164 = (_e160 * _e160);
-            let _e165 = (_e101 - _e103);
-            let _e166 = (_e102 - _e104);
-            let _e167 = (_e103 - _e101);
-            let _e168 = (_e104 - _e102);
-            let _e169 = (_e165 * _e165);
-            let _e170 = (_e166 * _e166);
-            let _e171 = (_e167 * _e167);
+            let _e165 = (_e161 * _e161);
+            let _e166 = (_e162 * _e162);
+            let _e167 = (_e163 * _e163);
+            let _e168 = (_e104 - _e106);
+            let _e169 = (_e105 - _e107);
+            let _e170 = (_e106 - _e104);
+            let _e171 = (_e107 - _e105);
             let _e172 = (_e168 * _e168);
-            let _e177 = ((_e140 * _e142) * _e161);
-            let _e178 = ((_e142 * _e144) * _e162);
-            let _e179 = ((_e144 * _e146) * _e163);
-            let _e180 = ((_e146 * _e140) * _e164);
-            let _e189 = (((0.5f * _e140) * _e144) * _e169);
-            let _e190 = (((0.5f * _e142) * _e146) * _e170);
-            let _e191 = (((0.5f * _e144) * _e140) * _e171);
-            let _e192 = (((0.5f * _e146) * _e142) * _e172);
-            let _e193 = (_e101 * _e102);
-            let _e194 = (_e102 * _e103);
-            let _e195 = (_e103 * _e104);
-            let _e196 = (_e104 * _e101);
-            let _e197 = (_e101 * _e103);
-            let _e198 = (_e102 * _e104);
-            let _e199 = (_e103 * _e101);
-            let _e200 = (_e104 * _e102);
-            let _e201 = (_e177 * _e193);
-            let _e202 = (_e178 * _e194);
-            let _e203 = (_e179 * _e195);
+            let _e173 = (_e169 * _e169);
+            let _e174 = (_e170 * _e170);
+            let _e175 = (_e171 * _e171);
+            let _e180 = ((_e143 * _e145) * _e164);
+            let _e181 = ((_e145 * _e147) * _e165);
+            let _e182 = ((_e147 * _e149) * _e166);
+            let _e183 = ((_e149 * _e143) * _e167);
+            let _e192 = (((0.5f * _e143) * _e147) * _e172);
+            let _e193 = (((0.5f * _e145) * _e149) * _e173);
+            let _e194 = (((0.5f * _e147) * _e143) * _e174);
+            let _e195 = (((0.5f * _e149) * _e145) * _e175);
+            let _e196 = (_e104 * _e105);
+            let _e197 = (_e105 * _e106);
+            let _e198 = (_e106 * _e107);
+            let _e199 = (_e107 * _e104);
+            let _e200 = (_e104 * _e106);
+            let _e201 = (_e105 * _e107);
+            let _e202 = (_e106 * _e104);
+            let _e203 = (_e107 * _e105);
             let _e204 = (_e180 * _e196);
-            let _e205 = (_e189 * _e197);
-            let _e206 = (_e190 * _e198);
-            let _e207 = (_e191 * _e199);
+            let _e205 = (_e181 * _e197);
+            let _e206 = (_e182 * _e198);
+            let _e207 = (_e183 * _e199);
             let _e208 = (_e192 * _e200);
-            let _e209 = (_e64 * _e64);
-            let _e210 = (_e76 * _e76);
-            let _e211 = (_e88 * _e88);
-            let _e212 = (_e100 * _e100);
-            let _e213 = (_e150 * _e150);
-            let _e214 = (_e152 * _e152);
-            let _e215 = (_e154 * _e154);
-            let _e216 = (_e156 * _e156);
-            let _e217 = (_e137 * _e140);
-            let _e218 = (_e137 * _e142);
-            let _e219 = (_e137 * _e144);
-            let _e220 = (_e137 * _e146);
-            let _e229 = (((_e217 * _e101) * _e209) * _e147);
-            let _e230 = (((_e218 * _e102) * _e210) * _e147);
-            let _e231 = (((_e219 * _e103) * _e211) * _e147);
-            let _e232 = (((_e220 * _e104) * _e212) * _e147);
-            let _e241 = (((_e217 * _e101) * _e213) * _e148);
-            let _e242 = (((_e218 * _e102) * _e214) * _e148);
-            let _e243 = (((_e219 * _e103) * _e215) * _e148);
-            let _e244 = (((_e220 * _e104) * _e216) * _e148);
-            let _e412 = (((((((_e177 * _e144) * _e162) * _e169) + (_e137 * (((_e177 * ((_e209 * _e210) + (_e213 * _e214))) + (_e189 * ((_e209 * _e211) + (_e213 * _e215)))) + ((_e217 * _e209) * _e213)))) + ((((_e178 * _e146) * _e163) * _e170) + (_e137 * (((_e178 * ((_e210 * _e211) + (_e214 * _e215))) + (_e190 * ((_e210 * _e212) + (_e214 * _e216)))) + ((_e218 * _e210) * _e214))))) + ((((_e179 * _e140) * _e164) * _e171) + (_e137 * (((_e179 * ((_e211 * _e212) + (_e215 * _e216))) + (_e191 * ((_e211 * _e209) + (_e215 * _e213)))) + ((_e219 * _e211) * _e215))))) + ((((_e180 * _e142) * _e161) * _e172) + (_e137 * (((_e180 * ((_e212 * _e209) + (_e216 * _e213))) + (_e192 * ((_e212 * _e210) + (_e216 * _e214)))) + ((_e220 * _e212) * _e216)))));
-            let _e415 = (((_e137 * _e137) * _e147) * _e148);
-            let _e418 = (((((((_e201 * _e193) + (_e205 * _e197)) + (_e101 * ((_e229 * _e147) + (_e241 * _e148)))) + (((_e202 * _e194) + (_e206 * _e198)) + (_e102 * ((_e230 * _e147) + (_e242 * _e148))))) + (((_e203 * _e195) + (_e207 * _e199)) + (_e103 * ((_e231 * _e147) + (_e243 * _e148))))) + (((_e204 * _e196) + (_e208 * _e200)) + (_e104 * ((_e232 * _e147) + (_e244 * _e148))))) + ((_e415 * _e147) * _e148));
-            let _e424 = (_e418 < 0.0000000000000000000000000000000001f);
-            if _e424 {
-                if ((bitcast<u32>(_e101) & 2147483647u) > 2139095040u) {
-                    phi_601_ = _e101;
-                } else {
-                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_600_ = 0f;
-                    } else {
-                        if (_e101 < 0f) {
-                            phi_599_ = 0f;
-                        } else {
-                            phi_599_ = 1f;
-                        }
-                        let _e433 = phi_599_;
-                        phi_600_ = _e433;
-                    }
-                    let _e435 = phi_600_;
-                    phi_601_ = _e435;
-                }
-                let _e437 = phi_601_;
-                if ((bitcast<u32>(_e102) & 2147483647u) > 2139095040u) {
-                    phi_620_ = _e102;
-                } else {
-                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_619_ = 0f;
-                    } else {
-                        if (_e102 < 0f) {
-                            phi_618_ = 0f;
-                        } else {
-                            phi_618_ = 1f;
-                        }
-                        let _e446 = phi_618_;
-                        phi_619_ = _e446;
-                    }
-                    let _e448 = phi_619_;
-                    phi_620_ = _e448;
-                }
-                let _e450 = phi_620_;
-                if ((bitcast<u32>(_e103) & 2147483647u) > 2139095040u) {
-                    phi_639_ = _e103;
-                } else {
-                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_638_ = 0f;
-                    } else {
-                        if (_e103 < 0f) {
-                            phi_637_ = 0f;
-                        } else {
-                            phi_637_ = 1f;
-                        }
-                        let _e459 = phi_637_;
-                        phi_638_ = _e459;
-                    }
-                    let _e461 = phi_638_;
-                    phi_639_ = _e461;
-                }
-                let _e463 = phi_639_;
+            let _e209 = (_e193 * _e201);
+            let _e210 = (_e194 * _e202);
+            let _e211 = (_e195 * _e203);
+            let _e212 = (_e67 * _e67);
+            let _e213 = (_e79 * _e79);
+            let _e214 = (_e91 * _e91);
+            let _e215 = (_e103 * _e103);
+            let _e216 = (_e153 * _e153);
+            let _e217 = (_e155 * _e155);
+            let _e218 = (_e157 * _e157);
+            let _e219 = (_e159 * _e159);
+            let _e220 = (_e140 * _e143);
+            let _e221 = (_e140 * _e145);
+            let _e222 = (_e140 * _e147);
+            let _e223 = (_e140 * _e149);
+            let _e232 = (((_e220 * _e104) * _e212) * _e150);
+            let _e233 = (((_e221 * _e105) * _e213) * _e150);
+            let _e234 = (((_e222 * _e106) * _e214) * _e150);
+            let _e235 = (((_e223 * _e107) * _e215) * _e150);
+            let _e244 = (((_e220 * _e104) * _e216) * _e151);
+            let _e245 = (((_e221 * _e105) * _e217) * _e151);
+            let _e246 = (((_e222 * _e106) * _e218) * _e151);
+            let _e247 = (((_e223 * _e107) * _e219) * _e151);
+            let _e415 = (((((((_e180 * _e147) * _e165) * _e172) + (_e140 * (((_e180 * ((_e212 * _e213) + (_e216 * _e217))) + (_e192 * ((_e212 * _e214) + (_e216 * _e218)))) + ((_e220 * _e212) * _e216)))) + ((((_e181 * _e149) * _e166) * _e173) + (_e140 * (((_e181 * ((_e213 * _e214) + (_e217 * _e218))) + (_e193 * ((_e213 * _e215) + (_e217 * _e219)))) + ((_e221 * _e213) * _e217))))) + ((((_e182 * _e143) * _e167) * _e174) + (_e140 * (((_e182 * ((_e214 * _e215) + (_e218 * _e219))) + (_e194 * ((_e214 * _e212) + (_e218 * _e216)))) + ((_e222 * _e214) * _e218))))) + ((((_e183 * _e145) * _e164) * _e175) + (_e140 * (((_e183 * ((_e215 * _e212) + (_e219 * _e216))) + (_e195 * ((_e215 * _e213) + (_e219 * _e217)))) + ((_e223 * _e215) * _e219)))));
+            let _e418 = (((_e140 * _e140) * _e150) * _e151);
+            let _e421 = (((((((_e204 * _e196) + (_e208 * _e200)) + (_e104 * ((_e232 * _e150) + (_e244 * _e151)))) + (((_e205 * _e197) + (_e209 * _e201)) + (_e105 * ((_e233 * _e150) + (_e245 * _e151))))) + (((_e206 * _e198) + (_e210 * _e202)) + (_e106 * ((_e234 * _e150) + (_e246 * _e151))))) + (((_e207 * _e199) + (_e211 * _e203)) + (_e107 * ((_e235 * _e150) + (_e247 * _e151))))) + ((_e418 * _e150) * _e151));
+            let _e427 = (_e421 < 0.0000000000000000000000000000000001f);
+            if _e427 {
                 if ((bitcast<u32>(_e104) & 2147483647u) > 2139095040u) {
-                    phi_658_ = _e104;
+                    phi_605_ = _e104;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_657_ = 0f;
+                        phi_604_ = 0f;
                     } else {
                         if (_e104 < 0f) {
-                            phi_656_ = 0f;
+                            phi_603_ = 0f;
                         } else {
-                            phi_656_ = 1f;
+                            phi_603_ = 1f;
                         }
-                        let _e472 = phi_656_;
-                        phi_657_ = _e472;
+                        let _e436 = phi_603_;
+                        phi_604_ = _e436;
                     }
-                    let _e474 = phi_657_;
-                    phi_658_ = _e474;
+                    let _e438 = phi_604_;
+                    phi_605_ = _e438;
                 }
-                let _e476 = phi_658_;
-                let _e484 = (((((_e437 * _e140) + (_e450 * _e142)) + (_e463 * _e144)) + (_e476 * _e146)) + _e137);
-                if ((bitcast<u32>(_e484) & 2147483647u) > 2139095040u) {
-                    phi_683_ = _e484;
+                let _e440 = phi_605_;
+                if ((bitcast<u32>(_e105) & 2147483647u) > 2139095040u) {
+                    phi_624_ = _e105;
                 } else {
-                    if (_e484 < 0f) {
-                        phi_682_ = 0f;
+                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                        phi_623_ = 0f;
                     } else {
-                        if (_e484 > 1f) {
-                            phi_681_ = 1f;
+                        if (_e105 < 0f) {
+                            phi_622_ = 0f;
                         } else {
-                            phi_681_ = _e484;
+                            phi_622_ = 1f;
                         }
-                        let _e491 = phi_681_;
-                        phi_682_ = _e491;
+                        let _e449 = phi_622_;
+                        phi_623_ = _e449;
                     }
-                    let _e493 = phi_682_;
-                    phi_683_ = _e493;
+                    let _e451 = phi_623_;
+                    phi_624_ = _e451;
                 }
-                let _e495 = phi_683_;
-                phi_796_ = _e495;
-                phi_797_ = f32();
+                let _e453 = phi_624_;
+                if ((bitcast<u32>(_e106) & 2147483647u) > 2139095040u) {
+                    phi_643_ = _e106;
+                } else {
+                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                        phi_642_ = 0f;
+                    } else {
+                        if (_e106 < 0f) {
+                            phi_641_ = 0f;
+                        } else {
+                            phi_641_ = 1f;
+                        }
+                        let _e462 = phi_641_;
+                        phi_642_ = _e462;
+                    }
+                    let _e464 = phi_642_;
+                    phi_643_ = _e464;
+                }
+                let _e466 = phi_643_;
+                if ((bitcast<u32>(_e107) & 2147483647u) > 2139095040u) {
+                    phi_662_ = _e107;
+                } else {
+                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                        phi_661_ = 0f;
+                    } else {
+                        if (_e107 < 0f) {
+                            phi_660_ = 0f;
+                        } else {
+                            phi_660_ = 1f;
+                        }
+                        let _e475 = phi_660_;
+                        phi_661_ = _e475;
+                    }
+                    let _e477 = phi_661_;
+                    phi_662_ = _e477;
+                }
+                let _e479 = phi_662_;
+                let _e487 = (((((_e440 * _e143) + (_e453 * _e145)) + (_e466 * _e147)) + (_e479 * _e149)) + _e140);
+                if ((bitcast<u32>(_e487) & 2147483647u) > 2139095040u) {
+                    phi_687_ = _e487;
+                } else {
+                    if (_e487 < 0f) {
+                        phi_686_ = 0f;
+                    } else {
+                        if (_e487 > 1f) {
+                            phi_685_ = 1f;
+                        } else {
+                            phi_685_ = _e487;
+                        }
+                        let _e494 = phi_685_;
+                        phi_686_ = _e494;
+                    }
+                    let _e496 = phi_686_;
+                    phi_687_ = _e496;
+                }
+                let _e498 = phi_687_;
+                phi_800_ = _e498;
+                phi_801_ = f32();
             } else {
-                let _e497 = ((0.5f * -(((((((((_e201 * (_e101 + _e102)) + (_e205 * (_e101 + _e103))) + (_e229 * (_e101 + _e147))) + (_e241 * (_e101 + _e148))) + ((((_e202 * (_e102 + _e103)) + (_e206 * (_e102 + _e104))) + (_e230 * (_e102 + _e147))) + (_e242 * (_e102 + _e148)))) + ((((_e203 * (_e103 + _e104)) + (_e207 * (_e103 + _e101))) + (_e231 * (_e103 + _e147))) + (_e243 * (_e103 + _e148)))) + ((((_e204 * (_e104 + _e101)) + (_e208 * (_e104 + _e102))) + (_e232 * (_e104 + _e147))) + (_e244 * (_e104 + _e148)))) + (_e415 * (_e147 + _e148))))) / _e418);
-                let _e498 = ((((((((_e201 + _e205) + _e229) + _e241) + (((_e202 + _e206) + _e230) + _e242)) + (((_e203 + _e207) + _e231) + _e243)) + (((_e204 + _e208) + _e232) + _e244)) + _e415) / _e418);
-                let _e500 = ((_e497 * _e497) - _e498);
+                let _e500 = ((0.5f * -(((((((((_e204 * (_e104 + _e105)) + (_e208 * (_e104 + _e106))) + (_e232 * (_e104 + _e150))) + (_e244 * (_e104 + _e151))) + ((((_e205 * (_e105 + _e106)) + (_e209 * (_e105 + _e107))) + (_e233 * (_e105 + _e150))) + (_e245 * (_e105 + _e151)))) + ((((_e206 * (_e106 + _e107)) + (_e210 * (_e106 + _e104))) + (_e234 * (_e106 + _e150))) + (_e246 * (_e106 + _e151)))) + ((((_e207 * (_e107 + _e104)) + (_e211 * (_e107 + _e105))) + (_e235 * (_e107 + _e150))) + (_e247 * (_e107 + _e151)))) + (_e418 * (_e150 + _e151))))) / _e421);
+                let _e501 = ((((((((_e204 + _e208) + _e232) + _e244) + (((_e205 + _e209) + _e233) + _e245)) + (((_e206 + _e210) + _e234) + _e246)) + (((_e207 + _e211) + _e235) + _e247)) + _e418) / _e421);
+                let _e503 = ((_e500 * _e500) - _e501);
+                if (_e503 > 0f) {
+                    phi_698_ = sqrt(_e503);
+                } else {
+                    phi_698_ = 0f;
+                }
+                let _e507 = phi_698_;
                 if (_e500 > 0f) {
-                    phi_694_ = sqrt(_e500);
+                    let _e510 = (-(_e500) - _e507);
+                    phi_715_ = lt_bvh_slab_Span(_e510, (_e501 / _e510));
                 } else {
-                    phi_694_ = 0f;
-                }
-                let _e504 = phi_694_;
-                if (_e497 > 0f) {
-                    let _e507 = (-(_e497) - _e504);
-                    phi_711_ = lt_bvh_slab_Span(_e507, (_e498 / _e507));
-                } else {
-                    let _e510 = (_e504 - _e497);
-                    if (_e510 > 0f) {
-                        phi_709_ = (_e498 / _e510);
+                    let _e513 = (_e507 - _e500);
+                    if (_e513 > 0f) {
+                        phi_713_ = (_e501 / _e513);
                     } else {
-                        phi_709_ = 0f;
+                        phi_713_ = 0f;
                     }
-                    let _e514 = phi_709_;
-                    phi_711_ = lt_bvh_slab_Span(_e514, _e510);
+                    let _e517 = phi_713_;
+                    phi_715_ = lt_bvh_slab_Span(_e517, _e513);
                 }
-                let _e517 = phi_711_;
-                if (_e517.near >= 0f) {
-                    phi_772_ = 1f;
-                    phi_773_ = f32();
-                    phi_774_ = true;
+                let _e520 = phi_715_;
+                if (_e520.near >= 0f) {
+                    phi_776_ = 1f;
+                    phi_777_ = f32();
+                    phi_778_ = true;
                 } else {
-                    let _e521 = (_e517.far <= 0f);
-                    if _e521 {
-                        phi_770_ = (_e412 / _e418);
-                        phi_771_ = f32();
+                    let _e524 = (_e520.far <= 0f);
+                    if _e524 {
+                        phi_774_ = (_e415 / _e421);
+                        phi_775_ = f32();
                     } else {
-                        let _e532 = (((((_e140 * _e101) + (_e142 * _e102)) + (_e144 * _e103)) + (_e146 * _e104)) + (_e137 * (_e147 + _e148)));
-                        let _e548 = (((((_e140 * (_e101 * _e101)) + (_e142 * (_e102 * _e102))) + (_e144 * (_e103 * _e103))) + (_e146 * (_e104 * _e104))) + (_e137 * ((_e147 * _e147) + (_e148 * _e148))));
-                        if (-(_e517.near) <= _e517.far) {
-                            phi_769_ = (1f - (((_e517.near * _e517.near) * ((_e517.far * _e548) - _e532)) / (_e517.far - _e517.near)));
+                        let _e535 = (((((_e143 * _e104) + (_e145 * _e105)) + (_e147 * _e106)) + (_e149 * _e107)) + (_e140 * (_e150 + _e151)));
+                        let _e551 = (((((_e143 * (_e104 * _e104)) + (_e145 * (_e105 * _e105))) + (_e147 * (_e106 * _e106))) + (_e149 * (_e107 * _e107))) + (_e140 * ((_e150 * _e150) + (_e151 * _e151))));
+                        if (-(_e520.near) <= _e520.far) {
+                            phi_773_ = (1f - (((_e520.near * _e520.near) * ((_e520.far * _e551) - _e535)) / (_e520.far - _e520.near)));
                         } else {
-                            phi_769_ = ((_e412 / _e418) + (((_e517.far * _e517.far) * (_e532 - (_e517.near * _e548))) / (_e517.far - _e517.near)));
+                            phi_773_ = ((_e415 / _e421) + (((_e520.far * _e520.far) * (_e535 - (_e520.near * _e551))) / (_e520.far - _e520.near)));
                         }
-                        let _e567 = phi_769_;
-                        phi_770_ = f32();
-                        phi_771_ = _e567;
+                        let _e570 = phi_773_;
+                        phi_774_ = f32();
+                        phi_775_ = _e570;
                     }
-                    let _e569 = phi_770_;
-                    let _e571 = phi_771_;
-                    phi_772_ = _e569;
-                    phi_773_ = _e571;
-                    phi_774_ = _e521;
+                    let _e572 = phi_774_;
+                    let _e574 = phi_775_;
+                    phi_776_ = _e572;
+                    phi_777_ = _e574;
+                    phi_778_ = _e524;
                 }
-                let _e573 = phi_772_;
-                let _e575 = phi_773_;
-                let _e577 = phi_774_;
-                if _e577 {
-                    phi_778_ = _e573;
+                let _e576 = phi_776_;
+                let _e578 = phi_777_;
+                let _e580 = phi_778_;
+                if _e580 {
+                    phi_782_ = _e576;
                 } else {
-                    phi_778_ = _e575;
+                    phi_782_ = _e578;
                 }
-                let _e579 = phi_778_;
-                if ((bitcast<u32>(_e579) & 2147483647u) > 2139095040u) {
-                    phi_795_ = _e579;
+                let _e582 = phi_782_;
+                if ((bitcast<u32>(_e582) & 2147483647u) > 2139095040u) {
+                    phi_799_ = _e582;
                 } else {
-                    if (_e579 < 0f) {
-                        phi_794_ = 0f;
+                    if (_e582 < 0f) {
+                        phi_798_ = 0f;
                     } else {
-                        if (_e579 > 1f) {
-                            phi_793_ = 1f;
+                        if (_e582 > 1f) {
+                            phi_797_ = 1f;
                         } else {
-                            phi_793_ = _e579;
+                            phi_797_ = _e582;
                         }
-                        let _e586 = phi_793_;
-                        phi_794_ = _e586;
+                        let _e589 = phi_797_;
+                        phi_798_ = _e589;
                     }
-                    let _e588 = phi_794_;
-                    phi_795_ = _e588;
+                    let _e591 = phi_798_;
+                    phi_799_ = _e591;
                 }
-                let _e590 = phi_795_;
-                phi_796_ = f32();
-                phi_797_ = _e590;
+                let _e593 = phi_799_;
+                phi_800_ = f32();
+                phi_801_ = _e593;
             }
-            let _e592 = phi_796_;
-            let _e594 = phi_797_;
-            phi_798_ = _e592;
-            phi_799_ = _e594;
-            phi_800_ = _e424;
+            let _e595 = phi_800_;
+            let _e597 = phi_801_;
+            phi_802_ = _e595;
+            phi_803_ = _e597;
+            phi_804_ = _e427;
         }
-        let _e596 = phi_798_;
-        let _e598 = phi_799_;
-        let _e600 = phi_800_;
-        phi_801_ = _e596;
-        phi_802_ = _e598;
-        phi_803_ = _e600;
+        let _e599 = phi_802_;
+        let _e601 = phi_803_;
+        let _e603 = phi_804_;
+        phi_805_ = _e599;
+        phi_806_ = _e601;
+        phi_807_ = _e603;
     }
-    let _e602 = phi_801_;
-    let _e604 = phi_802_;
-    let _e606 = phi_803_;
-    if _e606 {
-        phi_807_ = _e602;
+    let _e605 = phi_805_;
+    let _e607 = phi_806_;
+    let _e609 = phi_807_;
+    if _e609 {
+        phi_811_ = _e605;
     } else {
-        phi_807_ = _e604;
+        phi_811_ = _e607;
     }
-    let _e608 = phi_807_;
-    return _e608;
+    let _e611 = phi_811_;
+    return _e611;
 }
 
 fn function_() {
     var local: f32;
-    var phi_863_: bool;
-    var phi_864_: bool;
-    var phi_865_: bool;
-    var phi_866_: bool;
+    var phi_867_: bool;
+    var phi_868_: bool;
+    var phi_869_: bool;
     var phi_870_: bool;
-    var phi_940_: bool;
-    var phi_941_: bool;
-    var phi_952_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_953_: bool;
-    var phi_954_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_955_: bool;
-    var phi_962_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_874_: bool;
+    var phi_944_: bool;
+    var phi_945_: bool;
+    var phi_956_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_957_: bool;
+    var phi_958_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_959_: bool;
     var phi_966_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1040_: bool;
-    var phi_1049_: bool;
-    var phi_1058_: bool;
-    var phi_1059_: bool;
-    var phi_1060_: bool;
-    var phi_1061_: bool;
+    var phi_970_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1044_: bool;
+    var phi_1053_: bool;
     var phi_1062_: bool;
     var phi_1063_: bool;
     var phi_1064_: bool;
+    var phi_1065_: bool;
+    var phi_1066_: bool;
+    var phi_1067_: bool;
     var phi_1068_: bool;
-    var phi_1158_: f32;
-    var phi_1161_: f32;
-    var phi_1190_: f32;
-    var phi_1195_: f32;
-    var phi_1196_: bool;
-    var phi_1197_: f32;
-    var phi_1198_: bool;
-    var phi_1202_: f32;
-    var phi_1222_: f32;
-    var phi_1227_: f32;
-    var phi_1228_: bool;
-    var phi_1229_: f32;
-    var phi_1230_: bool;
-    var phi_1234_: f32;
-    var phi_1282_: i32;
-    var phi_1287_: i32;
-    var phi_1292_: i32;
-    var phi_1297_: i32;
-    var phi_1306_: i32;
-    var phi_1311_: i32;
-    var phi_1316_: i32;
-    var phi_1321_: i32;
-    var phi_1372_: bool;
-    var phi_1380_: bool;
-    var phi_1392_: bool;
-    var phi_1393_: bool;
-    var phi_1397_: f32;
+    var phi_1072_: bool;
+    var phi_1162_: f32;
+    var phi_1165_: f32;
+    var phi_1194_: f32;
+    var phi_1199_: f32;
+    var phi_1200_: bool;
+    var phi_1201_: f32;
+    var phi_1202_: bool;
+    var phi_1206_: f32;
+    var phi_1226_: f32;
+    var phi_1231_: f32;
+    var phi_1232_: bool;
+    var phi_1233_: f32;
+    var phi_1234_: bool;
+    var phi_1238_: f32;
+    var phi_1286_: i32;
+    var phi_1291_: i32;
+    var phi_1296_: i32;
+    var phi_1301_: i32;
+    var phi_1310_: i32;
+    var phi_1315_: i32;
+    var phi_1320_: i32;
+    var phi_1325_: i32;
+    var phi_1378_: bool;
+    var phi_1386_: bool;
+    var phi_1398_: bool;
+    var phi_1399_: bool;
     var phi_1403_: f32;
-    var phi_1405_: evaluate_Verdict;
-    var phi_1410_: evaluate_Verdict;
+    var phi_1409_: f32;
     var phi_1411_: evaluate_Verdict;
+    var phi_1421_: u32;
+    var phi_1430_: f32;
+    var phi_1432_: evaluate_Verdict;
+    var phi_1433_: bool;
+    var phi_1434_: evaluate_Verdict;
+    var phi_1435_: bool;
+    var phi_1440_: evaluate_Verdict;
+    var phi_1445_: evaluate_Verdict;
+    var phi_1446_: evaluate_Verdict;
 
-    let _e37 = id_1;
-    let _e44 = arrayLength((&map.member));
-    let _e50 = p.member.size[0u];
-    let _e52 = p.member.size[1u];
-    let _e53 = lt_shaders_entry_pixel_index(_e37, _e50, _e52);
-    if (bitcast<i32>(_e53.root) != 0i) {
-        let _e59 = p.member.projection;
-        if (_e53.first_primitive < arrayLength((&samples.member))) {
+    let _e40 = id_1;
+    let _e47 = arrayLength((&map.member));
+    let _e53 = p.member.size[0u];
+    let _e55 = p.member.size[1u];
+    let _e56 = lt_shaders_entry_pixel_index(_e40, _e53, _e55);
+    if (bitcast<i32>(_e56.root) != 0i) {
+        let _e62 = p.member.projection;
+        if (_e56.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e63 = lt_math_OneLevel(_e59);
-        let _e67 = samples.member[(0u + _e53.first_primitive)].normal[0u];
-        let _e69 = global[0u];
-        if (_e67 == _e69) {
-            let _e72 = samples.member[(0u + _e53.first_primitive)].normal[1u];
-            let _e74 = global[1u];
-            if (_e72 == _e74) {
-                let _e77 = samples.member[(0u + _e53.first_primitive)].normal[2u];
-                let _e79 = global[2u];
-                phi_863_ = (_e77 == _e79);
-                phi_864_ = false;
+        let _e66 = lt_math_OneLevel(_e62);
+        let _e70 = samples.member[(0u + _e56.first_primitive)].normal[0u];
+        let _e72 = global[0u];
+        if (_e70 == _e72) {
+            let _e75 = samples.member[(0u + _e56.first_primitive)].normal[1u];
+            let _e77 = global[1u];
+            if (_e75 == _e77) {
+                let _e80 = samples.member[(0u + _e56.first_primitive)].normal[2u];
+                let _e82 = global[2u];
+                phi_867_ = (_e80 == _e82);
+                phi_868_ = false;
             } else {
-                phi_863_ = bool();
-                phi_864_ = true;
+                phi_867_ = bool();
+                phi_868_ = true;
             }
-            let _e82 = phi_863_;
-            let _e84 = phi_864_;
-            phi_865_ = _e82;
-            phi_866_ = _e84;
+            let _e85 = phi_867_;
+            let _e87 = phi_868_;
+            phi_869_ = _e85;
+            phi_870_ = _e87;
         } else {
-            phi_865_ = bool();
-            phi_866_ = true;
+            phi_869_ = bool();
+            phi_870_ = true;
         }
-        let _e86 = phi_865_;
-        let _e88 = phi_866_;
-        if _e88 {
-            phi_870_ = false;
+        let _e89 = phi_869_;
+        let _e91 = phi_870_;
+        if _e91 {
+            phi_874_ = false;
         } else {
-            phi_870_ = _e86;
+            phi_874_ = _e89;
         }
-        let _e90 = phi_870_;
-        if !(_e90) {
-            let _e93 = samples.member[(0u + _e53.first_primitive)].position;
-            let _e95 = p.member.light.place;
-            let _e101 = p.member.light.place[3u];
-            let _e108 = (_e95.x - (_e93.x * _e101));
-            let _e109 = (_e95.y - (_e93.y * _e101));
-            let _e110 = (_e95.z - (_e93.z * _e101));
-            let _e112 = samples.member[(0u + _e53.first_primitive)].normal;
-            if ((((_e112.x * _e108) + (_e112.y * _e109)) + (_e112.z * _e110)) > 0f) {
-                let _e126 = (((_e108 * _e108) + (_e109 * _e109)) + (_e110 * _e110));
-                let _e128 = p.member.light.axis;
-                let _e140 = p.member.light.place[3u];
-                if (_e140 == 0f) {
-                    phi_941_ = true;
+        let _e93 = phi_874_;
+        if !(_e93) {
+            let _e96 = samples.member[(0u + _e56.first_primitive)].position;
+            let _e98 = p.member.light.place;
+            let _e104 = p.member.light.place[3u];
+            let _e111 = (_e98.x - (_e96.x * _e104));
+            let _e112 = (_e98.y - (_e96.y * _e104));
+            let _e113 = (_e98.z - (_e96.z * _e104));
+            let _e115 = samples.member[(0u + _e56.first_primitive)].normal;
+            if ((((_e115.x * _e111) + (_e115.y * _e112)) + (_e115.z * _e113)) > 0f) {
+                let _e129 = (((_e111 * _e111) + (_e112 * _e112)) + (_e113 * _e113));
+                let _e131 = p.member.light.axis;
+                let _e143 = p.member.light.place[3u];
+                if (_e143 == 0f) {
+                    phi_945_ = true;
                 } else {
-                    let _e143 = p.member.light.range_squared;
-                    if (_e126 <= _e143) {
-                        let _e146 = p.member.light.cos_outer;
-                        phi_940_ = (-((((_e108 * _e128.x) + (_e109 * _e128.y)) + (_e110 * _e128.z))) >= (_e146 * sqrt(_e126)));
+                    let _e146 = p.member.light.range_squared;
+                    if (_e129 <= _e146) {
+                        let _e149 = p.member.light.cos_outer;
+                        phi_944_ = (-((((_e111 * _e131.x) + (_e112 * _e131.y)) + (_e113 * _e131.z))) >= (_e149 * sqrt(_e129)));
                     } else {
-                        phi_940_ = false;
+                        phi_944_ = false;
                     }
-                    let _e151 = phi_940_;
-                    phi_941_ = _e151;
+                    let _e154 = phi_944_;
+                    phi_945_ = _e154;
                 }
-                let _e153 = phi_941_;
-                if _e153 {
-                    let _e155 = samples.member[(0u + _e53.first_primitive)].flags;
-                    let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e163.unnamed.visibility, false), _e163.unnamed_1);
-                    phi_952_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e169.unnamed, ((_e155 & 1u) == 0u));
-                    phi_953_ = false;
+                let _e156 = phi_945_;
+                if _e156 {
+                    let _e158 = samples.member[(0u + _e56.first_primitive)].flags;
+                    let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e172 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e166.unnamed.visibility, false), _e166.unnamed_1);
+                    phi_956_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e172.unnamed, ((_e158 & 1u) == 0u));
+                    phi_957_ = false;
                 } else {
-                    phi_952_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_953_ = true;
+                    phi_956_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_957_ = true;
                 }
-                let _e174 = phi_952_;
-                let _e176 = phi_953_;
-                phi_954_ = _e174;
-                phi_955_ = _e176;
+                let _e177 = phi_956_;
+                let _e179 = phi_957_;
+                phi_958_ = _e177;
+                phi_959_ = _e179;
             } else {
-                phi_954_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_955_ = true;
+                phi_958_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_959_ = true;
             }
-            let _e178 = phi_954_;
-            let _e180 = phi_955_;
-            if _e180 {
-                let _e186 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e186.unnamed.visibility, false), _e186.unnamed_1);
-                phi_962_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e192.unnamed, true);
+            let _e181 = phi_958_;
+            let _e183 = phi_959_;
+            if _e183 {
+                let _e189 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e195 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e189.unnamed.visibility, false), _e189.unnamed_1);
+                phi_966_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e195.unnamed, true);
             } else {
-                phi_962_ = _e178;
+                phi_966_ = _e181;
             }
-            let _e197 = phi_962_;
-            phi_966_ = _e197;
+            let _e200 = phi_966_;
+            phi_970_ = _e200;
         } else {
-            let _e203 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e203.unnamed.visibility, false), _e203.unnamed_1);
-            phi_966_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e209.unnamed, true);
+            let _e206 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e212 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e206.unnamed.visibility, false), _e206.unnamed_1);
+            phi_970_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e212.unnamed, true);
         }
-        let _e214 = phi_966_;
-        if _e214.unnamed_1 {
-            phi_1411_ = evaluate_Verdict(_e214.unnamed.visibility, _e214.unnamed.is_doubted);
+        let _e217 = phi_970_;
+        if _e217.unnamed_1 {
+            phi_1446_ = evaluate_Verdict(_e217.unnamed.visibility, _e217.unnamed.is_doubted);
         } else {
-            let _e222 = samples.member[(0u + _e53.first_primitive)].position;
-            let _e240 = ((((_e63.projection.row_w.x * _e222.x) + (_e63.projection.row_w.y * _e222.y)) + (_e63.projection.row_w.z * _e222.z)) + (_e63.projection.row_w.w * 1f));
-            let _e254 = (((((_e63.projection.row_x.x * _e222.x) + (_e63.projection.row_x.y * _e222.y)) + (_e63.projection.row_x.z * _e222.z)) + (_e63.projection.row_x.w * 1f)) / _e240);
-            let _e268 = (((((_e63.projection.row_y.x * _e222.x) + (_e63.projection.row_y.y * _e222.y)) + (_e63.projection.row_y.z * _e222.z)) + (_e63.projection.row_y.w * 1f)) / _e240);
-            let _e281 = ((((_e63.projection.row_z.x * _e222.x) + (_e63.projection.row_z.y * _e222.y)) + (_e63.projection.row_z.z * _e222.z)) + (_e63.projection.row_z.w * 1f));
-            if (_e240 > 0f) {
-                if (_e254 >= 0f) {
-                    phi_1040_ = (_e254 <= 1f);
+            let _e225 = samples.member[(0u + _e56.first_primitive)].position;
+            let _e243 = ((((_e66.projection.row_w.x * _e225.x) + (_e66.projection.row_w.y * _e225.y)) + (_e66.projection.row_w.z * _e225.z)) + (_e66.projection.row_w.w * 1f));
+            let _e257 = (((((_e66.projection.row_x.x * _e225.x) + (_e66.projection.row_x.y * _e225.y)) + (_e66.projection.row_x.z * _e225.z)) + (_e66.projection.row_x.w * 1f)) / _e243);
+            let _e271 = (((((_e66.projection.row_y.x * _e225.x) + (_e66.projection.row_y.y * _e225.y)) + (_e66.projection.row_y.z * _e225.z)) + (_e66.projection.row_y.w * 1f)) / _e243);
+            let _e284 = ((((_e66.projection.row_z.x * _e225.x) + (_e66.projection.row_z.y * _e225.y)) + (_e66.projection.row_z.z * _e225.z)) + (_e66.projection.row_z.w * 1f));
+            if (_e243 > 0f) {
+                if (_e257 >= 0f) {
+                    phi_1044_ = (_e257 <= 1f);
                 } else {
-                    phi_1040_ = false;
+                    phi_1044_ = false;
                 }
-                let _e286 = phi_1040_;
-                if _e286 {
-                    if (_e268 >= 0f) {
-                        phi_1049_ = (_e268 <= 1f);
+                let _e289 = phi_1044_;
+                if _e289 {
+                    if (_e271 >= 0f) {
+                        phi_1053_ = (_e271 <= 1f);
                     } else {
-                        phi_1049_ = false;
+                        phi_1053_ = false;
                     }
-                    let _e290 = phi_1049_;
-                    if _e290 {
-                        if (_e281 >= 0f) {
-                            phi_1058_ = (_e281 <= 1f);
+                    let _e293 = phi_1053_;
+                    if _e293 {
+                        if (_e284 >= 0f) {
+                            phi_1062_ = (_e284 <= 1f);
                         } else {
-                            phi_1058_ = false;
+                            phi_1062_ = false;
                         }
-                        let _e294 = phi_1058_;
-                        phi_1059_ = _e294;
-                        phi_1060_ = false;
+                        let _e297 = phi_1062_;
+                        phi_1063_ = _e297;
+                        phi_1064_ = false;
                     } else {
-                        phi_1059_ = bool();
-                        phi_1060_ = true;
+                        phi_1063_ = bool();
+                        phi_1064_ = true;
                     }
-                    let _e296 = phi_1059_;
-                    let _e298 = phi_1060_;
-                    phi_1061_ = _e296;
-                    phi_1062_ = _e298;
+                    let _e299 = phi_1063_;
+                    let _e301 = phi_1064_;
+                    phi_1065_ = _e299;
+                    phi_1066_ = _e301;
                 } else {
-                    phi_1061_ = bool();
-                    phi_1062_ = true;
+                    phi_1065_ = bool();
+                    phi_1066_ = true;
                 }
-                let _e300 = phi_1061_;
-                let _e302 = phi_1062_;
-                phi_1063_ = _e300;
-                phi_1064_ = _e302;
+                let _e303 = phi_1065_;
+                let _e305 = phi_1066_;
+                phi_1067_ = _e303;
+                phi_1068_ = _e305;
             } else {
-                phi_1063_ = bool();
-                phi_1064_ = true;
+                phi_1067_ = bool();
+                phi_1068_ = true;
             }
-            let _e304 = phi_1063_;
-            let _e306 = phi_1064_;
-            if _e306 {
-                phi_1068_ = false;
+            let _e307 = phi_1067_;
+            let _e309 = phi_1068_;
+            if _e309 {
+                phi_1072_ = false;
             } else {
-                phi_1068_ = _e304;
+                phi_1072_ = _e307;
             }
-            let _e308 = phi_1068_;
-            if _e308 {
+            let _e311 = phi_1072_;
+            if _e311 {
                 if (0f > 0f) {
-                    let _e311 = samples.member[(0u + _e53.first_primitive)].normal;
-                    let _e313 = p.member.map_size;
-                    let _e383 = ((abs(((((_e59.row_x.x * _e311.x) + (_e59.row_x.y * _e311.y)) + (_e59.row_x.z * _e311.z)) / (((_e59.row_x.x * _e59.row_x.x) + (_e59.row_x.y * _e59.row_x.y)) + (_e59.row_x.z * _e59.row_x.z)))) + abs(((((_e59.row_y.x * _e311.x) + (_e59.row_y.y * _e311.y)) + (_e59.row_y.z * _e311.z)) / (((_e59.row_y.x * _e59.row_y.x) + (_e59.row_y.y * _e59.row_y.y)) + (_e59.row_y.z * _e59.row_y.z))))) / (abs(((((_e59.row_z.x * _e311.x) + (_e59.row_z.y * _e311.y)) + (_e59.row_z.z * _e311.z)) / (((_e59.row_z.x * _e59.row_z.x) + (_e59.row_z.y * _e59.row_z.y)) + (_e59.row_z.z * _e59.row_z.z)))) * f32(_e313)));
-                    if (_e383 < 0.002f) {
-                        phi_1158_ = _e383;
+                    let _e314 = samples.member[(0u + _e56.first_primitive)].normal;
+                    let _e316 = p.member.map_size;
+                    let _e386 = ((abs(((((_e62.row_x.x * _e314.x) + (_e62.row_x.y * _e314.y)) + (_e62.row_x.z * _e314.z)) / (((_e62.row_x.x * _e62.row_x.x) + (_e62.row_x.y * _e62.row_x.y)) + (_e62.row_x.z * _e62.row_x.z)))) + abs(((((_e62.row_y.x * _e314.x) + (_e62.row_y.y * _e314.y)) + (_e62.row_y.z * _e314.z)) / (((_e62.row_y.x * _e62.row_y.x) + (_e62.row_y.y * _e62.row_y.y)) + (_e62.row_y.z * _e62.row_y.z))))) / (abs(((((_e62.row_z.x * _e314.x) + (_e62.row_z.y * _e314.y)) + (_e62.row_z.z * _e314.z)) / (((_e62.row_z.x * _e62.row_z.x) + (_e62.row_z.y * _e62.row_z.y)) + (_e62.row_z.z * _e62.row_z.z)))) * f32(_e316)));
+                    if (_e386 < 0.002f) {
+                        phi_1162_ = _e386;
                     } else {
-                        phi_1158_ = 0.002f;
+                        phi_1162_ = 0.002f;
                     }
-                    let _e386 = phi_1158_;
-                    phi_1161_ = (_e281 - (0f * _e386));
+                    let _e389 = phi_1162_;
+                    phi_1165_ = (_e284 - (0f * _e389));
                 } else {
-                    phi_1161_ = _e281;
+                    phi_1165_ = _e284;
                 }
-                let _e390 = phi_1161_;
-                let _e392 = p.member.map_size;
-                let _e393 = f32(_e392);
-                let _e396 = ((_e254 * _e393) - 0.5f);
-                let _e397 = ((_e268 * _e393) - 0.5f);
-                if (_e396 > -8388608f) {
-                    let _e409 = f32(select(0i, select(select(i32(_e396), i32(-2147483648), (_e396 < bitcast<f32>(3472883712u))), 2147483647i, (_e396 > bitcast<f32>(1325400063u))), (_e396 == _e396)));
-                    if (_e409 > _e396) {
-                        phi_1190_ = 1f;
+                let _e393 = phi_1165_;
+                let _e395 = p.member.map_size;
+                let _e396 = f32(_e395);
+                let _e399 = ((_e257 * _e396) - 0.5f);
+                let _e400 = ((_e271 * _e396) - 0.5f);
+                if (_e399 > -8388608f) {
+                    let _e412 = f32(select(0i, select(select(i32(_e399), i32(-2147483648), (_e399 < bitcast<f32>(3472883712u))), 2147483647i, (_e399 > bitcast<f32>(1325400063u))), (_e399 == _e399)));
+                    if (_e412 > _e399) {
+                        phi_1194_ = 1f;
                     } else {
-                        phi_1190_ = 0f;
+                        phi_1194_ = 0f;
                     }
-                    let _e412 = phi_1190_;
-                    if (_e396 < 8388608f) {
-                        phi_1195_ = (_e409 - _e412);
-                        phi_1196_ = false;
+                    let _e415 = phi_1194_;
+                    if (_e399 < 8388608f) {
+                        phi_1199_ = (_e412 - _e415);
+                        phi_1200_ = false;
                     } else {
-                        phi_1195_ = f32();
-                        phi_1196_ = true;
+                        phi_1199_ = f32();
+                        phi_1200_ = true;
                     }
-                    let _e415 = phi_1195_;
-                    let _e417 = phi_1196_;
-                    phi_1197_ = _e415;
-                    phi_1198_ = _e417;
+                    let _e418 = phi_1199_;
+                    let _e420 = phi_1200_;
+                    phi_1201_ = _e418;
+                    phi_1202_ = _e420;
                 } else {
-                    phi_1197_ = f32();
-                    phi_1198_ = true;
+                    phi_1201_ = f32();
+                    phi_1202_ = true;
                 }
-                let _e419 = phi_1197_;
-                let _e421 = phi_1198_;
-                if _e421 {
-                    phi_1202_ = _e396;
+                let _e422 = phi_1201_;
+                let _e424 = phi_1202_;
+                if _e424 {
+                    phi_1206_ = _e399;
                 } else {
-                    phi_1202_ = _e419;
+                    phi_1206_ = _e422;
                 }
-                let _e423 = phi_1202_;
-                if (_e397 > -8388608f) {
-                    let _e435 = f32(select(0i, select(select(i32(_e397), i32(-2147483648), (_e397 < bitcast<f32>(3472883712u))), 2147483647i, (_e397 > bitcast<f32>(1325400063u))), (_e397 == _e397)));
-                    if (_e435 > _e397) {
-                        phi_1222_ = 1f;
+                let _e426 = phi_1206_;
+                if (_e400 > -8388608f) {
+                    let _e438 = f32(select(0i, select(select(i32(_e400), i32(-2147483648), (_e400 < bitcast<f32>(3472883712u))), 2147483647i, (_e400 > bitcast<f32>(1325400063u))), (_e400 == _e400)));
+                    if (_e438 > _e400) {
+                        phi_1226_ = 1f;
                     } else {
-                        phi_1222_ = 0f;
+                        phi_1226_ = 0f;
                     }
-                    let _e438 = phi_1222_;
-                    if (_e397 < 8388608f) {
-                        phi_1227_ = (_e435 - _e438);
-                        phi_1228_ = false;
+                    let _e441 = phi_1226_;
+                    if (_e400 < 8388608f) {
+                        phi_1231_ = (_e438 - _e441);
+                        phi_1232_ = false;
                     } else {
-                        phi_1227_ = f32();
-                        phi_1228_ = true;
+                        phi_1231_ = f32();
+                        phi_1232_ = true;
                     }
-                    let _e441 = phi_1227_;
-                    let _e443 = phi_1228_;
-                    phi_1229_ = _e441;
-                    phi_1230_ = _e443;
+                    let _e444 = phi_1231_;
+                    let _e446 = phi_1232_;
+                    phi_1233_ = _e444;
+                    phi_1234_ = _e446;
                 } else {
-                    phi_1229_ = f32();
-                    phi_1230_ = true;
+                    phi_1233_ = f32();
+                    phi_1234_ = true;
                 }
-                let _e445 = phi_1229_;
-                let _e447 = phi_1230_;
-                if _e447 {
-                    phi_1234_ = _e397;
+                let _e448 = phi_1233_;
+                let _e450 = phi_1234_;
+                if _e450 {
+                    phi_1238_ = _e400;
                 } else {
-                    phi_1234_ = _e445;
+                    phi_1238_ = _e448;
                 }
-                let _e449 = phi_1234_;
-                let _e450 = (_e396 - _e423);
-                let _e451 = (_e397 - _e449);
-                let _e460 = select(0i, select(select(i32(_e423), i32(-2147483648), (_e423 < bitcast<f32>(3472883712u))), 2147483647i, (_e423 > bitcast<f32>(1325400063u))), (_e423 == _e423));
-                let _e469 = select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < bitcast<f32>(3472883712u))), 2147483647i, (_e449 > bitcast<f32>(1325400063u))), (_e449 == _e449));
-                let _e480 = p.member.test;
-                let _e481 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e480);
-                let _e483 = p.member.map_size;
-                local = _e481;
-                let _e485 = ((0u * _e483) * _e483);
-                let _e487 = (bitcast<i32>(_e483) - 1i);
-                if (_e460 > 0i) {
-                    phi_1282_ = _e460;
+                let _e452 = phi_1238_;
+                let _e453 = (_e399 - _e426);
+                let _e454 = (_e400 - _e452);
+                let _e463 = select(0i, select(select(i32(_e426), i32(-2147483648), (_e426 < bitcast<f32>(3472883712u))), 2147483647i, (_e426 > bitcast<f32>(1325400063u))), (_e426 == _e426));
+                let _e472 = select(0i, select(select(i32(_e452), i32(-2147483648), (_e452 < bitcast<f32>(3472883712u))), 2147483647i, (_e452 > bitcast<f32>(1325400063u))), (_e452 == _e452));
+                let _e483 = p.member.test;
+                let _e484 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e483);
+                let _e486 = p.member.map_size;
+                local = _e484;
+                let _e488 = ((0u * _e486) * _e486);
+                let _e490 = (bitcast<i32>(_e486) - 1i);
+                if (_e463 > 0i) {
+                    phi_1286_ = _e463;
                 } else {
-                    phi_1282_ = 0i;
+                    phi_1286_ = 0i;
                 }
-                let _e490 = phi_1282_;
-                if (_e469 > 0i) {
-                    phi_1287_ = _e469;
+                let _e493 = phi_1286_;
+                if (_e472 > 0i) {
+                    phi_1291_ = _e472;
                 } else {
-                    phi_1287_ = 0i;
+                    phi_1291_ = 0i;
                 }
-                let _e493 = phi_1287_;
-                if (_e490 < _e487) {
-                    phi_1292_ = _e490;
+                let _e496 = phi_1291_;
+                if (_e493 < _e490) {
+                    phi_1296_ = _e493;
                 } else {
-                    phi_1292_ = _e487;
+                    phi_1296_ = _e490;
                 }
-                let _e496 = phi_1292_;
-                if (_e493 < _e487) {
-                    phi_1297_ = _e493;
+                let _e499 = phi_1296_;
+                if (_e496 < _e490) {
+                    phi_1301_ = _e496;
                 } else {
-                    phi_1297_ = _e487;
+                    phi_1301_ = _e490;
                 }
-                let _e499 = phi_1297_;
-                let _e500 = bitcast<u32>(_e496);
-                let _e502 = (_e460 + 1i);
-                let _e503 = (_e469 + 1i);
-                if (_e502 > 0i) {
-                    phi_1306_ = _e502;
+                let _e502 = phi_1301_;
+                let _e503 = bitcast<u32>(_e499);
+                let _e505 = (_e463 + 1i);
+                let _e506 = (_e472 + 1i);
+                if (_e505 > 0i) {
+                    phi_1310_ = _e505;
                 } else {
-                    phi_1306_ = 0i;
+                    phi_1310_ = 0i;
                 }
-                let _e506 = phi_1306_;
-                if (_e503 > 0i) {
-                    phi_1311_ = _e503;
+                let _e509 = phi_1310_;
+                if (_e506 > 0i) {
+                    phi_1315_ = _e506;
                 } else {
-                    phi_1311_ = 0i;
+                    phi_1315_ = 0i;
                 }
-                let _e509 = phi_1311_;
-                if (_e506 < _e487) {
-                    phi_1316_ = _e506;
+                let _e512 = phi_1315_;
+                if (_e509 < _e490) {
+                    phi_1320_ = _e509;
                 } else {
-                    phi_1316_ = _e487;
+                    phi_1320_ = _e490;
                 }
-                let _e512 = phi_1316_;
-                if (_e509 < _e487) {
-                    phi_1321_ = _e509;
+                let _e515 = phi_1320_;
+                if (_e512 < _e490) {
+                    phi_1325_ = _e512;
                 } else {
-                    phi_1321_ = _e487;
+                    phi_1325_ = _e490;
                 }
-                let _e515 = phi_1321_;
-                let _e516 = bitcast<u32>(_e512);
-                let _e518 = (bitcast<u32>(_e499) * _e483);
-                let _e519 = (bitcast<u32>(_e515) * _e483);
-                let _e524 = ((_e518 + _e500) + _e485);
-                let _e525 = ((_e518 + _e516) + _e485);
-                let _e526 = ((_e519 + _e500) + _e485);
-                let _e527 = ((_e519 + _e516) + _e485);
-                if (_e524 < _e44) {
+                let _e518 = phi_1325_;
+                let _e519 = bitcast<u32>(_e515);
+                let _e521 = (bitcast<u32>(_e502) * _e486);
+                let _e522 = (bitcast<u32>(_e518) * _e486);
+                let _e527 = ((_e521 + _e503) + _e488);
+                let _e528 = ((_e521 + _e519) + _e488);
+                let _e529 = ((_e522 + _e503) + _e488);
+                let _e530 = ((_e522 + _e519) + _e488);
+                if (_e527 < _e47) {
                 } else {
                     return;
                 }
-                let _e531 = map.member[(0u + _e524)];
-                if (_e525 < _e44) {
+                let _e534 = map.member[(0u + _e527)];
+                if (_e528 < _e47) {
                 } else {
                     return;
                 }
-                let _e535 = map.member[(0u + _e525)];
-                if (_e526 < _e44) {
+                let _e538 = map.member[(0u + _e528)];
+                if (_e529 < _e47) {
                 } else {
                     return;
                 }
-                let _e539 = map.member[(0u + _e526)];
-                if (_e527 < _e44) {
+                let _e542 = map.member[(0u + _e529)];
+                if (_e530 < _e47) {
                 } else {
                     return;
                 }
-                let _e543 = map.member[(0u + _e527)];
-                let _e545 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e531, _e535, _e539, _e543), vec4<f32>(((1f - _e450) * (1f - _e451)), (_e450 * (1f - _e451)), ((1f - _e450) * _e451), (_e450 * _e451)), _e390);
-                let _e547 = p.member.epsilon;
-                if (_e545 <= _e547) {
-                    phi_1372_ = true;
+                let _e546 = map.member[(0u + _e530)];
+                let _e548 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e534, _e538, _e542, _e546), vec4<f32>(((1f - _e453) * (1f - _e454)), (_e453 * (1f - _e454)), ((1f - _e453) * _e454), (_e453 * _e454)), _e393);
+                let _e552 = p.member.epsilon;
+                if (_e548 <= _e552) {
+                    phi_1378_ = true;
                 } else {
-                    phi_1372_ = (_e545 >= (1f - _e547));
+                    phi_1378_ = (_e548 >= (1f - _e552));
                 }
-                let _e552 = phi_1372_;
-                if ((bitcast<u32>(_e545) & 2147483647u) > 2139095040u) {
-                    phi_1380_ = true;
+                let _e557 = phi_1378_;
+                if ((bitcast<u32>(_e548) & 2147483647u) > 2139095040u) {
+                    phi_1386_ = true;
                 } else {
-                    phi_1380_ = !(_e552);
+                    phi_1386_ = !(_e557);
                 }
-                let _e558 = phi_1380_;
-                if _e558 {
-                    if (_e545 > 0f) {
-                        if (_e545 < 1f) {
-                            phi_1392_ = false;
+                let _e563 = phi_1386_;
+                if _e563 {
+                    if (_e548 > 0f) {
+                        if (_e548 < 1f) {
+                            phi_1398_ = false;
                         } else {
-                            phi_1392_ = true;
+                            phi_1398_ = true;
                         }
-                        let _e562 = phi_1392_;
-                        phi_1393_ = _e562;
+                        let _e567 = phi_1398_;
+                        phi_1399_ = _e567;
                     } else {
-                        phi_1393_ = true;
+                        phi_1399_ = true;
                     }
-                    let _e564 = phi_1393_;
-                    if _e564 {
-                        phi_1397_ = 0.5f;
+                    let _e569 = phi_1399_;
+                    if _e569 {
+                        phi_1403_ = 0.5f;
                     } else {
-                        phi_1397_ = _e545;
+                        phi_1403_ = _e548;
                     }
-                    let _e566 = phi_1397_;
-                    phi_1405_ = evaluate_Verdict(_e566, true);
+                    let _e571 = phi_1403_;
+                    phi_1411_ = evaluate_Verdict(_e571, true);
                 } else {
-                    if (_e545 > 0.5f) {
-                        phi_1403_ = 1f;
+                    if (_e548 > 0.5f) {
+                        phi_1409_ = 1f;
                     } else {
-                        phi_1403_ = 0f;
+                        phi_1409_ = 0f;
                     }
-                    let _e570 = phi_1403_;
-                    phi_1405_ = evaluate_Verdict(_e570, false);
+                    let _e575 = phi_1409_;
+                    phi_1411_ = evaluate_Verdict(_e575, false);
                 }
-                let _e573 = phi_1405_;
-                phi_1410_ = evaluate_Verdict(_e573.visibility, _e573.is_doubted);
+                let _e578 = phi_1411_;
+                let _e581 = (_e578.visibility < 0.5f);
+                if _e578.is_doubted {
+                    phi_1434_ = evaluate_Verdict();
+                    phi_1435_ = true;
+                } else {
+                    if _e581 {
+                        phi_1421_ = 2u;
+                    } else {
+                        phi_1421_ = 1u;
+                    }
+                    let _e583 = phi_1421_;
+                    if ((0u & _e583) != 0u) {
+                        if _e581 {
+                            phi_1430_ = 0.000000059604645f;
+                        } else {
+                            phi_1430_ = 0.99999994f;
+                        }
+                        let _e587 = phi_1430_;
+                        phi_1432_ = evaluate_Verdict(_e587, true);
+                        phi_1433_ = false;
+                    } else {
+                        phi_1432_ = evaluate_Verdict();
+                        phi_1433_ = true;
+                    }
+                    let _e590 = phi_1432_;
+                    let _e592 = phi_1433_;
+                    phi_1434_ = _e590;
+                    phi_1435_ = _e592;
+                }
+                let _e594 = phi_1434_;
+                let _e596 = phi_1435_;
+                if _e596 {
+                    phi_1440_ = evaluate_Verdict(_e578.visibility, _e578.is_doubted);
+                } else {
+                    phi_1440_ = _e594;
+                }
+                let _e599 = phi_1440_;
+                phi_1445_ = evaluate_Verdict(_e599.visibility, _e599.is_doubted);
             } else {
-                phi_1410_ = evaluate_Verdict(0.5f, true);
+                phi_1445_ = evaluate_Verdict(0.5f, true);
             }
-            let _e579 = phi_1410_;
-            phi_1411_ = _e579;
+            let _e605 = phi_1445_;
+            phi_1446_ = _e605;
         }
-        let _e581 = phi_1411_;
-        if (_e53.first_primitive < arrayLength((&visibility.member))) {
+        let _e607 = phi_1446_;
+        if (_e56.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e53.first_primitive)] = _e581.visibility;
+        visibility.member[(0u + _e56.first_primitive)] = _e607.visibility;
     }
     return;
 }

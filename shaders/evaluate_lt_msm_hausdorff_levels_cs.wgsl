@@ -64,24 +64,24 @@ struct type_31 {
     member: abi_ShadowParams,
 }
 
+struct type_35 {
+    member: array<lt_math_LightProjection>,
+}
+
 struct lt_math_LightPoint {
     uv: vec2<f32>,
     depth: f32,
     is_inside: bool,
 }
 
-struct lt_bvh_slab_Span {
-    near: f32,
-    far: f32,
-}
-
-struct type_37 {
-    member: array<lt_math_LightProjection>,
-}
-
 struct lt_math_LevelPoint {
     level: u32,
     point: lt_math_LightPoint,
+}
+
+struct lt_bvh_slab_Span {
+    near: f32,
+    far: f32,
 }
 
 var<private> id_1: vec3<u32>;
@@ -95,40 +95,40 @@ var<storage> map: type_19;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_19;
 @group(0) @binding(4) 
-var<storage> levels: type_37;
+var<storage> levels: type_35;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_148_: lt_bvh_traverse_Tree;
-    var phi_149_: bool;
-    var phi_150_: lt_bvh_traverse_Tree;
-    var phi_151_: bool;
-    var phi_156_: lt_bvh_traverse_Tree;
+    var phi_152_: lt_bvh_traverse_Tree;
+    var phi_153_: bool;
+    var phi_154_: lt_bvh_traverse_Tree;
+    var phi_155_: bool;
+    var phi_160_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_148_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_149_ = false;
+            phi_152_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_153_ = false;
         } else {
-            phi_148_ = lt_bvh_traverse_Tree();
-            phi_149_ = true;
+            phi_152_ = lt_bvh_traverse_Tree();
+            phi_153_ = true;
         }
-        let _e55 = phi_148_;
-        let _e57 = phi_149_;
-        phi_150_ = _e55;
-        phi_151_ = _e57;
+        let _e58 = phi_152_;
+        let _e60 = phi_153_;
+        phi_154_ = _e58;
+        phi_155_ = _e60;
     } else {
-        phi_150_ = lt_bvh_traverse_Tree();
-        phi_151_ = true;
+        phi_154_ = lt_bvh_traverse_Tree();
+        phi_155_ = true;
     }
-    let _e59 = phi_150_;
-    let _e61 = phi_151_;
-    if _e61 {
-        phi_156_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e62 = phi_154_;
+    let _e64 = phi_155_;
+    if _e64 {
+        phi_160_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_156_ = _e59;
+        phi_160_ = _e62;
     }
-    let _e66 = phi_156_;
-    return lt_bvh_traverse_Tree(_e66.root, _e66.first_primitive);
+    let _e69 = phi_160_;
+    return lt_bvh_traverse_Tree(_e69.root, _e69.first_primitive);
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -136,1355 +136,1399 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_183_: f32;
-    var phi_184_: f32;
-    var phi_185_: f32;
-    var phi_202_: f32;
-    var phi_203_: f32;
-    var phi_204_: f32;
-    var phi_220_: f32;
-    var phi_221_: f32;
-    var phi_222_: f32;
-    var phi_238_: f32;
-    var phi_239_: f32;
-    var phi_240_: f32;
-    var phi_256_: f32;
-    var phi_257_: f32;
-    var phi_258_: f32;
-    var phi_293_: bool;
-    var phi_294_: bool;
-    var phi_295_: bool;
-    var phi_296_: bool;
+    var phi_187_: f32;
+    var phi_188_: f32;
+    var phi_189_: f32;
+    var phi_206_: f32;
+    var phi_207_: f32;
+    var phi_208_: f32;
+    var phi_224_: f32;
+    var phi_225_: f32;
+    var phi_226_: f32;
+    var phi_242_: f32;
+    var phi_243_: f32;
+    var phi_244_: f32;
+    var phi_260_: f32;
+    var phi_261_: f32;
+    var phi_262_: f32;
     var phi_297_: bool;
     var phi_298_: bool;
+    var phi_299_: bool;
+    var phi_300_: bool;
+    var phi_301_: bool;
     var phi_302_: bool;
-    var phi_613_: f32;
-    var phi_614_: f32;
-    var phi_615_: f32;
-    var phi_632_: f32;
-    var phi_633_: f32;
-    var phi_634_: f32;
-    var phi_651_: f32;
-    var phi_652_: f32;
-    var phi_653_: f32;
-    var phi_670_: f32;
-    var phi_671_: f32;
-    var phi_672_: f32;
-    var phi_695_: f32;
-    var phi_696_: f32;
-    var phi_697_: f32;
-    var phi_744_: f32;
-    var phi_745_: f32;
-    var phi_746_: f32;
-    var phi_763_: f32;
-    var phi_764_: f32;
-    var phi_765_: f32;
-    var phi_782_: f32;
-    var phi_783_: f32;
-    var phi_784_: f32;
-    var phi_801_: f32;
-    var phi_802_: f32;
-    var phi_803_: f32;
-    var phi_826_: f32;
-    var phi_827_: f32;
-    var phi_828_: f32;
-    var phi_907_: bool;
-    var phi_951_: f32;
-    var phi_952_: f32;
-    var phi_953_: bool;
-    var phi_954_: f32;
-    var phi_955_: bool;
+    var phi_306_: bool;
+    var phi_617_: f32;
+    var phi_618_: f32;
+    var phi_619_: f32;
+    var phi_636_: f32;
+    var phi_637_: f32;
+    var phi_638_: f32;
+    var phi_655_: f32;
+    var phi_656_: f32;
+    var phi_657_: f32;
+    var phi_674_: f32;
+    var phi_675_: f32;
+    var phi_676_: f32;
+    var phi_699_: f32;
+    var phi_700_: f32;
+    var phi_701_: f32;
+    var phi_748_: f32;
+    var phi_749_: f32;
+    var phi_750_: f32;
+    var phi_767_: f32;
+    var phi_768_: f32;
+    var phi_769_: f32;
+    var phi_786_: f32;
+    var phi_787_: f32;
+    var phi_788_: f32;
+    var phi_805_: f32;
+    var phi_806_: f32;
+    var phi_807_: f32;
+    var phi_830_: f32;
+    var phi_831_: f32;
+    var phi_832_: f32;
+    var phi_911_: bool;
+    var phi_955_: f32;
     var phi_956_: f32;
     var phi_957_: bool;
-    var phi_961_: f32;
-    var phi_962_: f32;
-    var phi_981_: f32;
-    var phi_982_: f32;
-    var phi_983_: f32;
-    var phi_994_: f32;
-    var phi_1009_: f32;
-    var phi_1011_: lt_bvh_slab_Span;
-    var phi_1069_: f32;
-    var phi_1070_: f32;
-    var phi_1071_: f32;
-    var phi_1072_: f32;
+    var phi_958_: f32;
+    var phi_959_: bool;
+    var phi_960_: f32;
+    var phi_961_: bool;
+    var phi_965_: f32;
+    var phi_966_: f32;
+    var phi_985_: f32;
+    var phi_986_: f32;
+    var phi_987_: f32;
+    var phi_998_: f32;
+    var phi_1013_: f32;
+    var phi_1015_: lt_bvh_slab_Span;
     var phi_1073_: f32;
-    var phi_1074_: bool;
-    var phi_1078_: f32;
-    var phi_1093_: f32;
-    var phi_1094_: f32;
-    var phi_1095_: f32;
-    var phi_1096_: f32;
+    var phi_1074_: f32;
+    var phi_1075_: f32;
+    var phi_1076_: f32;
+    var phi_1077_: f32;
+    var phi_1078_: bool;
+    var phi_1082_: f32;
     var phi_1097_: f32;
     var phi_1098_: f32;
     var phi_1099_: f32;
-    var phi_1100_: bool;
-    var phi_1104_: f32;
-    var phi_1105_: f32;
-    var phi_1106_: bool;
-    var phi_1107_: f32;
+    var phi_1100_: f32;
+    var phi_1101_: f32;
+    var phi_1102_: f32;
+    var phi_1103_: f32;
+    var phi_1104_: bool;
     var phi_1108_: f32;
-    var phi_1109_: bool;
-    var phi_1113_: f32;
+    var phi_1109_: f32;
+    var phi_1110_: bool;
+    var phi_1111_: f32;
+    var phi_1112_: f32;
+    var phi_1113_: bool;
+    var phi_1117_: f32;
 
-    let _e46 = (*param_4);
+    let _e49 = (*param_4);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_185_ = param_7;
+        phi_189_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_184_ = 0f;
+            phi_188_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_183_ = 1f;
+                phi_187_ = 1f;
             } else {
-                phi_183_ = param_7;
+                phi_187_ = param_7;
             }
-            let _e53 = phi_183_;
-            phi_184_ = _e53;
+            let _e56 = phi_187_;
+            phi_188_ = _e56;
         }
-        let _e55 = phi_184_;
-        phi_185_ = _e55;
+        let _e58 = phi_188_;
+        phi_189_ = _e58;
     }
-    let _e57 = phi_185_;
-    let _e58 = (_e57 - 0.00000047683716f);
+    let _e60 = phi_189_;
+    let _e61 = (_e60 - 0.00000047683716f);
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_204_ = param_5.x;
+        phi_208_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_203_ = 0f;
+            phi_207_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_202_ = 1f;
+                phi_206_ = 1f;
             } else {
-                phi_202_ = param_5.x;
+                phi_206_ = param_5.x;
             }
-            let _e66 = phi_202_;
-            phi_203_ = _e66;
+            let _e69 = phi_206_;
+            phi_207_ = _e69;
         }
-        let _e68 = phi_203_;
-        phi_204_ = _e68;
+        let _e71 = phi_207_;
+        phi_208_ = _e71;
     }
-    let _e70 = phi_204_;
+    let _e73 = phi_208_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_222_ = param_5.y;
+        phi_226_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_221_ = 0f;
+            phi_225_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_220_ = 1f;
+                phi_224_ = 1f;
             } else {
-                phi_220_ = param_5.y;
+                phi_224_ = param_5.y;
             }
-            let _e78 = phi_220_;
-            phi_221_ = _e78;
+            let _e81 = phi_224_;
+            phi_225_ = _e81;
         }
-        let _e80 = phi_221_;
-        phi_222_ = _e80;
+        let _e83 = phi_225_;
+        phi_226_ = _e83;
     }
-    let _e82 = phi_222_;
+    let _e85 = phi_226_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_240_ = param_5.z;
+        phi_244_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_239_ = 0f;
+            phi_243_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_238_ = 1f;
+                phi_242_ = 1f;
             } else {
-                phi_238_ = param_5.z;
+                phi_242_ = param_5.z;
             }
-            let _e90 = phi_238_;
-            phi_239_ = _e90;
+            let _e93 = phi_242_;
+            phi_243_ = _e93;
         }
-        let _e92 = phi_239_;
-        phi_240_ = _e92;
+        let _e95 = phi_243_;
+        phi_244_ = _e95;
     }
-    let _e94 = phi_240_;
+    let _e97 = phi_244_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_258_ = param_5.w;
+        phi_262_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_257_ = 0f;
+            phi_261_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_256_ = 1f;
+                phi_260_ = 1f;
             } else {
-                phi_256_ = param_5.w;
+                phi_260_ = param_5.w;
             }
-            let _e102 = phi_256_;
-            phi_257_ = _e102;
+            let _e105 = phi_260_;
+            phi_261_ = _e105;
         }
-        let _e104 = phi_257_;
-        phi_258_ = _e104;
+        let _e107 = phi_261_;
+        phi_262_ = _e107;
     }
-    let _e106 = phi_258_;
-    let _e107 = (_e70 - _e58);
-    let _e108 = (_e82 - _e58);
-    let _e109 = (_e94 - _e58);
-    let _e110 = (_e106 - _e58);
-    let _e121 = ((((_e107 * param_6.x) + (_e108 * param_6.y)) + (_e109 * param_6.z)) + (_e110 * param_6.w));
-    if ((bitcast<u32>(_e121) & 2147483647u) > 2139095040u) {
-        phi_1107_ = _e121;
-        phi_1108_ = f32();
-        phi_1109_ = true;
+    let _e109 = phi_262_;
+    let _e110 = (_e73 - _e61);
+    let _e111 = (_e85 - _e61);
+    let _e112 = (_e97 - _e61);
+    let _e113 = (_e109 - _e61);
+    let _e124 = ((((_e110 * param_6.x) + (_e111 * param_6.y)) + (_e112 * param_6.z)) + (_e113 * param_6.w));
+    if ((bitcast<u32>(_e124) & 2147483647u) > 2139095040u) {
+        phi_1111_ = _e124;
+        phi_1112_ = f32();
+        phi_1113_ = true;
     } else {
-        if (_e107 >= 0f) {
-            if (_e108 >= 0f) {
-                if (_e109 >= 0f) {
-                    phi_293_ = (_e110 >= 0f);
-                    phi_294_ = false;
+        if (_e110 >= 0f) {
+            if (_e111 >= 0f) {
+                if (_e112 >= 0f) {
+                    phi_297_ = (_e113 >= 0f);
+                    phi_298_ = false;
                 } else {
-                    phi_293_ = bool();
-                    phi_294_ = true;
+                    phi_297_ = bool();
+                    phi_298_ = true;
                 }
-                let _e130 = phi_293_;
-                let _e132 = phi_294_;
-                phi_295_ = _e130;
-                phi_296_ = _e132;
+                let _e133 = phi_297_;
+                let _e135 = phi_298_;
+                phi_299_ = _e133;
+                phi_300_ = _e135;
             } else {
-                phi_295_ = bool();
-                phi_296_ = true;
+                phi_299_ = bool();
+                phi_300_ = true;
             }
-            let _e134 = phi_295_;
-            let _e136 = phi_296_;
-            phi_297_ = _e134;
-            phi_298_ = _e136;
+            let _e137 = phi_299_;
+            let _e139 = phi_300_;
+            phi_301_ = _e137;
+            phi_302_ = _e139;
         } else {
-            phi_297_ = bool();
-            phi_298_ = true;
+            phi_301_ = bool();
+            phi_302_ = true;
         }
-        let _e138 = phi_297_;
-        let _e140 = phi_298_;
-        if _e140 {
-            phi_302_ = false;
+        let _e141 = phi_301_;
+        let _e143 = phi_302_;
+        if _e143 {
+            phi_306_ = false;
         } else {
-            phi_302_ = _e138;
+            phi_306_ = _e141;
         }
-        let _e142 = phi_302_;
-        if _e142 {
-            phi_1104_ = 1f;
-            phi_1105_ = f32();
-            phi_1106_ = true;
+        let _e145 = phi_306_;
+        if _e145 {
+            phi_1108_ = 1f;
+            phi_1109_ = f32();
+            phi_1110_ = true;
         } else {
-            let _e143 = (0.5f * _e46);
-            let _e144 = (1f - _e46);
-            let _e146 = (param_6.x * _e144);
-            let _e148 = (param_6.y * _e144);
-            let _e150 = (param_6.z * _e144);
-            let _e152 = (param_6.w * _e144);
-            let _e153 = -(_e58);
-            let _e154 = (1f - _e58);
-            let _e156 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e70);
-            let _e158 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e82);
-            let _e160 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e94);
-            let _e162 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e106);
-            let _e163 = (_e107 - _e108);
-            let _e164 = (_e108 - _e109);
-            let _e165 = (_e109 - _e110);
-            let _e166 = (_e110 - _e107);
-            let _e167 = (_e163 * _e163);
-            let _e168 = (_e164 * _e164);
-            let _e169 = (_e165 * _e165);
+            let _e146 = (0.5f * _e49);
+            let _e147 = (1f - _e49);
+            let _e149 = (param_6.x * _e147);
+            let _e151 = (param_6.y * _e147);
+            let _e153 = (param_6.z * _e147);
+            let _e155 = (param_6.w * _e147);
+            let _e156 = -(_e61);
+            let _e157 = (1f - _e61);
+            let _e159 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e73);
+            let _e161 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e85);
+            let _e163 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e97);
+            let _e165 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e109);
+            let _e166 = (_e110 - _e111);
+            let _e167 = (_e111 - _e112);
+            let _e168 = (_e112 - _e113);
+            let _e169 = (_e113 - _e110);
             let _e170 = (_e166 * _e166);
-            let _e171 = (_e107 - _e109);
-            let _e172 = (_e108 - _e110);
-            let _e173 = (_e109 - _e107);
-            let _e174 = (_e110 - _e108);
-            let _e175 = (_e171 * _e171);
-            let _e176 = (_e172 * _e172);
-            let _e177 = (_e173 * _e173);
+            let _e171 = (_e167 * _e167);
+            let _e172 = (_e168 * _e168);
+            let _e173 = (_e169 * _e169);
+            let _e174 = (_e110 - _e112);
+            let _e175 = (_e111 - _e113);
+            let _e176 = (_e112 - _e110);
+            let _e177 = (_e113 - _e111);
             let _e178 = (_e174 * _e174);
-            let _e183 = ((_e146 * _e148) * _e167);
-            let _e184 = ((_e148 * _e150) * _e168);
-            let _e185 = ((_e150 * _e152) * _e169);
-            let _e186 = ((_e152 * _e146) * _e170);
-            let _e195 = (((0.5f * _e146) * _e150) * _e175);
-            let _e196 = (((0.5f * _e148) * _e152) * _e176);
-            let _e197 = (((0.5f * _e150) * _e146) * _e177);
-            let _e198 = (((0.5f * _e152) * _e148) * _e178);
-            let _e199 = (_e107 * _e108);
-            let _e200 = (_e108 * _e109);
-            let _e201 = (_e109 * _e110);
-            let _e202 = (_e110 * _e107);
-            let _e203 = (_e107 * _e109);
-            let _e204 = (_e108 * _e110);
-            let _e205 = (_e109 * _e107);
-            let _e206 = (_e110 * _e108);
-            let _e207 = (_e183 * _e199);
-            let _e208 = (_e184 * _e200);
-            let _e209 = (_e185 * _e201);
+            let _e179 = (_e175 * _e175);
+            let _e180 = (_e176 * _e176);
+            let _e181 = (_e177 * _e177);
+            let _e186 = ((_e149 * _e151) * _e170);
+            let _e187 = ((_e151 * _e153) * _e171);
+            let _e188 = ((_e153 * _e155) * _e172);
+            let _e189 = ((_e155 * _e149) * _e173);
+            let _e198 = (((0.5f * _e149) * _e153) * _e178);
+            let _e199 = (((0.5f * _e151) * _e155) * _e179);
+            let _e200 = (((0.5f * _e153) * _e149) * _e180);
+            let _e201 = (((0.5f * _e155) * _e151) * _e181);
+            let _e202 = (_e110 * _e111);
+            let _e203 = (_e111 * _e112);
+            let _e204 = (_e112 * _e113);
+            let _e205 = (_e113 * _e110);
+            let _e206 = (_e110 * _e112);
+            let _e207 = (_e111 * _e113);
+            let _e208 = (_e112 * _e110);
+            let _e209 = (_e113 * _e111);
             let _e210 = (_e186 * _e202);
-            let _e211 = (_e195 * _e203);
-            let _e212 = (_e196 * _e204);
-            let _e213 = (_e197 * _e205);
+            let _e211 = (_e187 * _e203);
+            let _e212 = (_e188 * _e204);
+            let _e213 = (_e189 * _e205);
             let _e214 = (_e198 * _e206);
-            let _e215 = (_e70 * _e70);
-            let _e216 = (_e82 * _e82);
-            let _e217 = (_e94 * _e94);
-            let _e218 = (_e106 * _e106);
-            let _e219 = (_e156 * _e156);
-            let _e220 = (_e158 * _e158);
-            let _e221 = (_e160 * _e160);
-            let _e222 = (_e162 * _e162);
-            let _e223 = (_e143 * _e146);
-            let _e224 = (_e143 * _e148);
-            let _e225 = (_e143 * _e150);
-            let _e226 = (_e143 * _e152);
-            let _e235 = (((_e223 * _e107) * _e215) * _e153);
-            let _e236 = (((_e224 * _e108) * _e216) * _e153);
-            let _e237 = (((_e225 * _e109) * _e217) * _e153);
-            let _e238 = (((_e226 * _e110) * _e218) * _e153);
-            let _e247 = (((_e223 * _e107) * _e219) * _e154);
-            let _e248 = (((_e224 * _e108) * _e220) * _e154);
-            let _e249 = (((_e225 * _e109) * _e221) * _e154);
-            let _e250 = (((_e226 * _e110) * _e222) * _e154);
-            let _e418 = (((((((_e183 * _e150) * _e168) * _e175) + (_e143 * (((_e183 * ((_e215 * _e216) + (_e219 * _e220))) + (_e195 * ((_e215 * _e217) + (_e219 * _e221)))) + ((_e223 * _e215) * _e219)))) + ((((_e184 * _e152) * _e169) * _e176) + (_e143 * (((_e184 * ((_e216 * _e217) + (_e220 * _e221))) + (_e196 * ((_e216 * _e218) + (_e220 * _e222)))) + ((_e224 * _e216) * _e220))))) + ((((_e185 * _e146) * _e170) * _e177) + (_e143 * (((_e185 * ((_e217 * _e218) + (_e221 * _e222))) + (_e197 * ((_e217 * _e215) + (_e221 * _e219)))) + ((_e225 * _e217) * _e221))))) + ((((_e186 * _e148) * _e167) * _e178) + (_e143 * (((_e186 * ((_e218 * _e215) + (_e222 * _e219))) + (_e198 * ((_e218 * _e216) + (_e222 * _e220)))) + ((_e226 * _e218) * _e222)))));
-            let _e421 = (((_e143 * _e143) * _e153) * _e154);
-            let _e424 = (((((((_e207 * _e199) + (_e211 * _e203)) + (_e107 * ((_e235 * _e153) + (_e247 * _e154)))) + (((_e208 * _e200) + (_e212 * _e204)) + (_e108 * ((_e236 * _e153) + (_e248 * _e154))))) + (((_e209 * _e201) + (_e213 * _e205)) + (_e109 * ((_e237 * _e153) + (_e249 * _e154))))) + (((_e210 * _e202) + (_e214 * _e206)) + (_e110 * ((_e238 * _e153) + (_e250 * _e154))))) + ((_e421 * _e153) * _e154));
-            if (_e424 < 0.0000000000000000000000000000000001f) {
-                if ((bitcast<u32>(_e107) & 2147483647u) > 2139095040u) {
-                    phi_615_ = _e107;
-                } else {
-                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_614_ = 0f;
-                    } else {
-                        if (_e107 < 0f) {
-                            phi_613_ = 0f;
-                        } else {
-                            phi_613_ = 1f;
-                        }
-                        let _e439 = phi_613_;
-                        phi_614_ = _e439;
-                    }
-                    let _e441 = phi_614_;
-                    phi_615_ = _e441;
-                }
-                let _e443 = phi_615_;
-                if ((bitcast<u32>(_e108) & 2147483647u) > 2139095040u) {
-                    phi_634_ = _e108;
-                } else {
-                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_633_ = 0f;
-                    } else {
-                        if (_e108 < 0f) {
-                            phi_632_ = 0f;
-                        } else {
-                            phi_632_ = 1f;
-                        }
-                        let _e452 = phi_632_;
-                        phi_633_ = _e452;
-                    }
-                    let _e454 = phi_633_;
-                    phi_634_ = _e454;
-                }
-                let _e456 = phi_634_;
-                if ((bitcast<u32>(_e109) & 2147483647u) > 2139095040u) {
-                    phi_653_ = _e109;
-                } else {
-                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_652_ = 0f;
-                    } else {
-                        if (_e109 < 0f) {
-                            phi_651_ = 0f;
-                        } else {
-                            phi_651_ = 1f;
-                        }
-                        let _e465 = phi_651_;
-                        phi_652_ = _e465;
-                    }
-                    let _e467 = phi_652_;
-                    phi_653_ = _e467;
-                }
-                let _e469 = phi_653_;
+            let _e215 = (_e199 * _e207);
+            let _e216 = (_e200 * _e208);
+            let _e217 = (_e201 * _e209);
+            let _e218 = (_e73 * _e73);
+            let _e219 = (_e85 * _e85);
+            let _e220 = (_e97 * _e97);
+            let _e221 = (_e109 * _e109);
+            let _e222 = (_e159 * _e159);
+            let _e223 = (_e161 * _e161);
+            let _e224 = (_e163 * _e163);
+            let _e225 = (_e165 * _e165);
+            let _e226 = (_e146 * _e149);
+            let _e227 = (_e146 * _e151);
+            let _e228 = (_e146 * _e153);
+            let _e229 = (_e146 * _e155);
+            let _e238 = (((_e226 * _e110) * _e218) * _e156);
+            let _e239 = (((_e227 * _e111) * _e219) * _e156);
+            let _e240 = (((_e228 * _e112) * _e220) * _e156);
+            let _e241 = (((_e229 * _e113) * _e221) * _e156);
+            let _e250 = (((_e226 * _e110) * _e222) * _e157);
+            let _e251 = (((_e227 * _e111) * _e223) * _e157);
+            let _e252 = (((_e228 * _e112) * _e224) * _e157);
+            let _e253 = (((_e229 * _e113) * _e225) * _e157);
+            let _e421 = (((((((_e186 * _e153) * _e171) * _e178) + (_e146 * (((_e186 * ((_e218 * _e219) + (_e222 * _e223))) + (_e198 * ((_e218 * _e220) + (_e222 * _e224)))) + ((_e226 * _e218) * _e222)))) + ((((_e187 * _e155) * _e172) * _e179) + (_e146 * (((_e187 * ((_e219 * _e220) + (_e223 * _e224))) + (_e199 * ((_e219 * _e221) + (_e223 * _e225)))) + ((_e227 * _e219) * _e223))))) + ((((_e188 * _e149) * _e173) * _e180) + (_e146 * (((_e188 * ((_e220 * _e221) + (_e224 * _e225))) + (_e200 * ((_e220 * _e218) + (_e224 * _e222)))) + ((_e228 * _e220) * _e224))))) + ((((_e189 * _e151) * _e170) * _e181) + (_e146 * (((_e189 * ((_e221 * _e218) + (_e225 * _e222))) + (_e201 * ((_e221 * _e219) + (_e225 * _e223)))) + ((_e229 * _e221) * _e225)))));
+            let _e424 = (((_e146 * _e146) * _e156) * _e157);
+            let _e427 = (((((((_e210 * _e202) + (_e214 * _e206)) + (_e110 * ((_e238 * _e156) + (_e250 * _e157)))) + (((_e211 * _e203) + (_e215 * _e207)) + (_e111 * ((_e239 * _e156) + (_e251 * _e157))))) + (((_e212 * _e204) + (_e216 * _e208)) + (_e112 * ((_e240 * _e156) + (_e252 * _e157))))) + (((_e213 * _e205) + (_e217 * _e209)) + (_e113 * ((_e241 * _e156) + (_e253 * _e157))))) + ((_e424 * _e156) * _e157));
+            if (_e427 < 0.0000000000000000000000000000000001f) {
                 if ((bitcast<u32>(_e110) & 2147483647u) > 2139095040u) {
-                    phi_672_ = _e110;
+                    phi_619_ = _e110;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_671_ = 0f;
+                        phi_618_ = 0f;
                     } else {
                         if (_e110 < 0f) {
-                            phi_670_ = 0f;
+                            phi_617_ = 0f;
                         } else {
-                            phi_670_ = 1f;
+                            phi_617_ = 1f;
                         }
-                        let _e478 = phi_670_;
-                        phi_671_ = _e478;
+                        let _e442 = phi_617_;
+                        phi_618_ = _e442;
                     }
-                    let _e480 = phi_671_;
-                    phi_672_ = _e480;
+                    let _e444 = phi_618_;
+                    phi_619_ = _e444;
                 }
-                let _e482 = phi_672_;
-                let _e490 = (((((_e443 * _e146) + (_e456 * _e148)) + (_e469 * _e150)) + (_e482 * _e152)) + _e143);
-                if ((bitcast<u32>(_e490) & 2147483647u) > 2139095040u) {
-                    phi_697_ = _e490;
+                let _e446 = phi_619_;
+                if ((bitcast<u32>(_e111) & 2147483647u) > 2139095040u) {
+                    phi_638_ = _e111;
                 } else {
-                    if (_e490 < 0f) {
-                        phi_696_ = 0f;
+                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                        phi_637_ = 0f;
                     } else {
-                        if (_e490 > 1f) {
-                            phi_695_ = 1f;
+                        if (_e111 < 0f) {
+                            phi_636_ = 0f;
                         } else {
-                            phi_695_ = _e490;
+                            phi_636_ = 1f;
                         }
-                        let _e497 = phi_695_;
-                        phi_696_ = _e497;
+                        let _e455 = phi_636_;
+                        phi_637_ = _e455;
                     }
-                    let _e499 = phi_696_;
-                    phi_697_ = _e499;
+                    let _e457 = phi_637_;
+                    phi_638_ = _e457;
                 }
-                let _e501 = phi_697_;
-                phi_1098_ = _e501;
-                phi_1099_ = f32();
-                phi_1100_ = true;
+                let _e459 = phi_638_;
+                if ((bitcast<u32>(_e112) & 2147483647u) > 2139095040u) {
+                    phi_657_ = _e112;
+                } else {
+                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                        phi_656_ = 0f;
+                    } else {
+                        if (_e112 < 0f) {
+                            phi_655_ = 0f;
+                        } else {
+                            phi_655_ = 1f;
+                        }
+                        let _e468 = phi_655_;
+                        phi_656_ = _e468;
+                    }
+                    let _e470 = phi_656_;
+                    phi_657_ = _e470;
+                }
+                let _e472 = phi_657_;
+                if ((bitcast<u32>(_e113) & 2147483647u) > 2139095040u) {
+                    phi_676_ = _e113;
+                } else {
+                    if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                        phi_675_ = 0f;
+                    } else {
+                        if (_e113 < 0f) {
+                            phi_674_ = 0f;
+                        } else {
+                            phi_674_ = 1f;
+                        }
+                        let _e481 = phi_674_;
+                        phi_675_ = _e481;
+                    }
+                    let _e483 = phi_675_;
+                    phi_676_ = _e483;
+                }
+                let _e485 = phi_676_;
+                let _e493 = (((((_e446 * _e149) + (_e459 * _e151)) + (_e472 * _e153)) + (_e485 * _e155)) + _e146);
+                if ((bitcast<u32>(_e493) & 2147483647u) > 2139095040u) {
+                    phi_701_ = _e493;
+                } else {
+                    if (_e493 < 0f) {
+                        phi_700_ = 0f;
+                    } else {
+                        if (_e493 > 1f) {
+                            phi_699_ = 1f;
+                        } else {
+                            phi_699_ = _e493;
+                        }
+                        let _e500 = phi_699_;
+                        phi_700_ = _e500;
+                    }
+                    let _e502 = phi_700_;
+                    phi_701_ = _e502;
+                }
+                let _e504 = phi_701_;
+                phi_1102_ = _e504;
+                phi_1103_ = f32();
+                phi_1104_ = true;
             } else {
-                let _e506 = ((_e146 * _e70) * _e156);
-                let _e507 = ((_e148 * _e82) * _e158);
-                let _e508 = ((_e150 * _e94) * _e160);
-                let _e509 = ((_e152 * _e106) * _e162);
-                let _e516 = ((((_e506 * _e107) + (_e507 * _e108)) + (_e508 * _e109)) + (_e509 * _e110));
-                let _e527 = ((((_e506 * (_e107 * _e107)) + (_e507 * (_e108 * _e108))) + (_e508 * (_e109 * _e109))) + (_e509 * (_e110 * _e110)));
-                if (_e527 < 0.0000000000000000000000000000000001f) {
-                    if ((bitcast<u32>(_e107) & 2147483647u) > 2139095040u) {
-                        phi_746_ = _e107;
-                    } else {
-                        if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                            phi_745_ = 0f;
-                        } else {
-                            if (_e107 < 0f) {
-                                phi_744_ = 0f;
-                            } else {
-                                phi_744_ = 1f;
-                            }
-                            let _e537 = phi_744_;
-                            phi_745_ = _e537;
-                        }
-                        let _e539 = phi_745_;
-                        phi_746_ = _e539;
-                    }
-                    let _e541 = phi_746_;
-                    if ((bitcast<u32>(_e108) & 2147483647u) > 2139095040u) {
-                        phi_765_ = _e108;
-                    } else {
-                        if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                            phi_764_ = 0f;
-                        } else {
-                            if (_e108 < 0f) {
-                                phi_763_ = 0f;
-                            } else {
-                                phi_763_ = 1f;
-                            }
-                            let _e550 = phi_763_;
-                            phi_764_ = _e550;
-                        }
-                        let _e552 = phi_764_;
-                        phi_765_ = _e552;
-                    }
-                    let _e554 = phi_765_;
-                    if ((bitcast<u32>(_e109) & 2147483647u) > 2139095040u) {
-                        phi_784_ = _e109;
-                    } else {
-                        if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                            phi_783_ = 0f;
-                        } else {
-                            if (_e109 < 0f) {
-                                phi_782_ = 0f;
-                            } else {
-                                phi_782_ = 1f;
-                            }
-                            let _e563 = phi_782_;
-                            phi_783_ = _e563;
-                        }
-                        let _e565 = phi_783_;
-                        phi_784_ = _e565;
-                    }
-                    let _e567 = phi_784_;
+                let _e509 = ((_e149 * _e73) * _e159);
+                let _e510 = ((_e151 * _e85) * _e161);
+                let _e511 = ((_e153 * _e97) * _e163);
+                let _e512 = ((_e155 * _e109) * _e165);
+                let _e519 = ((((_e509 * _e110) + (_e510 * _e111)) + (_e511 * _e112)) + (_e512 * _e113));
+                let _e530 = ((((_e509 * (_e110 * _e110)) + (_e510 * (_e111 * _e111))) + (_e511 * (_e112 * _e112))) + (_e512 * (_e113 * _e113)));
+                if (_e530 < 0.0000000000000000000000000000000001f) {
                     if ((bitcast<u32>(_e110) & 2147483647u) > 2139095040u) {
-                        phi_803_ = _e110;
+                        phi_750_ = _e110;
                     } else {
                         if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                            phi_802_ = 0f;
+                            phi_749_ = 0f;
                         } else {
                             if (_e110 < 0f) {
-                                phi_801_ = 0f;
+                                phi_748_ = 0f;
                             } else {
-                                phi_801_ = 1f;
+                                phi_748_ = 1f;
                             }
-                            let _e576 = phi_801_;
-                            phi_802_ = _e576;
+                            let _e540 = phi_748_;
+                            phi_749_ = _e540;
                         }
-                        let _e578 = phi_802_;
-                        phi_803_ = _e578;
+                        let _e542 = phi_749_;
+                        phi_750_ = _e542;
                     }
-                    let _e580 = phi_803_;
-                    let _e588 = (((((_e541 * _e146) + (_e554 * _e148)) + (_e567 * _e150)) + (_e580 * _e152)) + _e143);
-                    if ((bitcast<u32>(_e588) & 2147483647u) > 2139095040u) {
-                        phi_828_ = _e588;
+                    let _e544 = phi_750_;
+                    if ((bitcast<u32>(_e111) & 2147483647u) > 2139095040u) {
+                        phi_769_ = _e111;
                     } else {
-                        if (_e588 < 0f) {
-                            phi_827_ = 0f;
+                        if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                            phi_768_ = 0f;
                         } else {
-                            if (_e588 > 1f) {
-                                phi_826_ = 1f;
+                            if (_e111 < 0f) {
+                                phi_767_ = 0f;
                             } else {
-                                phi_826_ = _e588;
+                                phi_767_ = 1f;
                             }
-                            let _e595 = phi_826_;
-                            phi_827_ = _e595;
+                            let _e553 = phi_767_;
+                            phi_768_ = _e553;
                         }
-                        let _e597 = phi_827_;
-                        phi_828_ = _e597;
+                        let _e555 = phi_768_;
+                        phi_769_ = _e555;
                     }
-                    let _e599 = phi_828_;
-                    phi_962_ = _e599;
-                } else {
-                    let _e601 = (_e527 - (_e153 * _e516));
-                    let _e603 = ((_e154 * _e516) - _e527);
-                    let _e608 = ((_e146 * _e107) * _e156);
-                    let _e609 = ((_e148 * _e108) * _e158);
-                    let _e610 = ((_e150 * _e109) * _e160);
-                    let _e611 = ((_e152 * _e110) * _e162);
-                    let _e637 = (_e143 + (((((_e608 * ((_e609 * _e167) + ((0.5f * _e610) * _e175))) + (_e609 * ((_e610 * _e168) + ((0.5f * _e611) * _e176)))) + (_e610 * ((_e611 * _e169) + ((0.5f * _e608) * _e177)))) + (_e611 * ((_e608 * _e170) + ((0.5f * _e609) * _e178)))) / (_e153 * _e601)));
-                    let _e642 = ((_e146 * _e107) * _e70);
-                    let _e643 = ((_e148 * _e108) * _e82);
-                    let _e644 = ((_e150 * _e109) * _e94);
-                    let _e645 = ((_e152 * _e110) * _e106);
-                    let _e671 = (_e143 + (((((_e642 * ((_e643 * _e167) + ((0.5f * _e644) * _e175))) + (_e643 * ((_e644 * _e168) + ((0.5f * _e645) * _e176)))) + (_e644 * ((_e645 * _e169) + ((0.5f * _e642) * _e177)))) + (_e645 * ((_e642 * _e170) + ((0.5f * _e643) * _e178)))) / (_e154 * _e603)));
-                    let _e672 = (_e516 > 0f);
-                    if _e672 {
-                        phi_907_ = (_e603 > 0f);
+                    let _e557 = phi_769_;
+                    if ((bitcast<u32>(_e112) & 2147483647u) > 2139095040u) {
+                        phi_788_ = _e112;
                     } else {
-                        phi_907_ = (_e601 < 0f);
+                        if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                            phi_787_ = 0f;
+                        } else {
+                            if (_e112 < 0f) {
+                                phi_786_ = 0f;
+                            } else {
+                                phi_786_ = 1f;
+                            }
+                            let _e566 = phi_786_;
+                            phi_787_ = _e566;
+                        }
+                        let _e568 = phi_787_;
+                        phi_788_ = _e568;
                     }
-                    let _e676 = phi_907_;
-                    if _e676 {
-                        if (_e637 >= 0f) {
-                            if (_e671 >= 0f) {
-                                if _e672 {
-                                    phi_951_ = (1f - _e637);
+                    let _e570 = phi_788_;
+                    if ((bitcast<u32>(_e113) & 2147483647u) > 2139095040u) {
+                        phi_807_ = _e113;
+                    } else {
+                        if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
+                            phi_806_ = 0f;
+                        } else {
+                            if (_e113 < 0f) {
+                                phi_805_ = 0f;
+                            } else {
+                                phi_805_ = 1f;
+                            }
+                            let _e579 = phi_805_;
+                            phi_806_ = _e579;
+                        }
+                        let _e581 = phi_806_;
+                        phi_807_ = _e581;
+                    }
+                    let _e583 = phi_807_;
+                    let _e591 = (((((_e544 * _e149) + (_e557 * _e151)) + (_e570 * _e153)) + (_e583 * _e155)) + _e146);
+                    if ((bitcast<u32>(_e591) & 2147483647u) > 2139095040u) {
+                        phi_832_ = _e591;
+                    } else {
+                        if (_e591 < 0f) {
+                            phi_831_ = 0f;
+                        } else {
+                            if (_e591 > 1f) {
+                                phi_830_ = 1f;
+                            } else {
+                                phi_830_ = _e591;
+                            }
+                            let _e598 = phi_830_;
+                            phi_831_ = _e598;
+                        }
+                        let _e600 = phi_831_;
+                        phi_832_ = _e600;
+                    }
+                    let _e602 = phi_832_;
+                    phi_966_ = _e602;
+                } else {
+                    let _e604 = (_e530 - (_e156 * _e519));
+                    let _e606 = ((_e157 * _e519) - _e530);
+                    let _e611 = ((_e149 * _e110) * _e159);
+                    let _e612 = ((_e151 * _e111) * _e161);
+                    let _e613 = ((_e153 * _e112) * _e163);
+                    let _e614 = ((_e155 * _e113) * _e165);
+                    let _e640 = (_e146 + (((((_e611 * ((_e612 * _e170) + ((0.5f * _e613) * _e178))) + (_e612 * ((_e613 * _e171) + ((0.5f * _e614) * _e179)))) + (_e613 * ((_e614 * _e172) + ((0.5f * _e611) * _e180)))) + (_e614 * ((_e611 * _e173) + ((0.5f * _e612) * _e181)))) / (_e156 * _e604)));
+                    let _e645 = ((_e149 * _e110) * _e73);
+                    let _e646 = ((_e151 * _e111) * _e85);
+                    let _e647 = ((_e153 * _e112) * _e97);
+                    let _e648 = ((_e155 * _e113) * _e109);
+                    let _e674 = (_e146 + (((((_e645 * ((_e646 * _e170) + ((0.5f * _e647) * _e178))) + (_e646 * ((_e647 * _e171) + ((0.5f * _e648) * _e179)))) + (_e647 * ((_e648 * _e172) + ((0.5f * _e645) * _e180)))) + (_e648 * ((_e645 * _e173) + ((0.5f * _e646) * _e181)))) / (_e157 * _e606)));
+                    let _e675 = (_e519 > 0f);
+                    if _e675 {
+                        phi_911_ = (_e606 > 0f);
+                    } else {
+                        phi_911_ = (_e604 < 0f);
+                    }
+                    let _e679 = phi_911_;
+                    if _e679 {
+                        if (_e640 >= 0f) {
+                            if (_e674 >= 0f) {
+                                if _e675 {
+                                    phi_955_ = (1f - _e640);
                                 } else {
-                                    phi_951_ = ((((((_e506 * ((_e507 * _e167) + ((0.5f * _e508) * _e175))) + (_e507 * ((_e508 * _e168) + ((0.5f * _e509) * _e176)))) + (_e508 * ((_e509 * _e169) + ((0.5f * _e506) * _e177)))) + (_e509 * ((_e506 * _e170) + ((0.5f * _e507) * _e178)))) / (_e527 * (-(_e153) * _e154))) + _e671);
+                                    phi_955_ = ((((((_e509 * ((_e510 * _e170) + ((0.5f * _e511) * _e178))) + (_e510 * ((_e511 * _e171) + ((0.5f * _e512) * _e179)))) + (_e511 * ((_e512 * _e172) + ((0.5f * _e509) * _e180)))) + (_e512 * ((_e509 * _e173) + ((0.5f * _e510) * _e181)))) / (_e530 * (-(_e156) * _e157))) + _e674);
                                 }
-                                let _e709 = phi_951_;
-                                phi_952_ = _e709;
-                                phi_953_ = false;
+                                let _e712 = phi_955_;
+                                phi_956_ = _e712;
+                                phi_957_ = false;
                             } else {
-                                phi_952_ = f32();
-                                phi_953_ = true;
+                                phi_956_ = f32();
+                                phi_957_ = true;
                             }
-                            let _e711 = phi_952_;
-                            let _e713 = phi_953_;
-                            phi_954_ = _e711;
-                            phi_955_ = _e713;
+                            let _e714 = phi_956_;
+                            let _e716 = phi_957_;
+                            phi_958_ = _e714;
+                            phi_959_ = _e716;
                         } else {
-                            phi_954_ = f32();
-                            phi_955_ = true;
+                            phi_958_ = f32();
+                            phi_959_ = true;
                         }
-                        let _e715 = phi_954_;
-                        let _e717 = phi_955_;
-                        phi_956_ = _e715;
-                        phi_957_ = _e717;
+                        let _e718 = phi_958_;
+                        let _e720 = phi_959_;
+                        phi_960_ = _e718;
+                        phi_961_ = _e720;
                     } else {
-                        phi_956_ = f32();
-                        phi_957_ = true;
+                        phi_960_ = f32();
+                        phi_961_ = true;
                     }
-                    let _e719 = phi_956_;
-                    let _e721 = phi_957_;
-                    if _e721 {
-                        phi_961_ = 1f;
+                    let _e722 = phi_960_;
+                    let _e724 = phi_961_;
+                    if _e724 {
+                        phi_965_ = 1f;
                     } else {
-                        phi_961_ = _e719;
+                        phi_965_ = _e722;
                     }
-                    let _e723 = phi_961_;
-                    phi_962_ = _e723;
+                    let _e726 = phi_965_;
+                    phi_966_ = _e726;
                 }
-                let _e725 = phi_962_;
-                let _e726 = (_e725 < 1f);
-                if _e726 {
-                    if ((bitcast<u32>(_e725) & 2147483647u) > 2139095040u) {
-                        phi_983_ = _e725;
+                let _e728 = phi_966_;
+                let _e729 = (_e728 < 1f);
+                if _e729 {
+                    if ((bitcast<u32>(_e728) & 2147483647u) > 2139095040u) {
+                        phi_987_ = _e728;
                     } else {
-                        if (_e725 < 0f) {
-                            phi_982_ = 0f;
+                        if (_e728 < 0f) {
+                            phi_986_ = 0f;
                         } else {
-                            if (_e725 > 1f) {
-                                phi_981_ = 1f;
+                            if (_e728 > 1f) {
+                                phi_985_ = 1f;
                             } else {
-                                phi_981_ = _e725;
+                                phi_985_ = _e728;
                             }
-                            let _e733 = phi_981_;
-                            phi_982_ = _e733;
+                            let _e736 = phi_985_;
+                            phi_986_ = _e736;
                         }
-                        let _e735 = phi_982_;
-                        phi_983_ = _e735;
+                        let _e738 = phi_986_;
+                        phi_987_ = _e738;
                     }
-                    let _e737 = phi_983_;
-                    phi_1096_ = _e737;
-                    phi_1097_ = f32();
+                    let _e740 = phi_987_;
+                    phi_1100_ = _e740;
+                    phi_1101_ = f32();
                 } else {
-                    let _e739 = ((0.5f * -(((((((((_e207 * (_e107 + _e108)) + (_e211 * (_e107 + _e109))) + (_e235 * (_e107 + _e153))) + (_e247 * (_e107 + _e154))) + ((((_e208 * (_e108 + _e109)) + (_e212 * (_e108 + _e110))) + (_e236 * (_e108 + _e153))) + (_e248 * (_e108 + _e154)))) + ((((_e209 * (_e109 + _e110)) + (_e213 * (_e109 + _e107))) + (_e237 * (_e109 + _e153))) + (_e249 * (_e109 + _e154)))) + ((((_e210 * (_e110 + _e107)) + (_e214 * (_e110 + _e108))) + (_e238 * (_e110 + _e153))) + (_e250 * (_e110 + _e154)))) + (_e421 * (_e153 + _e154))))) / _e424);
-                    let _e740 = ((((((((_e207 + _e211) + _e235) + _e247) + (((_e208 + _e212) + _e236) + _e248)) + (((_e209 + _e213) + _e237) + _e249)) + (((_e210 + _e214) + _e238) + _e250)) + _e421) / _e424);
-                    let _e742 = ((_e739 * _e739) - _e740);
+                    let _e742 = ((0.5f * -(((((((((_e210 * (_e110 + _e111)) + (_e214 * (_e110 + _e112))) + (_e238 * (_e110 + _e156))) + (_e250 * (_e110 + _e157))) + ((((_e211 * (_e111 + _e112)) + (_e215 * (_e111 + _e113))) + (_e239 * (_e111 + _e156))) + (_e251 * (_e111 + _e157)))) + ((((_e212 * (_e112 + _e113)) + (_e216 * (_e112 + _e110))) + (_e240 * (_e112 + _e156))) + (_e252 * (_e112 + _e157)))) + ((((_e213 * (_e113 + _e110)) + (_e217 * (_e113 + _e111))) + (_e241 * (_e113 + _e156))) + (_e253 * (_e113 + _e157)))) + (_e424 * (_e156 + _e157))))) / _e427);
+                    let _e743 = ((((((((_e210 + _e214) + _e238) + _e250) + (((_e211 + _e215) + _e239) + _e251)) + (((_e212 + _e216) + _e240) + _e252)) + (((_e213 + _e217) + _e241) + _e253)) + _e424) / _e427);
+                    let _e745 = ((_e742 * _e742) - _e743);
+                    if (_e745 > 0f) {
+                        phi_998_ = sqrt(_e745);
+                    } else {
+                        phi_998_ = 0f;
+                    }
+                    let _e749 = phi_998_;
                     if (_e742 > 0f) {
-                        phi_994_ = sqrt(_e742);
+                        let _e752 = (-(_e742) - _e749);
+                        phi_1015_ = lt_bvh_slab_Span(_e752, (_e743 / _e752));
                     } else {
-                        phi_994_ = 0f;
-                    }
-                    let _e746 = phi_994_;
-                    if (_e739 > 0f) {
-                        let _e749 = (-(_e739) - _e746);
-                        phi_1011_ = lt_bvh_slab_Span(_e749, (_e740 / _e749));
-                    } else {
-                        let _e752 = (_e746 - _e739);
-                        if (_e752 > 0f) {
-                            phi_1009_ = (_e740 / _e752);
+                        let _e755 = (_e749 - _e742);
+                        if (_e755 > 0f) {
+                            phi_1013_ = (_e743 / _e755);
                         } else {
-                            phi_1009_ = 0f;
+                            phi_1013_ = 0f;
                         }
-                        let _e756 = phi_1009_;
-                        phi_1011_ = lt_bvh_slab_Span(_e756, _e752);
+                        let _e759 = phi_1013_;
+                        phi_1015_ = lt_bvh_slab_Span(_e759, _e755);
                     }
-                    let _e759 = phi_1011_;
-                    if (_e759.near >= 0f) {
-                        phi_1072_ = 1f;
-                        phi_1073_ = f32();
-                        phi_1074_ = true;
+                    let _e762 = phi_1015_;
+                    if (_e762.near >= 0f) {
+                        phi_1076_ = 1f;
+                        phi_1077_ = f32();
+                        phi_1078_ = true;
                     } else {
-                        let _e763 = (_e759.far <= 0f);
-                        if _e763 {
-                            phi_1070_ = (_e418 / _e424);
-                            phi_1071_ = f32();
+                        let _e766 = (_e762.far <= 0f);
+                        if _e766 {
+                            phi_1074_ = (_e421 / _e427);
+                            phi_1075_ = f32();
                         } else {
-                            let _e774 = (((((_e146 * _e107) + (_e148 * _e108)) + (_e150 * _e109)) + (_e152 * _e110)) + (_e143 * (_e153 + _e154)));
-                            let _e790 = (((((_e146 * (_e107 * _e107)) + (_e148 * (_e108 * _e108))) + (_e150 * (_e109 * _e109))) + (_e152 * (_e110 * _e110))) + (_e143 * ((_e153 * _e153) + (_e154 * _e154))));
-                            if (-(_e759.near) <= _e759.far) {
-                                phi_1069_ = (1f - (((_e759.near * _e759.near) * ((_e759.far * _e790) - _e774)) / (_e759.far - _e759.near)));
+                            let _e777 = (((((_e149 * _e110) + (_e151 * _e111)) + (_e153 * _e112)) + (_e155 * _e113)) + (_e146 * (_e156 + _e157)));
+                            let _e793 = (((((_e149 * (_e110 * _e110)) + (_e151 * (_e111 * _e111))) + (_e153 * (_e112 * _e112))) + (_e155 * (_e113 * _e113))) + (_e146 * ((_e156 * _e156) + (_e157 * _e157))));
+                            if (-(_e762.near) <= _e762.far) {
+                                phi_1073_ = (1f - (((_e762.near * _e762.near) * ((_e762.far * _e793) - _e777)) / (_e762.far - _e762.near)));
                             } else {
-                                phi_1069_ = ((_e418 / _e424) + (((_e759.far * _e759.far) * (_e774 - (_e759.near * _e790))) / (_e759.far - _e759.near)));
+                                phi_1073_ = ((_e421 / _e427) + (((_e762.far * _e762.far) * (_e777 - (_e762.near * _e793))) / (_e762.far - _e762.near)));
                             }
-                            let _e809 = phi_1069_;
-                            phi_1070_ = f32();
-                            phi_1071_ = _e809;
+                            let _e812 = phi_1073_;
+                            phi_1074_ = f32();
+                            phi_1075_ = _e812;
                         }
-                        let _e811 = phi_1070_;
-                        let _e813 = phi_1071_;
-                        phi_1072_ = _e811;
-                        phi_1073_ = _e813;
-                        phi_1074_ = _e763;
+                        let _e814 = phi_1074_;
+                        let _e816 = phi_1075_;
+                        phi_1076_ = _e814;
+                        phi_1077_ = _e816;
+                        phi_1078_ = _e766;
                     }
-                    let _e815 = phi_1072_;
-                    let _e817 = phi_1073_;
-                    let _e819 = phi_1074_;
-                    if _e819 {
-                        phi_1078_ = _e815;
+                    let _e818 = phi_1076_;
+                    let _e820 = phi_1077_;
+                    let _e822 = phi_1078_;
+                    if _e822 {
+                        phi_1082_ = _e818;
                     } else {
-                        phi_1078_ = _e817;
+                        phi_1082_ = _e820;
                     }
-                    let _e821 = phi_1078_;
-                    if ((bitcast<u32>(_e821) & 2147483647u) > 2139095040u) {
-                        phi_1095_ = _e821;
+                    let _e824 = phi_1082_;
+                    if ((bitcast<u32>(_e824) & 2147483647u) > 2139095040u) {
+                        phi_1099_ = _e824;
                     } else {
-                        if (_e821 < 0f) {
-                            phi_1094_ = 0f;
+                        if (_e824 < 0f) {
+                            phi_1098_ = 0f;
                         } else {
-                            if (_e821 > 1f) {
-                                phi_1093_ = 1f;
+                            if (_e824 > 1f) {
+                                phi_1097_ = 1f;
                             } else {
-                                phi_1093_ = _e821;
+                                phi_1097_ = _e824;
                             }
-                            let _e828 = phi_1093_;
-                            phi_1094_ = _e828;
+                            let _e831 = phi_1097_;
+                            phi_1098_ = _e831;
                         }
-                        let _e830 = phi_1094_;
-                        phi_1095_ = _e830;
+                        let _e833 = phi_1098_;
+                        phi_1099_ = _e833;
                     }
-                    let _e832 = phi_1095_;
-                    phi_1096_ = f32();
-                    phi_1097_ = _e832;
+                    let _e835 = phi_1099_;
+                    phi_1100_ = f32();
+                    phi_1101_ = _e835;
                 }
-                let _e834 = phi_1096_;
-                let _e836 = phi_1097_;
-                phi_1098_ = _e834;
-                phi_1099_ = _e836;
-                phi_1100_ = _e726;
+                let _e837 = phi_1100_;
+                let _e839 = phi_1101_;
+                phi_1102_ = _e837;
+                phi_1103_ = _e839;
+                phi_1104_ = _e729;
             }
-            let _e838 = phi_1098_;
-            let _e840 = phi_1099_;
-            let _e842 = phi_1100_;
-            if _e842 {
+            let _e841 = phi_1102_;
+            let _e843 = phi_1103_;
+            let _e845 = phi_1104_;
+            if _e845 {
             }
-            phi_1104_ = _e838;
-            phi_1105_ = _e840;
-            phi_1106_ = _e842;
+            phi_1108_ = _e841;
+            phi_1109_ = _e843;
+            phi_1110_ = _e845;
         }
-        let _e844 = phi_1104_;
-        let _e846 = phi_1105_;
-        let _e848 = phi_1106_;
-        phi_1107_ = _e844;
-        phi_1108_ = _e846;
-        phi_1109_ = _e848;
+        let _e847 = phi_1108_;
+        let _e849 = phi_1109_;
+        let _e851 = phi_1110_;
+        phi_1111_ = _e847;
+        phi_1112_ = _e849;
+        phi_1113_ = _e851;
     }
-    let _e850 = phi_1107_;
-    let _e852 = phi_1108_;
-    let _e854 = phi_1109_;
-    if _e854 {
-        phi_1113_ = _e850;
+    let _e853 = phi_1111_;
+    let _e855 = phi_1112_;
+    let _e857 = phi_1113_;
+    if _e857 {
+        phi_1117_ = _e853;
     } else {
-        phi_1113_ = _e852;
+        phi_1117_ = _e855;
     }
-    let _e856 = phi_1113_;
-    return _e856;
+    let _e859 = phi_1117_;
+    return _e859;
 }
 
 fn function_() {
     var local: f32;
-    var phi_1173_: bool;
-    var phi_1174_: bool;
-    var phi_1175_: bool;
-    var phi_1176_: bool;
+    var phi_1177_: bool;
+    var phi_1178_: bool;
+    var phi_1179_: bool;
     var phi_1180_: bool;
-    var phi_1250_: bool;
-    var phi_1251_: bool;
-    var phi_1262_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1263_: bool;
-    var phi_1264_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1265_: bool;
-    var phi_1272_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1184_: bool;
+    var phi_1254_: bool;
+    var phi_1255_: bool;
+    var phi_1266_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1267_: bool;
+    var phi_1268_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1269_: bool;
     var phi_1276_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1296_: lt_math_LightPoint;
-    var phi_1299_: u32;
-    var phi_1301_: lt_math_LevelPoint;
-    var phi_1387_: bool;
-    var phi_1396_: bool;
-    var phi_1405_: bool;
-    var phi_1406_: bool;
-    var phi_1407_: bool;
-    var phi_1408_: bool;
+    var phi_1280_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1300_: lt_math_LightPoint;
+    var phi_1303_: u32;
+    var phi_1305_: lt_math_LevelPoint;
+    var phi_1391_: bool;
+    var phi_1400_: bool;
     var phi_1409_: bool;
     var phi_1410_: bool;
     var phi_1411_: bool;
+    var phi_1412_: bool;
+    var phi_1413_: bool;
+    var phi_1414_: bool;
     var phi_1415_: bool;
-    var phi_1442_: bool;
-    var phi_1443_: bool;
-    var phi_1444_: bool;
-    var phi_1445_: bool;
+    var phi_1419_: bool;
     var phi_1446_: bool;
     var phi_1447_: bool;
     var phi_1448_: bool;
     var phi_1449_: bool;
+    var phi_1450_: bool;
+    var phi_1451_: bool;
+    var phi_1452_: bool;
     var phi_1453_: bool;
-    var phi_1462_: lt_math_LightPoint;
-    var phi_1463_: u32;
-    var phi_1464_: lt_math_LevelPoint;
-    var phi_1465_: bool;
-    var phi_1297_: lt_math_LightPoint;
-    var phi_1300_: u32;
-    var phi_1302_: lt_math_LevelPoint;
-    var phi_1466_: bool;
+    var phi_1457_: bool;
+    var phi_1466_: lt_math_LightPoint;
+    var phi_1467_: u32;
+    var phi_1468_: lt_math_LevelPoint;
+    var phi_1469_: bool;
+    var phi_1301_: lt_math_LightPoint;
+    var phi_1304_: u32;
+    var phi_1306_: lt_math_LevelPoint;
+    var phi_1470_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_1506_: bool;
-    var phi_1507_: bool;
-    var phi_1508_: bool;
-    var phi_1509_: bool;
+    var phi_1510_: bool;
+    var phi_1511_: bool;
+    var phi_1512_: bool;
     var phi_1513_: bool;
-    var phi_1595_: f32;
-    var phi_1713_: f32;
-    var phi_1714_: f32;
+    var phi_1517_: bool;
+    var phi_1599_: f32;
     var phi_1717_: f32;
-    var phi_1746_: f32;
-    var phi_1751_: f32;
-    var phi_1752_: bool;
-    var phi_1753_: f32;
-    var phi_1754_: bool;
-    var phi_1758_: f32;
-    var phi_1778_: f32;
-    var phi_1783_: f32;
-    var phi_1784_: bool;
-    var phi_1785_: f32;
-    var phi_1786_: bool;
-    var phi_1790_: f32;
+    var phi_1718_: f32;
+    var phi_1721_: f32;
+    var phi_1750_: f32;
+    var phi_1755_: f32;
+    var phi_1756_: bool;
+    var phi_1757_: f32;
+    var phi_1758_: bool;
+    var phi_1762_: f32;
+    var phi_1782_: f32;
+    var phi_1787_: f32;
+    var phi_1788_: bool;
+    var phi_1789_: f32;
+    var phi_1790_: bool;
+    var phi_1794_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_1839_: i32;
-    var phi_1844_: i32;
-    var phi_1849_: i32;
-    var phi_1854_: i32;
-    var phi_1863_: i32;
-    var phi_1868_: i32;
-    var phi_1873_: i32;
-    var phi_1878_: i32;
-    var phi_1929_: bool;
-    var phi_1937_: bool;
-    var phi_1949_: bool;
-    var phi_1950_: bool;
-    var phi_1954_: f32;
+    var phi_1843_: i32;
+    var phi_1848_: i32;
+    var phi_1853_: i32;
+    var phi_1858_: i32;
+    var phi_1867_: i32;
+    var phi_1872_: i32;
+    var phi_1877_: i32;
+    var phi_1882_: i32;
+    var phi_1935_: bool;
+    var phi_1943_: bool;
+    var phi_1955_: bool;
+    var phi_1956_: bool;
     var phi_1960_: f32;
-    var phi_1962_: evaluate_Verdict;
-    var phi_1967_: evaluate_Verdict;
+    var phi_1966_: f32;
     var phi_1968_: evaluate_Verdict;
+    var phi_1978_: u32;
+    var phi_1987_: f32;
+    var phi_1989_: evaluate_Verdict;
+    var phi_1990_: bool;
+    var phi_1991_: evaluate_Verdict;
+    var phi_1992_: bool;
+    var phi_1997_: evaluate_Verdict;
+    var phi_2002_: evaluate_Verdict;
+    var phi_2003_: evaluate_Verdict;
 
-    let _e43 = id_1;
-    let _e50 = arrayLength((&map.member));
-    let _e56 = arrayLength((&levels.member));
-    let _e59 = p.member.size[0u];
-    let _e61 = p.member.size[1u];
-    let _e62 = lt_shaders_entry_pixel_index(_e43, _e59, _e61);
-    if (bitcast<i32>(_e62.root) != 0i) {
-        let _e68 = p.member.level_count;
-        if (_e62.first_primitive < arrayLength((&samples.member))) {
+    let _e46 = id_1;
+    let _e53 = arrayLength((&map.member));
+    let _e59 = arrayLength((&levels.member));
+    let _e62 = p.member.size[0u];
+    let _e64 = p.member.size[1u];
+    let _e65 = lt_shaders_entry_pixel_index(_e46, _e62, _e64);
+    if (bitcast<i32>(_e65.root) != 0i) {
+        let _e71 = p.member.level_count;
+        if (_e65.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e75 = samples.member[(0u + _e62.first_primitive)].normal[0u];
-        let _e77 = global[0u];
-        if (_e75 == _e77) {
-            let _e80 = samples.member[(0u + _e62.first_primitive)].normal[1u];
-            let _e82 = global[1u];
-            if (_e80 == _e82) {
-                let _e85 = samples.member[(0u + _e62.first_primitive)].normal[2u];
-                let _e87 = global[2u];
-                phi_1173_ = (_e85 == _e87);
-                phi_1174_ = false;
+        let _e78 = samples.member[(0u + _e65.first_primitive)].normal[0u];
+        let _e80 = global[0u];
+        if (_e78 == _e80) {
+            let _e83 = samples.member[(0u + _e65.first_primitive)].normal[1u];
+            let _e85 = global[1u];
+            if (_e83 == _e85) {
+                let _e88 = samples.member[(0u + _e65.first_primitive)].normal[2u];
+                let _e90 = global[2u];
+                phi_1177_ = (_e88 == _e90);
+                phi_1178_ = false;
             } else {
-                phi_1173_ = bool();
-                phi_1174_ = true;
+                phi_1177_ = bool();
+                phi_1178_ = true;
             }
-            let _e90 = phi_1173_;
-            let _e92 = phi_1174_;
-            phi_1175_ = _e90;
-            phi_1176_ = _e92;
+            let _e93 = phi_1177_;
+            let _e95 = phi_1178_;
+            phi_1179_ = _e93;
+            phi_1180_ = _e95;
         } else {
-            phi_1175_ = bool();
-            phi_1176_ = true;
+            phi_1179_ = bool();
+            phi_1180_ = true;
         }
-        let _e94 = phi_1175_;
-        let _e96 = phi_1176_;
-        if _e96 {
-            phi_1180_ = false;
+        let _e97 = phi_1179_;
+        let _e99 = phi_1180_;
+        if _e99 {
+            phi_1184_ = false;
         } else {
-            phi_1180_ = _e94;
+            phi_1184_ = _e97;
         }
-        let _e98 = phi_1180_;
-        if !(_e98) {
-            let _e101 = samples.member[(0u + _e62.first_primitive)].position;
-            let _e103 = p.member.light.place;
-            let _e109 = p.member.light.place[3u];
-            let _e116 = (_e103.x - (_e101.x * _e109));
-            let _e117 = (_e103.y - (_e101.y * _e109));
-            let _e118 = (_e103.z - (_e101.z * _e109));
-            let _e120 = samples.member[(0u + _e62.first_primitive)].normal;
-            if ((((_e120.x * _e116) + (_e120.y * _e117)) + (_e120.z * _e118)) > 0f) {
-                let _e134 = (((_e116 * _e116) + (_e117 * _e117)) + (_e118 * _e118));
-                let _e136 = p.member.light.axis;
-                let _e148 = p.member.light.place[3u];
-                if (_e148 == 0f) {
-                    phi_1251_ = true;
+        let _e101 = phi_1184_;
+        if !(_e101) {
+            let _e104 = samples.member[(0u + _e65.first_primitive)].position;
+            let _e106 = p.member.light.place;
+            let _e112 = p.member.light.place[3u];
+            let _e119 = (_e106.x - (_e104.x * _e112));
+            let _e120 = (_e106.y - (_e104.y * _e112));
+            let _e121 = (_e106.z - (_e104.z * _e112));
+            let _e123 = samples.member[(0u + _e65.first_primitive)].normal;
+            if ((((_e123.x * _e119) + (_e123.y * _e120)) + (_e123.z * _e121)) > 0f) {
+                let _e137 = (((_e119 * _e119) + (_e120 * _e120)) + (_e121 * _e121));
+                let _e139 = p.member.light.axis;
+                let _e151 = p.member.light.place[3u];
+                if (_e151 == 0f) {
+                    phi_1255_ = true;
                 } else {
-                    let _e151 = p.member.light.range_squared;
-                    if (_e134 <= _e151) {
-                        let _e154 = p.member.light.cos_outer;
-                        phi_1250_ = (-((((_e116 * _e136.x) + (_e117 * _e136.y)) + (_e118 * _e136.z))) >= (_e154 * sqrt(_e134)));
+                    let _e154 = p.member.light.range_squared;
+                    if (_e137 <= _e154) {
+                        let _e157 = p.member.light.cos_outer;
+                        phi_1254_ = (-((((_e119 * _e139.x) + (_e120 * _e139.y)) + (_e121 * _e139.z))) >= (_e157 * sqrt(_e137)));
                     } else {
-                        phi_1250_ = false;
+                        phi_1254_ = false;
                     }
-                    let _e159 = phi_1250_;
-                    phi_1251_ = _e159;
+                    let _e162 = phi_1254_;
+                    phi_1255_ = _e162;
                 }
-                let _e161 = phi_1251_;
-                if _e161 {
-                    let _e163 = samples.member[(0u + _e62.first_primitive)].flags;
-                    let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e171.unnamed.visibility, false), _e171.unnamed_1);
-                    phi_1262_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e177.unnamed, ((_e163 & 1u) == 0u));
-                    phi_1263_ = false;
+                let _e164 = phi_1255_;
+                if _e164 {
+                    let _e166 = samples.member[(0u + _e65.first_primitive)].flags;
+                    let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e180 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e174.unnamed.visibility, false), _e174.unnamed_1);
+                    phi_1266_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e180.unnamed, ((_e166 & 1u) == 0u));
+                    phi_1267_ = false;
                 } else {
-                    phi_1262_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_1263_ = true;
+                    phi_1266_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_1267_ = true;
                 }
-                let _e182 = phi_1262_;
-                let _e184 = phi_1263_;
-                phi_1264_ = _e182;
-                phi_1265_ = _e184;
+                let _e185 = phi_1266_;
+                let _e187 = phi_1267_;
+                phi_1268_ = _e185;
+                phi_1269_ = _e187;
             } else {
-                phi_1264_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_1265_ = true;
+                phi_1268_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_1269_ = true;
             }
-            let _e186 = phi_1264_;
-            let _e188 = phi_1265_;
-            if _e188 {
-                let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e194.unnamed.visibility, false), _e194.unnamed_1);
-                phi_1272_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e200.unnamed, true);
+            let _e189 = phi_1268_;
+            let _e191 = phi_1269_;
+            if _e191 {
+                let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e203 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e197.unnamed.visibility, false), _e197.unnamed_1);
+                phi_1276_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e203.unnamed, true);
             } else {
-                phi_1272_ = _e186;
+                phi_1276_ = _e189;
             }
-            let _e205 = phi_1272_;
-            phi_1276_ = _e205;
+            let _e208 = phi_1276_;
+            phi_1280_ = _e208;
         } else {
-            let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e211.unnamed.visibility, false), _e211.unnamed_1);
-            phi_1276_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e217.unnamed, true);
+            let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e220 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e214.unnamed.visibility, false), _e214.unnamed_1);
+            phi_1280_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e220.unnamed, true);
         }
-        let _e222 = phi_1276_;
-        if _e222.unnamed_1 {
-            phi_1968_ = evaluate_Verdict(_e222.unnamed.visibility, _e222.unnamed.is_doubted);
+        let _e225 = phi_1280_;
+        if _e225.unnamed_1 {
+            phi_2003_ = evaluate_Verdict(_e225.unnamed.visibility, _e225.unnamed.is_doubted);
         } else {
-            let _e230 = samples.member[(0u + _e62.first_primitive)].position;
-            let _e232 = p.member.map_size;
-            let _e234 = (0.5f / f32(_e232));
-            let _e241 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e248 = lt_math_LightPoint(vec2<f32>(_e241.uv.x, 0f), _e241.depth, _e241.is_inside);
-            let _e252 = lt_math_LightPoint(_e248.uv, 0f, _e248.is_inside);
-            phi_1296_ = lt_math_LightPoint();
-            phi_1299_ = 0u;
-            phi_1301_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e252.uv, _e252.depth, false));
+            let _e233 = samples.member[(0u + _e65.first_primitive)].position;
+            let _e235 = p.member.map_size;
+            let _e237 = (0.5f / f32(_e235));
+            let _e244 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e251 = lt_math_LightPoint(vec2<f32>(_e244.uv.x, 0f), _e244.depth, _e244.is_inside);
+            let _e255 = lt_math_LightPoint(_e251.uv, 0f, _e251.is_inside);
+            phi_1300_ = lt_math_LightPoint();
+            phi_1303_ = 0u;
+            phi_1305_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e255.uv, _e255.depth, false));
             loop {
-                let _e259 = phi_1296_;
-                let _e261 = phi_1299_;
-                let _e263 = phi_1301_;
-                local_1 = _e263;
-                local_2 = _e263;
-                local_3 = _e263;
-                if (_e261 < _e68) {
-                    if _e263.point.is_inside {
-                        phi_1462_ = lt_math_LightPoint();
-                        phi_1463_ = u32();
-                        phi_1464_ = lt_math_LevelPoint();
-                        phi_1465_ = false;
+                let _e262 = phi_1300_;
+                let _e264 = phi_1303_;
+                let _e266 = phi_1305_;
+                local_1 = _e266;
+                local_2 = _e266;
+                local_3 = _e266;
+                if (_e264 < _e71) {
+                    if _e266.point.is_inside {
+                        phi_1466_ = lt_math_LightPoint();
+                        phi_1467_ = u32();
+                        phi_1468_ = lt_math_LevelPoint();
+                        phi_1469_ = false;
                     } else {
-                        if (_e261 < _e56) {
+                        if (_e264 < _e59) {
                         } else {
                             return;
                         }
-                        let _e274 = levels.member[(0u + _e261)].row_w;
-                        let _e285 = ((((_e274.x * _e230.x) + (_e274.y * _e230.y)) + (_e274.z * _e230.z)) + (_e274.w * 1f));
-                        let _e287 = levels.member[(0u + _e261)].row_x;
-                        let _e299 = (((((_e287.x * _e230.x) + (_e287.y * _e230.y)) + (_e287.z * _e230.z)) + (_e287.w * 1f)) / _e285);
-                        let _e301 = levels.member[(0u + _e261)].row_y;
-                        let _e313 = (((((_e301.x * _e230.x) + (_e301.y * _e230.y)) + (_e301.z * _e230.z)) + (_e301.w * 1f)) / _e285);
-                        let _e315 = levels.member[(0u + _e261)].row_z;
-                        let _e326 = ((((_e315.x * _e230.x) + (_e315.y * _e230.y)) + (_e315.z * _e230.z)) + (_e315.w * 1f));
-                        if (_e285 > 0f) {
-                            if (_e299 >= 0f) {
-                                phi_1387_ = (_e299 <= 1f);
+                        let _e277 = levels.member[(0u + _e264)].row_w;
+                        let _e288 = ((((_e277.x * _e233.x) + (_e277.y * _e233.y)) + (_e277.z * _e233.z)) + (_e277.w * 1f));
+                        let _e290 = levels.member[(0u + _e264)].row_x;
+                        let _e302 = (((((_e290.x * _e233.x) + (_e290.y * _e233.y)) + (_e290.z * _e233.z)) + (_e290.w * 1f)) / _e288);
+                        let _e304 = levels.member[(0u + _e264)].row_y;
+                        let _e316 = (((((_e304.x * _e233.x) + (_e304.y * _e233.y)) + (_e304.z * _e233.z)) + (_e304.w * 1f)) / _e288);
+                        let _e318 = levels.member[(0u + _e264)].row_z;
+                        let _e329 = ((((_e318.x * _e233.x) + (_e318.y * _e233.y)) + (_e318.z * _e233.z)) + (_e318.w * 1f));
+                        if (_e288 > 0f) {
+                            if (_e302 >= 0f) {
+                                phi_1391_ = (_e302 <= 1f);
                             } else {
-                                phi_1387_ = false;
+                                phi_1391_ = false;
                             }
-                            let _e331 = phi_1387_;
-                            if _e331 {
-                                if (_e313 >= 0f) {
-                                    phi_1396_ = (_e313 <= 1f);
+                            let _e334 = phi_1391_;
+                            if _e334 {
+                                if (_e316 >= 0f) {
+                                    phi_1400_ = (_e316 <= 1f);
                                 } else {
-                                    phi_1396_ = false;
+                                    phi_1400_ = false;
                                 }
-                                let _e335 = phi_1396_;
-                                if _e335 {
-                                    if (_e326 >= 0f) {
-                                        phi_1405_ = (_e326 <= 1f);
+                                let _e338 = phi_1400_;
+                                if _e338 {
+                                    if (_e329 >= 0f) {
+                                        phi_1409_ = (_e329 <= 1f);
                                     } else {
-                                        phi_1405_ = false;
+                                        phi_1409_ = false;
                                     }
-                                    let _e339 = phi_1405_;
-                                    phi_1406_ = _e339;
-                                    phi_1407_ = false;
+                                    let _e342 = phi_1409_;
+                                    phi_1410_ = _e342;
+                                    phi_1411_ = false;
                                 } else {
-                                    phi_1406_ = bool();
-                                    phi_1407_ = true;
+                                    phi_1410_ = bool();
+                                    phi_1411_ = true;
                                 }
-                                let _e341 = phi_1406_;
-                                let _e343 = phi_1407_;
-                                phi_1408_ = _e341;
-                                phi_1409_ = _e343;
+                                let _e344 = phi_1410_;
+                                let _e346 = phi_1411_;
+                                phi_1412_ = _e344;
+                                phi_1413_ = _e346;
                             } else {
-                                phi_1408_ = bool();
-                                phi_1409_ = true;
+                                phi_1412_ = bool();
+                                phi_1413_ = true;
                             }
-                            let _e345 = phi_1408_;
-                            let _e347 = phi_1409_;
-                            phi_1410_ = _e345;
-                            phi_1411_ = _e347;
+                            let _e348 = phi_1412_;
+                            let _e350 = phi_1413_;
+                            phi_1414_ = _e348;
+                            phi_1415_ = _e350;
                         } else {
-                            phi_1410_ = bool();
-                            phi_1411_ = true;
+                            phi_1414_ = bool();
+                            phi_1415_ = true;
                         }
-                        let _e349 = phi_1410_;
-                        let _e351 = phi_1411_;
-                        if _e351 {
-                            phi_1415_ = false;
+                        let _e352 = phi_1414_;
+                        let _e354 = phi_1415_;
+                        if _e354 {
+                            phi_1419_ = false;
                         } else {
-                            phi_1415_ = _e349;
+                            phi_1419_ = _e352;
                         }
-                        let _e353 = phi_1415_;
-                        if _e353 {
-                            if (_e299 >= _e234) {
-                                if (_e299 <= (1f - _e234)) {
-                                    if (_e313 >= _e234) {
-                                        phi_1442_ = (_e313 <= (1f - _e234));
-                                        phi_1443_ = false;
+                        let _e356 = phi_1419_;
+                        if _e356 {
+                            if (_e302 >= _e237) {
+                                if (_e302 <= (1f - _e237)) {
+                                    if (_e316 >= _e237) {
+                                        phi_1446_ = (_e316 <= (1f - _e237));
+                                        phi_1447_ = false;
                                     } else {
-                                        phi_1442_ = bool();
-                                        phi_1443_ = true;
+                                        phi_1446_ = bool();
+                                        phi_1447_ = true;
                                     }
-                                    let _e361 = phi_1442_;
-                                    let _e363 = phi_1443_;
-                                    phi_1444_ = _e361;
-                                    phi_1445_ = _e363;
+                                    let _e364 = phi_1446_;
+                                    let _e366 = phi_1447_;
+                                    phi_1448_ = _e364;
+                                    phi_1449_ = _e366;
                                 } else {
-                                    phi_1444_ = bool();
-                                    phi_1445_ = true;
+                                    phi_1448_ = bool();
+                                    phi_1449_ = true;
                                 }
-                                let _e365 = phi_1444_;
-                                let _e367 = phi_1445_;
-                                phi_1446_ = _e365;
-                                phi_1447_ = _e367;
+                                let _e368 = phi_1448_;
+                                let _e370 = phi_1449_;
+                                phi_1450_ = _e368;
+                                phi_1451_ = _e370;
                             } else {
-                                phi_1446_ = bool();
-                                phi_1447_ = true;
+                                phi_1450_ = bool();
+                                phi_1451_ = true;
                             }
-                            let _e369 = phi_1446_;
-                            let _e371 = phi_1447_;
-                            phi_1448_ = _e369;
-                            phi_1449_ = _e371;
+                            let _e372 = phi_1450_;
+                            let _e374 = phi_1451_;
+                            phi_1452_ = _e372;
+                            phi_1453_ = _e374;
                         } else {
-                            phi_1448_ = bool();
-                            phi_1449_ = true;
+                            phi_1452_ = bool();
+                            phi_1453_ = true;
                         }
-                        let _e373 = phi_1448_;
-                        let _e375 = phi_1449_;
-                        if _e375 {
-                            phi_1453_ = false;
+                        let _e376 = phi_1452_;
+                        let _e378 = phi_1453_;
+                        if _e378 {
+                            phi_1457_ = false;
                         } else {
-                            phi_1453_ = _e373;
+                            phi_1457_ = _e376;
                         }
-                        let _e377 = phi_1453_;
-                        let _e384 = lt_math_LightPoint(vec2<f32>(_e299, _e259.uv.y), _e259.depth, _e259.is_inside);
-                        let _e391 = lt_math_LightPoint(vec2<f32>(_e384.uv.x, _e313), _e384.depth, _e384.is_inside);
-                        let _e395 = lt_math_LightPoint(_e391.uv, _e326, _e391.is_inside);
-                        let _e399 = lt_math_LightPoint(_e395.uv, _e395.depth, _e377);
-                        phi_1462_ = _e399;
-                        phi_1463_ = (_e261 + 1u);
-                        phi_1464_ = lt_math_LevelPoint(_e261, _e399);
-                        phi_1465_ = true;
+                        let _e380 = phi_1457_;
+                        let _e387 = lt_math_LightPoint(vec2<f32>(_e302, _e262.uv.y), _e262.depth, _e262.is_inside);
+                        let _e394 = lt_math_LightPoint(vec2<f32>(_e387.uv.x, _e316), _e387.depth, _e387.is_inside);
+                        let _e398 = lt_math_LightPoint(_e394.uv, _e329, _e394.is_inside);
+                        let _e402 = lt_math_LightPoint(_e398.uv, _e398.depth, _e380);
+                        phi_1466_ = _e402;
+                        phi_1467_ = (_e264 + 1u);
+                        phi_1468_ = lt_math_LevelPoint(_e264, _e402);
+                        phi_1469_ = true;
                     }
-                    let _e403 = phi_1462_;
-                    let _e405 = phi_1463_;
-                    let _e407 = phi_1464_;
-                    let _e409 = phi_1465_;
-                    phi_1297_ = _e403;
-                    phi_1300_ = _e405;
-                    phi_1302_ = _e407;
-                    phi_1466_ = _e409;
+                    let _e406 = phi_1466_;
+                    let _e408 = phi_1467_;
+                    let _e410 = phi_1468_;
+                    let _e412 = phi_1469_;
+                    phi_1301_ = _e406;
+                    phi_1304_ = _e408;
+                    phi_1306_ = _e410;
+                    phi_1470_ = _e412;
                 } else {
-                    phi_1297_ = lt_math_LightPoint();
-                    phi_1300_ = u32();
-                    phi_1302_ = lt_math_LevelPoint();
-                    phi_1466_ = false;
+                    phi_1301_ = lt_math_LightPoint();
+                    phi_1304_ = u32();
+                    phi_1306_ = lt_math_LevelPoint();
+                    phi_1470_ = false;
                 }
-                let _e411 = phi_1297_;
-                let _e413 = phi_1300_;
-                let _e415 = phi_1302_;
-                let _e417 = phi_1466_;
+                let _e414 = phi_1301_;
+                let _e416 = phi_1304_;
+                let _e418 = phi_1306_;
+                let _e420 = phi_1470_;
                 continue;
                 continuing {
-                    phi_1296_ = _e411;
-                    phi_1299_ = _e413;
-                    phi_1301_ = _e415;
-                    break if !(_e417);
+                    phi_1300_ = _e414;
+                    phi_1303_ = _e416;
+                    phi_1305_ = _e418;
+                    break if !(_e420);
                 }
             }
-            let _e420 = local_1;
-            if _e420.point.is_inside {
+            let _e423 = local_1;
+            if _e423.point.is_inside {
                 if (0f > 0f) {
-                    let _e426 = local_2;
-                    if (_e426.level < _e56) {
+                    let _e429 = local_2;
+                    if (_e429.level < _e59) {
                     } else {
                         return;
                     }
-                    let _e431 = levels.member[(0u + _e426.level)];
-                    let _e437 = global[0u];
-                    if (_e431.row_w.x == _e437) {
-                        let _e440 = global[1u];
-                        if (_e431.row_w.y == _e440) {
-                            let _e443 = global[2u];
-                            phi_1506_ = (_e431.row_w.z == _e443);
-                            phi_1507_ = false;
+                    let _e434 = levels.member[(0u + _e429.level)];
+                    let _e440 = global[0u];
+                    if (_e434.row_w.x == _e440) {
+                        let _e443 = global[1u];
+                        if (_e434.row_w.y == _e443) {
+                            let _e446 = global[2u];
+                            phi_1510_ = (_e434.row_w.z == _e446);
+                            phi_1511_ = false;
                         } else {
-                            phi_1506_ = bool();
-                            phi_1507_ = true;
+                            phi_1510_ = bool();
+                            phi_1511_ = true;
                         }
-                        let _e446 = phi_1506_;
-                        let _e448 = phi_1507_;
-                        phi_1508_ = _e446;
-                        phi_1509_ = _e448;
+                        let _e449 = phi_1510_;
+                        let _e451 = phi_1511_;
+                        phi_1512_ = _e449;
+                        phi_1513_ = _e451;
                     } else {
-                        phi_1508_ = bool();
-                        phi_1509_ = true;
+                        phi_1512_ = bool();
+                        phi_1513_ = true;
                     }
-                    let _e450 = phi_1508_;
-                    let _e452 = phi_1509_;
-                    if _e452 {
-                        phi_1513_ = false;
+                    let _e453 = phi_1512_;
+                    let _e455 = phi_1513_;
+                    if _e455 {
+                        phi_1517_ = false;
                     } else {
-                        phi_1513_ = _e450;
+                        phi_1517_ = _e453;
                     }
-                    let _e454 = phi_1513_;
-                    if _e454 {
-                        let _e456 = samples.member[(0u + _e62.first_primitive)].normal;
-                        let _e458 = p.member.map_size;
-                        let _e528 = ((abs(((((_e431.row_x.x * _e456.x) + (_e431.row_x.y * _e456.y)) + (_e431.row_x.z * _e456.z)) / (((_e431.row_x.x * _e431.row_x.x) + (_e431.row_x.y * _e431.row_x.y)) + (_e431.row_x.z * _e431.row_x.z)))) + abs(((((_e431.row_y.x * _e456.x) + (_e431.row_y.y * _e456.y)) + (_e431.row_y.z * _e456.z)) / (((_e431.row_y.x * _e431.row_y.x) + (_e431.row_y.y * _e431.row_y.y)) + (_e431.row_y.z * _e431.row_y.z))))) / (abs(((((_e431.row_z.x * _e456.x) + (_e431.row_z.y * _e456.y)) + (_e431.row_z.z * _e456.z)) / (((_e431.row_z.x * _e431.row_z.x) + (_e431.row_z.y * _e431.row_z.y)) + (_e431.row_z.z * _e431.row_z.z)))) * f32(_e458)));
-                        if (_e528 < 0.002f) {
-                            phi_1595_ = _e528;
+                    let _e457 = phi_1517_;
+                    if _e457 {
+                        let _e459 = samples.member[(0u + _e65.first_primitive)].normal;
+                        let _e461 = p.member.map_size;
+                        let _e531 = ((abs(((((_e434.row_x.x * _e459.x) + (_e434.row_x.y * _e459.y)) + (_e434.row_x.z * _e459.z)) / (((_e434.row_x.x * _e434.row_x.x) + (_e434.row_x.y * _e434.row_x.y)) + (_e434.row_x.z * _e434.row_x.z)))) + abs(((((_e434.row_y.x * _e459.x) + (_e434.row_y.y * _e459.y)) + (_e434.row_y.z * _e459.z)) / (((_e434.row_y.x * _e434.row_y.x) + (_e434.row_y.y * _e434.row_y.y)) + (_e434.row_y.z * _e434.row_y.z))))) / (abs(((((_e434.row_z.x * _e459.x) + (_e434.row_z.y * _e459.y)) + (_e434.row_z.z * _e459.z)) / (((_e434.row_z.x * _e434.row_z.x) + (_e434.row_z.y * _e434.row_z.y)) + (_e434.row_z.z * _e434.row_z.z)))) * f32(_e461)));
+                        if (_e531 < 0.002f) {
+                            phi_1599_ = _e531;
                         } else {
-                            phi_1595_ = 0.002f;
+                            phi_1599_ = 0.002f;
                         }
-                        let _e531 = phi_1595_;
-                        phi_1714_ = _e531;
+                        let _e534 = phi_1599_;
+                        phi_1718_ = _e534;
                     } else {
-                        let _e533 = p.member.map_size;
-                        let _e539 = samples.member[(0u + _e62.first_primitive)].position;
-                        let _e550 = ((((_e431.row_w.x * _e539.x) + (_e431.row_w.y * _e539.y)) + (_e431.row_w.z * _e539.z)) + _e431.row_w.w);
-                        let _e563 = ((_e431.row_x.x - (_e431.row_w.x * _e420.point.uv.x)) / _e550);
-                        let _e564 = ((_e431.row_x.y - (_e431.row_w.y * _e420.point.uv.x)) / _e550);
-                        let _e565 = ((_e431.row_x.z - (_e431.row_w.z * _e420.point.uv.x)) / _e550);
-                        let _e578 = ((_e431.row_y.x - (_e431.row_w.x * _e420.point.uv.y)) / _e550);
-                        let _e579 = ((_e431.row_y.y - (_e431.row_w.y * _e420.point.uv.y)) / _e550);
-                        let _e580 = ((_e431.row_y.z - (_e431.row_w.z * _e420.point.uv.y)) / _e550);
-                        let _e586 = samples.member[(0u + _e62.first_primitive)].normal;
-                        let _e591 = ((_e579 * _e586.z) - (_e586.y * _e580));
-                        let _e596 = ((_e580 * _e586.x) - (_e586.z * _e578));
-                        let _e601 = ((_e578 * _e586.y) - (_e586.x * _e579));
-                        let _e603 = samples.member[(0u + _e62.first_primitive)].normal;
-                        let _e608 = ((_e564 * _e603.z) - (_e603.y * _e565));
-                        let _e613 = ((_e565 * _e603.x) - (_e603.z * _e563));
-                        let _e618 = ((_e563 * _e603.y) - (_e603.x * _e564));
-                        let _e645 = ((abs(((((_e431.row_z.x * _e591) + (_e431.row_z.y * _e596)) + (_e431.row_z.z * _e601)) / (((_e563 * _e591) + (_e564 * _e596)) + (_e565 * _e601)))) + abs(((((_e431.row_z.x * _e608) + (_e431.row_z.y * _e613)) + (_e431.row_z.z * _e618)) / (((_e578 * _e608) + (_e579 * _e613)) + (_e580 * _e618))))) / f32(_e533));
-                        let _e647 = (16f / f32(_e533));
-                        if (_e645 < _e647) {
-                            phi_1713_ = _e645;
+                        let _e536 = p.member.map_size;
+                        let _e542 = samples.member[(0u + _e65.first_primitive)].position;
+                        let _e553 = ((((_e434.row_w.x * _e542.x) + (_e434.row_w.y * _e542.y)) + (_e434.row_w.z * _e542.z)) + _e434.row_w.w);
+                        let _e566 = ((_e434.row_x.x - (_e434.row_w.x * _e423.point.uv.x)) / _e553);
+                        let _e567 = ((_e434.row_x.y - (_e434.row_w.y * _e423.point.uv.x)) / _e553);
+                        let _e568 = ((_e434.row_x.z - (_e434.row_w.z * _e423.point.uv.x)) / _e553);
+                        let _e581 = ((_e434.row_y.x - (_e434.row_w.x * _e423.point.uv.y)) / _e553);
+                        let _e582 = ((_e434.row_y.y - (_e434.row_w.y * _e423.point.uv.y)) / _e553);
+                        let _e583 = ((_e434.row_y.z - (_e434.row_w.z * _e423.point.uv.y)) / _e553);
+                        let _e589 = samples.member[(0u + _e65.first_primitive)].normal;
+                        let _e594 = ((_e582 * _e589.z) - (_e589.y * _e583));
+                        let _e599 = ((_e583 * _e589.x) - (_e589.z * _e581));
+                        let _e604 = ((_e581 * _e589.y) - (_e589.x * _e582));
+                        let _e606 = samples.member[(0u + _e65.first_primitive)].normal;
+                        let _e611 = ((_e567 * _e606.z) - (_e606.y * _e568));
+                        let _e616 = ((_e568 * _e606.x) - (_e606.z * _e566));
+                        let _e621 = ((_e566 * _e606.y) - (_e606.x * _e567));
+                        let _e648 = ((abs(((((_e434.row_z.x * _e594) + (_e434.row_z.y * _e599)) + (_e434.row_z.z * _e604)) / (((_e566 * _e594) + (_e567 * _e599)) + (_e568 * _e604)))) + abs(((((_e434.row_z.x * _e611) + (_e434.row_z.y * _e616)) + (_e434.row_z.z * _e621)) / (((_e581 * _e611) + (_e582 * _e616)) + (_e583 * _e621))))) / f32(_e536));
+                        let _e650 = (16f / f32(_e536));
+                        if (_e648 < _e650) {
+                            phi_1717_ = _e648;
                         } else {
-                            phi_1713_ = _e647;
+                            phi_1717_ = _e650;
                         }
-                        let _e650 = phi_1713_;
-                        phi_1714_ = _e650;
+                        let _e653 = phi_1717_;
+                        phi_1718_ = _e653;
                     }
-                    let _e652 = phi_1714_;
-                    phi_1717_ = (_e420.point.depth - (0f * _e652));
+                    let _e655 = phi_1718_;
+                    phi_1721_ = (_e423.point.depth - (0f * _e655));
                 } else {
-                    phi_1717_ = _e420.point.depth;
+                    phi_1721_ = _e423.point.depth;
                 }
-                let _e656 = phi_1717_;
-                let _e662 = p.member.map_size;
-                let _e663 = f32(_e662);
-                let _e666 = ((_e420.point.uv.x * _e663) - 0.5f);
-                let _e667 = ((_e420.point.uv.y * _e663) - 0.5f);
-                if (_e666 > -8388608f) {
-                    let _e679 = f32(select(0i, select(select(i32(_e666), i32(-2147483648), (_e666 < bitcast<f32>(3472883712u))), 2147483647i, (_e666 > bitcast<f32>(1325400063u))), (_e666 == _e666)));
-                    if (_e679 > _e666) {
-                        phi_1746_ = 1f;
+                let _e659 = phi_1721_;
+                let _e665 = p.member.map_size;
+                let _e666 = f32(_e665);
+                let _e669 = ((_e423.point.uv.x * _e666) - 0.5f);
+                let _e670 = ((_e423.point.uv.y * _e666) - 0.5f);
+                if (_e669 > -8388608f) {
+                    let _e682 = f32(select(0i, select(select(i32(_e669), i32(-2147483648), (_e669 < bitcast<f32>(3472883712u))), 2147483647i, (_e669 > bitcast<f32>(1325400063u))), (_e669 == _e669)));
+                    if (_e682 > _e669) {
+                        phi_1750_ = 1f;
                     } else {
-                        phi_1746_ = 0f;
+                        phi_1750_ = 0f;
                     }
-                    let _e682 = phi_1746_;
-                    if (_e666 < 8388608f) {
-                        phi_1751_ = (_e679 - _e682);
-                        phi_1752_ = false;
+                    let _e685 = phi_1750_;
+                    if (_e669 < 8388608f) {
+                        phi_1755_ = (_e682 - _e685);
+                        phi_1756_ = false;
                     } else {
-                        phi_1751_ = f32();
-                        phi_1752_ = true;
+                        phi_1755_ = f32();
+                        phi_1756_ = true;
                     }
-                    let _e685 = phi_1751_;
-                    let _e687 = phi_1752_;
-                    phi_1753_ = _e685;
-                    phi_1754_ = _e687;
+                    let _e688 = phi_1755_;
+                    let _e690 = phi_1756_;
+                    phi_1757_ = _e688;
+                    phi_1758_ = _e690;
                 } else {
-                    phi_1753_ = f32();
-                    phi_1754_ = true;
+                    phi_1757_ = f32();
+                    phi_1758_ = true;
                 }
-                let _e689 = phi_1753_;
-                let _e691 = phi_1754_;
-                if _e691 {
-                    phi_1758_ = _e666;
+                let _e692 = phi_1757_;
+                let _e694 = phi_1758_;
+                if _e694 {
+                    phi_1762_ = _e669;
                 } else {
-                    phi_1758_ = _e689;
+                    phi_1762_ = _e692;
                 }
-                let _e693 = phi_1758_;
-                if (_e667 > -8388608f) {
-                    let _e705 = f32(select(0i, select(select(i32(_e667), i32(-2147483648), (_e667 < bitcast<f32>(3472883712u))), 2147483647i, (_e667 > bitcast<f32>(1325400063u))), (_e667 == _e667)));
-                    if (_e705 > _e667) {
-                        phi_1778_ = 1f;
+                let _e696 = phi_1762_;
+                if (_e670 > -8388608f) {
+                    let _e708 = f32(select(0i, select(select(i32(_e670), i32(-2147483648), (_e670 < bitcast<f32>(3472883712u))), 2147483647i, (_e670 > bitcast<f32>(1325400063u))), (_e670 == _e670)));
+                    if (_e708 > _e670) {
+                        phi_1782_ = 1f;
                     } else {
-                        phi_1778_ = 0f;
+                        phi_1782_ = 0f;
                     }
-                    let _e708 = phi_1778_;
-                    if (_e667 < 8388608f) {
-                        phi_1783_ = (_e705 - _e708);
-                        phi_1784_ = false;
+                    let _e711 = phi_1782_;
+                    if (_e670 < 8388608f) {
+                        phi_1787_ = (_e708 - _e711);
+                        phi_1788_ = false;
                     } else {
-                        phi_1783_ = f32();
-                        phi_1784_ = true;
+                        phi_1787_ = f32();
+                        phi_1788_ = true;
                     }
-                    let _e711 = phi_1783_;
-                    let _e713 = phi_1784_;
-                    phi_1785_ = _e711;
-                    phi_1786_ = _e713;
+                    let _e714 = phi_1787_;
+                    let _e716 = phi_1788_;
+                    phi_1789_ = _e714;
+                    phi_1790_ = _e716;
                 } else {
-                    phi_1785_ = f32();
-                    phi_1786_ = true;
+                    phi_1789_ = f32();
+                    phi_1790_ = true;
                 }
-                let _e715 = phi_1785_;
-                let _e717 = phi_1786_;
-                if _e717 {
-                    phi_1790_ = _e667;
+                let _e718 = phi_1789_;
+                let _e720 = phi_1790_;
+                if _e720 {
+                    phi_1794_ = _e670;
                 } else {
-                    phi_1790_ = _e715;
+                    phi_1794_ = _e718;
                 }
-                let _e719 = phi_1790_;
-                let _e720 = (_e666 - _e693);
-                let _e721 = (_e667 - _e719);
-                let _e730 = select(0i, select(select(i32(_e693), i32(-2147483648), (_e693 < bitcast<f32>(3472883712u))), 2147483647i, (_e693 > bitcast<f32>(1325400063u))), (_e693 == _e693));
-                let _e739 = select(0i, select(select(i32(_e719), i32(-2147483648), (_e719 < bitcast<f32>(3472883712u))), 2147483647i, (_e719 > bitcast<f32>(1325400063u))), (_e719 == _e719));
-                let _e750 = p.member.test;
-                let _e751 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e750);
-                let _e753 = p.member.map_size;
-                let _e755 = local_3;
-                local = _e751;
-                let _e758 = ((_e755.level * _e753) * _e753);
-                let _e760 = (bitcast<i32>(_e753) - 1i);
-                if (_e730 > 0i) {
-                    phi_1839_ = _e730;
+                let _e722 = phi_1794_;
+                let _e723 = (_e669 - _e696);
+                let _e724 = (_e670 - _e722);
+                let _e733 = select(0i, select(select(i32(_e696), i32(-2147483648), (_e696 < bitcast<f32>(3472883712u))), 2147483647i, (_e696 > bitcast<f32>(1325400063u))), (_e696 == _e696));
+                let _e742 = select(0i, select(select(i32(_e722), i32(-2147483648), (_e722 < bitcast<f32>(3472883712u))), 2147483647i, (_e722 > bitcast<f32>(1325400063u))), (_e722 == _e722));
+                let _e753 = p.member.test;
+                let _e754 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e753);
+                let _e756 = p.member.map_size;
+                let _e758 = local_3;
+                local = _e754;
+                let _e761 = ((_e758.level * _e756) * _e756);
+                let _e763 = (bitcast<i32>(_e756) - 1i);
+                if (_e733 > 0i) {
+                    phi_1843_ = _e733;
                 } else {
-                    phi_1839_ = 0i;
+                    phi_1843_ = 0i;
                 }
-                let _e763 = phi_1839_;
-                if (_e739 > 0i) {
-                    phi_1844_ = _e739;
+                let _e766 = phi_1843_;
+                if (_e742 > 0i) {
+                    phi_1848_ = _e742;
                 } else {
-                    phi_1844_ = 0i;
+                    phi_1848_ = 0i;
                 }
-                let _e766 = phi_1844_;
-                if (_e763 < _e760) {
-                    phi_1849_ = _e763;
+                let _e769 = phi_1848_;
+                if (_e766 < _e763) {
+                    phi_1853_ = _e766;
                 } else {
-                    phi_1849_ = _e760;
+                    phi_1853_ = _e763;
                 }
-                let _e769 = phi_1849_;
-                if (_e766 < _e760) {
-                    phi_1854_ = _e766;
+                let _e772 = phi_1853_;
+                if (_e769 < _e763) {
+                    phi_1858_ = _e769;
                 } else {
-                    phi_1854_ = _e760;
+                    phi_1858_ = _e763;
                 }
-                let _e772 = phi_1854_;
-                let _e773 = bitcast<u32>(_e769);
-                let _e775 = (_e730 + 1i);
-                let _e776 = (_e739 + 1i);
-                if (_e775 > 0i) {
-                    phi_1863_ = _e775;
+                let _e775 = phi_1858_;
+                let _e776 = bitcast<u32>(_e772);
+                let _e778 = (_e733 + 1i);
+                let _e779 = (_e742 + 1i);
+                if (_e778 > 0i) {
+                    phi_1867_ = _e778;
                 } else {
-                    phi_1863_ = 0i;
+                    phi_1867_ = 0i;
                 }
-                let _e779 = phi_1863_;
-                if (_e776 > 0i) {
-                    phi_1868_ = _e776;
+                let _e782 = phi_1867_;
+                if (_e779 > 0i) {
+                    phi_1872_ = _e779;
                 } else {
-                    phi_1868_ = 0i;
+                    phi_1872_ = 0i;
                 }
-                let _e782 = phi_1868_;
-                if (_e779 < _e760) {
-                    phi_1873_ = _e779;
+                let _e785 = phi_1872_;
+                if (_e782 < _e763) {
+                    phi_1877_ = _e782;
                 } else {
-                    phi_1873_ = _e760;
+                    phi_1877_ = _e763;
                 }
-                let _e785 = phi_1873_;
-                if (_e782 < _e760) {
-                    phi_1878_ = _e782;
+                let _e788 = phi_1877_;
+                if (_e785 < _e763) {
+                    phi_1882_ = _e785;
                 } else {
-                    phi_1878_ = _e760;
+                    phi_1882_ = _e763;
                 }
-                let _e788 = phi_1878_;
-                let _e789 = bitcast<u32>(_e785);
-                let _e791 = (bitcast<u32>(_e772) * _e753);
-                let _e792 = (bitcast<u32>(_e788) * _e753);
-                let _e797 = ((_e791 + _e773) + _e758);
-                let _e798 = ((_e791 + _e789) + _e758);
-                let _e799 = ((_e792 + _e773) + _e758);
-                let _e800 = ((_e792 + _e789) + _e758);
-                if (_e797 < _e50) {
+                let _e791 = phi_1882_;
+                let _e792 = bitcast<u32>(_e788);
+                let _e794 = (bitcast<u32>(_e775) * _e756);
+                let _e795 = (bitcast<u32>(_e791) * _e756);
+                let _e800 = ((_e794 + _e776) + _e761);
+                let _e801 = ((_e794 + _e792) + _e761);
+                let _e802 = ((_e795 + _e776) + _e761);
+                let _e803 = ((_e795 + _e792) + _e761);
+                if (_e800 < _e53) {
                 } else {
                     return;
                 }
-                let _e804 = map.member[(0u + _e797)];
-                if (_e798 < _e50) {
+                let _e807 = map.member[(0u + _e800)];
+                if (_e801 < _e53) {
                 } else {
                     return;
                 }
-                let _e808 = map.member[(0u + _e798)];
-                if (_e799 < _e50) {
+                let _e811 = map.member[(0u + _e801)];
+                if (_e802 < _e53) {
                 } else {
                     return;
                 }
-                let _e812 = map.member[(0u + _e799)];
-                if (_e800 < _e50) {
+                let _e815 = map.member[(0u + _e802)];
+                if (_e803 < _e53) {
                 } else {
                     return;
                 }
-                let _e816 = map.member[(0u + _e800)];
-                let _e818 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e804, _e808, _e812, _e816), vec4<f32>(((1f - _e720) * (1f - _e721)), (_e720 * (1f - _e721)), ((1f - _e720) * _e721), (_e720 * _e721)), _e656);
-                let _e820 = p.member.epsilon;
-                if (_e818 <= _e820) {
-                    phi_1929_ = true;
+                let _e819 = map.member[(0u + _e803)];
+                let _e821 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e807, _e811, _e815, _e819), vec4<f32>(((1f - _e723) * (1f - _e724)), (_e723 * (1f - _e724)), ((1f - _e723) * _e724), (_e723 * _e724)), _e659);
+                let _e825 = p.member.epsilon;
+                if (_e821 <= _e825) {
+                    phi_1935_ = true;
                 } else {
-                    phi_1929_ = (_e818 >= (1f - _e820));
+                    phi_1935_ = (_e821 >= (1f - _e825));
                 }
-                let _e825 = phi_1929_;
-                if ((bitcast<u32>(_e818) & 2147483647u) > 2139095040u) {
-                    phi_1937_ = true;
+                let _e830 = phi_1935_;
+                if ((bitcast<u32>(_e821) & 2147483647u) > 2139095040u) {
+                    phi_1943_ = true;
                 } else {
-                    phi_1937_ = !(_e825);
+                    phi_1943_ = !(_e830);
                 }
-                let _e831 = phi_1937_;
-                if _e831 {
-                    if (_e818 > 0f) {
-                        if (_e818 < 1f) {
-                            phi_1949_ = false;
+                let _e836 = phi_1943_;
+                if _e836 {
+                    if (_e821 > 0f) {
+                        if (_e821 < 1f) {
+                            phi_1955_ = false;
                         } else {
-                            phi_1949_ = true;
+                            phi_1955_ = true;
                         }
-                        let _e835 = phi_1949_;
-                        phi_1950_ = _e835;
+                        let _e840 = phi_1955_;
+                        phi_1956_ = _e840;
                     } else {
-                        phi_1950_ = true;
+                        phi_1956_ = true;
                     }
-                    let _e837 = phi_1950_;
-                    if _e837 {
-                        phi_1954_ = 0.5f;
+                    let _e842 = phi_1956_;
+                    if _e842 {
+                        phi_1960_ = 0.5f;
                     } else {
-                        phi_1954_ = _e818;
+                        phi_1960_ = _e821;
                     }
-                    let _e839 = phi_1954_;
-                    phi_1962_ = evaluate_Verdict(_e839, true);
+                    let _e844 = phi_1960_;
+                    phi_1968_ = evaluate_Verdict(_e844, true);
                 } else {
-                    if (_e818 > 0.5f) {
-                        phi_1960_ = 1f;
+                    if (_e821 > 0.5f) {
+                        phi_1966_ = 1f;
                     } else {
-                        phi_1960_ = 0f;
+                        phi_1966_ = 0f;
                     }
-                    let _e843 = phi_1960_;
-                    phi_1962_ = evaluate_Verdict(_e843, false);
+                    let _e848 = phi_1966_;
+                    phi_1968_ = evaluate_Verdict(_e848, false);
                 }
-                let _e846 = phi_1962_;
-                phi_1967_ = evaluate_Verdict(_e846.visibility, _e846.is_doubted);
+                let _e851 = phi_1968_;
+                let _e854 = (_e851.visibility < 0.5f);
+                if _e851.is_doubted {
+                    phi_1991_ = evaluate_Verdict();
+                    phi_1992_ = true;
+                } else {
+                    if _e854 {
+                        phi_1978_ = 2u;
+                    } else {
+                        phi_1978_ = 1u;
+                    }
+                    let _e856 = phi_1978_;
+                    if ((0u & _e856) != 0u) {
+                        if _e854 {
+                            phi_1987_ = 0.000000059604645f;
+                        } else {
+                            phi_1987_ = 0.99999994f;
+                        }
+                        let _e860 = phi_1987_;
+                        phi_1989_ = evaluate_Verdict(_e860, true);
+                        phi_1990_ = false;
+                    } else {
+                        phi_1989_ = evaluate_Verdict();
+                        phi_1990_ = true;
+                    }
+                    let _e863 = phi_1989_;
+                    let _e865 = phi_1990_;
+                    phi_1991_ = _e863;
+                    phi_1992_ = _e865;
+                }
+                let _e867 = phi_1991_;
+                let _e869 = phi_1992_;
+                if _e869 {
+                    phi_1997_ = evaluate_Verdict(_e851.visibility, _e851.is_doubted);
+                } else {
+                    phi_1997_ = _e867;
+                }
+                let _e872 = phi_1997_;
+                phi_2002_ = evaluate_Verdict(_e872.visibility, _e872.is_doubted);
             } else {
-                phi_1967_ = evaluate_Verdict(0.5f, true);
+                phi_2002_ = evaluate_Verdict(0.5f, true);
             }
-            let _e852 = phi_1967_;
-            phi_1968_ = _e852;
+            let _e878 = phi_2002_;
+            phi_2003_ = _e878;
         }
-        let _e854 = phi_1968_;
-        if (_e62.first_primitive < arrayLength((&visibility.member))) {
+        let _e880 = phi_2003_;
+        if (_e65.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e62.first_primitive)] = _e854.visibility;
+        visibility.member[(0u + _e65.first_primitive)] = _e880.visibility;
     }
     return;
 }

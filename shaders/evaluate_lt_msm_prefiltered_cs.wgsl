@@ -84,37 +84,37 @@ var<storage, read_write> visibility: type_19;
 var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_137_: lt_bvh_traverse_Tree;
-    var phi_138_: bool;
-    var phi_139_: lt_bvh_traverse_Tree;
-    var phi_140_: bool;
-    var phi_145_: lt_bvh_traverse_Tree;
+    var phi_141_: lt_bvh_traverse_Tree;
+    var phi_142_: bool;
+    var phi_143_: lt_bvh_traverse_Tree;
+    var phi_144_: bool;
+    var phi_149_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_137_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_138_ = false;
+            phi_141_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_142_ = false;
         } else {
-            phi_137_ = lt_bvh_traverse_Tree();
-            phi_138_ = true;
+            phi_141_ = lt_bvh_traverse_Tree();
+            phi_142_ = true;
         }
-        let _e47 = phi_137_;
-        let _e49 = phi_138_;
-        phi_139_ = _e47;
-        phi_140_ = _e49;
+        let _e50 = phi_141_;
+        let _e52 = phi_142_;
+        phi_143_ = _e50;
+        phi_144_ = _e52;
     } else {
-        phi_139_ = lt_bvh_traverse_Tree();
-        phi_140_ = true;
+        phi_143_ = lt_bvh_traverse_Tree();
+        phi_144_ = true;
     }
-    let _e51 = phi_139_;
-    let _e53 = phi_140_;
-    if _e53 {
-        phi_145_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e54 = phi_143_;
+    let _e56 = phi_144_;
+    if _e56 {
+        phi_149_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_145_ = _e51;
+        phi_149_ = _e54;
     }
-    let _e58 = phi_145_;
-    return lt_bvh_traverse_Tree(_e58.root, _e58.first_primitive);
+    let _e61 = phi_149_;
+    return lt_bvh_traverse_Tree(_e61.root, _e61.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -122,625 +122,669 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_194_: f32;
-    var phi_195_: f32;
-    var phi_196_: f32;
-    var phi_202_: bool;
-    var phi_224_: f32;
-    var phi_225_: f32;
-    var phi_226_: f32;
-    var phi_227_: f32;
-    var phi_228_: bool;
+    var phi_198_: f32;
+    var phi_199_: f32;
+    var phi_200_: f32;
+    var phi_206_: bool;
+    var phi_228_: f32;
     var phi_229_: f32;
-    var phi_230_: bool;
-    var phi_268_: vec2<f32>;
-    var phi_302_: f32;
-    var phi_303_: f32;
-    var phi_304_: f32;
-    var phi_333_: f32;
-    var phi_334_: f32;
-    var phi_335_: f32;
+    var phi_230_: f32;
+    var phi_231_: f32;
+    var phi_232_: bool;
+    var phi_233_: f32;
+    var phi_234_: bool;
+    var phi_272_: vec2<f32>;
+    var phi_306_: f32;
+    var phi_307_: f32;
+    var phi_308_: f32;
+    var phi_337_: f32;
+    var phi_338_: f32;
     var phi_339_: f32;
-    var phi_340_: f32;
-    var phi_341_: f32;
-    var phi_342_: f32;
+    var phi_343_: f32;
+    var phi_344_: f32;
+    var phi_345_: f32;
+    var phi_346_: f32;
 
-    let _e37 = (*param_4);
-    let _e38 = (1f - _e37);
-    let _e47 = (0.5f * _e37);
-    let _e48 = ((param_5.x * _e38) + _e47);
-    let _e49 = ((param_5.y * _e38) + _e47);
-    let _e51 = ((param_5.w * _e38) + _e47);
-    let _e53 = (_e49 - (_e48 * _e48));
-    let _e55 = (((param_5.z * _e38) + _e47) - (_e48 * _e49));
+    let _e40 = (*param_4);
+    let _e41 = (1f - _e40);
+    let _e50 = (0.5f * _e40);
+    let _e51 = ((param_5.x * _e41) + _e50);
+    let _e52 = ((param_5.y * _e41) + _e50);
+    let _e54 = ((param_5.w * _e41) + _e50);
+    let _e56 = (_e52 - (_e51 * _e51));
+    let _e58 = (((param_5.z * _e41) + _e50) - (_e51 * _e52));
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_196_ = param_6;
+        phi_200_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_195_ = 0f;
+            phi_199_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_194_ = 1f;
+                phi_198_ = 1f;
             } else {
-                phi_194_ = param_6;
+                phi_198_ = param_6;
             }
-            let _e67 = phi_194_;
-            phi_195_ = _e67;
+            let _e70 = phi_198_;
+            phi_199_ = _e70;
         }
-        let _e69 = phi_195_;
-        phi_196_ = _e69;
+        let _e72 = phi_199_;
+        phi_200_ = _e72;
     }
-    let _e71 = phi_196_;
-    if (_e48 == _e51) {
-        phi_202_ = (_e48 > 0.5f);
+    let _e74 = phi_200_;
+    if (_e51 == _e54) {
+        phi_206_ = (_e51 > 0.5f);
     } else {
-        phi_202_ = false;
+        phi_206_ = false;
     }
-    let _e75 = phi_202_;
-    if _e75 {
-        if (_e71 > 0f) {
-            if ((bitcast<u32>(_e48) & 2147483647u) > 2139095040u) {
-                phi_226_ = _e48;
+    let _e78 = phi_206_;
+    if _e78 {
+        if (_e74 > 0f) {
+            if ((bitcast<u32>(_e51) & 2147483647u) > 2139095040u) {
+                phi_230_ = _e51;
             } else {
-                if (_e48 < 0f) {
-                    phi_225_ = 0f;
+                if (_e51 < 0f) {
+                    phi_229_ = 0f;
                 } else {
-                    if (_e48 > 1f) {
-                        phi_224_ = 1f;
+                    if (_e51 > 1f) {
+                        phi_228_ = 1f;
                     } else {
-                        phi_224_ = _e48;
+                        phi_228_ = _e51;
                     }
-                    let _e83 = phi_224_;
-                    phi_225_ = _e83;
+                    let _e86 = phi_228_;
+                    phi_229_ = _e86;
                 }
-                let _e85 = phi_225_;
-                phi_226_ = _e85;
+                let _e88 = phi_229_;
+                phi_230_ = _e88;
             }
-            let _e87 = phi_226_;
-            phi_227_ = _e87;
-            phi_228_ = false;
+            let _e90 = phi_230_;
+            phi_231_ = _e90;
+            phi_232_ = false;
         } else {
-            phi_227_ = f32();
-            phi_228_ = true;
+            phi_231_ = f32();
+            phi_232_ = true;
         }
-        let _e89 = phi_227_;
-        let _e91 = phi_228_;
-        phi_229_ = _e89;
-        phi_230_ = _e91;
+        let _e92 = phi_231_;
+        let _e94 = phi_232_;
+        phi_233_ = _e92;
+        phi_234_ = _e94;
     } else {
-        phi_229_ = f32();
-        phi_230_ = true;
+        phi_233_ = f32();
+        phi_234_ = true;
     }
-    let _e93 = phi_229_;
-    let _e95 = phi_230_;
-    if _e95 {
-        let _e96 = (_e55 / _e53);
-        let _e97 = (_e71 - _e48);
-        let _e103 = (((((_e71 * _e71) - _e49) - (_e96 * _e97)) * _e53) / (((_e51 - (_e49 * _e49)) * _e53) - (_e55 * _e55)));
-        let _e106 = ((_e97 / _e53) - (_e96 * _e103));
-        let _e112 = ((0.5f * _e106) / _e103);
-        let _e115 = ((_e112 * _e112) - (((1f - (_e106 * _e48)) - (_e103 * _e49)) / _e103));
-        if (_e115 >= 0f) {
-            let _e117 = sqrt(_e115);
-            phi_268_ = vec2<f32>((-(_e112) - _e117), (-(_e112) + _e117));
+    let _e96 = phi_233_;
+    let _e98 = phi_234_;
+    if _e98 {
+        let _e99 = (_e58 / _e56);
+        let _e100 = (_e74 - _e51);
+        let _e106 = (((((_e74 * _e74) - _e52) - (_e99 * _e100)) * _e56) / (((_e54 - (_e52 * _e52)) * _e56) - (_e58 * _e58)));
+        let _e109 = ((_e100 / _e56) - (_e99 * _e106));
+        let _e115 = ((0.5f * _e109) / _e106);
+        let _e118 = ((_e115 * _e115) - (((1f - (_e109 * _e51)) - (_e106 * _e52)) / _e106));
+        if (_e118 >= 0f) {
+            let _e120 = sqrt(_e118);
+            phi_272_ = vec2<f32>((-(_e115) - _e120), (-(_e115) + _e120));
         } else {
-            phi_268_ = vec2(bitcast<f32>((bitcast<u32>(_e115) | 2143289344u)));
+            phi_272_ = vec2(bitcast<f32>((bitcast<u32>(_e118) | 2143289344u)));
         }
-        let _e128 = phi_268_;
-        if (_e71 <= _e128.x) {
-            phi_341_ = 1f;
+        let _e131 = phi_272_;
+        if (_e74 <= _e131.x) {
+            phi_345_ = 1f;
         } else {
-            if (_e71 > _e128.y) {
-                let _e141 = (((_e49 - (_e48 * (_e128.x + _e128.y))) + (_e128.x * _e128.y)) / ((_e71 - _e128.x) * (_e71 - _e128.y)));
-                if ((bitcast<u32>(_e141) & 2147483647u) > 2139095040u) {
-                    phi_304_ = _e141;
+            if (_e74 > _e131.y) {
+                let _e144 = (((_e52 - (_e51 * (_e131.x + _e131.y))) + (_e131.x * _e131.y)) / ((_e74 - _e131.x) * (_e74 - _e131.y)));
+                if ((bitcast<u32>(_e144) & 2147483647u) > 2139095040u) {
+                    phi_308_ = _e144;
                 } else {
-                    if (_e141 < 0f) {
-                        phi_303_ = 0f;
+                    if (_e144 < 0f) {
+                        phi_307_ = 0f;
                     } else {
-                        if (_e141 > 1f) {
-                            phi_302_ = 1f;
+                        if (_e144 > 1f) {
+                            phi_306_ = 1f;
                         } else {
-                            phi_302_ = _e141;
+                            phi_306_ = _e144;
                         }
-                        let _e148 = phi_302_;
-                        phi_303_ = _e148;
+                        let _e151 = phi_306_;
+                        phi_307_ = _e151;
                     }
-                    let _e150 = phi_303_;
-                    phi_304_ = _e150;
+                    let _e153 = phi_307_;
+                    phi_308_ = _e153;
                 }
-                let _e152 = phi_304_;
-                phi_340_ = _e152;
+                let _e155 = phi_308_;
+                phi_344_ = _e155;
             } else {
-                if (_e71 > _e128.x) {
-                    let _e163 = (1f - (((_e49 - (_e48 * (_e71 + _e128.y))) + (_e71 * _e128.y)) / ((_e128.x - _e71) * (_e128.x - _e128.y))));
-                    if ((bitcast<u32>(_e163) & 2147483647u) > 2139095040u) {
-                        phi_335_ = _e163;
+                if (_e74 > _e131.x) {
+                    let _e166 = (1f - (((_e52 - (_e51 * (_e74 + _e131.y))) + (_e74 * _e131.y)) / ((_e131.x - _e74) * (_e131.x - _e131.y))));
+                    if ((bitcast<u32>(_e166) & 2147483647u) > 2139095040u) {
+                        phi_339_ = _e166;
                     } else {
-                        if (_e163 < 0f) {
-                            phi_334_ = 0f;
+                        if (_e166 < 0f) {
+                            phi_338_ = 0f;
                         } else {
-                            if (_e163 > 1f) {
-                                phi_333_ = 1f;
+                            if (_e166 > 1f) {
+                                phi_337_ = 1f;
                             } else {
-                                phi_333_ = _e163;
+                                phi_337_ = _e166;
                             }
-                            let _e170 = phi_333_;
-                            phi_334_ = _e170;
+                            let _e173 = phi_337_;
+                            phi_338_ = _e173;
                         }
-                        let _e172 = phi_334_;
-                        phi_335_ = _e172;
+                        let _e175 = phi_338_;
+                        phi_339_ = _e175;
                     }
-                    let _e174 = phi_335_;
-                    phi_339_ = _e174;
+                    let _e177 = phi_339_;
+                    phi_343_ = _e177;
                 } else {
-                    phi_339_ = bitcast<f32>((bitcast<u32>(_e128.x) | 2143289344u));
+                    phi_343_ = bitcast<f32>((bitcast<u32>(_e131.x) | 2143289344u));
                 }
-                let _e179 = phi_339_;
-                phi_340_ = _e179;
+                let _e182 = phi_343_;
+                phi_344_ = _e182;
             }
-            let _e181 = phi_340_;
-            phi_341_ = _e181;
+            let _e184 = phi_344_;
+            phi_345_ = _e184;
         }
-        let _e183 = phi_341_;
-        phi_342_ = _e183;
+        let _e186 = phi_345_;
+        phi_346_ = _e186;
     } else {
-        phi_342_ = _e93;
+        phi_346_ = _e96;
     }
-    let _e185 = phi_342_;
-    return _e185;
+    let _e188 = phi_346_;
+    return _e188;
 }
 
 fn function_() {
     var local: f32;
-    var phi_398_: bool;
-    var phi_399_: bool;
-    var phi_400_: bool;
-    var phi_401_: bool;
+    var phi_402_: bool;
+    var phi_403_: bool;
+    var phi_404_: bool;
     var phi_405_: bool;
-    var phi_475_: bool;
-    var phi_476_: bool;
-    var phi_487_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_488_: bool;
-    var phi_489_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_490_: bool;
-    var phi_497_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_409_: bool;
+    var phi_479_: bool;
+    var phi_480_: bool;
+    var phi_491_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_492_: bool;
+    var phi_493_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_494_: bool;
     var phi_501_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_575_: bool;
-    var phi_584_: bool;
-    var phi_593_: bool;
-    var phi_594_: bool;
-    var phi_595_: bool;
-    var phi_596_: bool;
+    var phi_505_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_579_: bool;
+    var phi_588_: bool;
     var phi_597_: bool;
     var phi_598_: bool;
     var phi_599_: bool;
+    var phi_600_: bool;
+    var phi_601_: bool;
+    var phi_602_: bool;
     var phi_603_: bool;
-    var phi_693_: f32;
-    var phi_696_: f32;
-    var phi_725_: f32;
-    var phi_730_: f32;
-    var phi_731_: bool;
-    var phi_732_: f32;
-    var phi_733_: bool;
-    var phi_737_: f32;
-    var phi_757_: f32;
-    var phi_762_: f32;
-    var phi_763_: bool;
-    var phi_764_: f32;
-    var phi_765_: bool;
-    var phi_769_: f32;
-    var phi_817_: i32;
-    var phi_822_: i32;
-    var phi_827_: i32;
-    var phi_832_: i32;
-    var phi_841_: i32;
-    var phi_846_: i32;
-    var phi_851_: i32;
-    var phi_856_: i32;
-    var phi_951_: bool;
-    var phi_959_: bool;
-    var phi_971_: bool;
-    var phi_972_: bool;
-    var phi_976_: f32;
+    var phi_607_: bool;
+    var phi_697_: f32;
+    var phi_700_: f32;
+    var phi_729_: f32;
+    var phi_734_: f32;
+    var phi_735_: bool;
+    var phi_736_: f32;
+    var phi_737_: bool;
+    var phi_741_: f32;
+    var phi_761_: f32;
+    var phi_766_: f32;
+    var phi_767_: bool;
+    var phi_768_: f32;
+    var phi_769_: bool;
+    var phi_773_: f32;
+    var phi_821_: i32;
+    var phi_826_: i32;
+    var phi_831_: i32;
+    var phi_836_: i32;
+    var phi_845_: i32;
+    var phi_850_: i32;
+    var phi_855_: i32;
+    var phi_860_: i32;
+    var phi_957_: bool;
+    var phi_965_: bool;
+    var phi_977_: bool;
+    var phi_978_: bool;
     var phi_982_: f32;
-    var phi_984_: evaluate_Verdict;
-    var phi_989_: evaluate_Verdict;
+    var phi_988_: f32;
     var phi_990_: evaluate_Verdict;
+    var phi_1000_: u32;
+    var phi_1009_: f32;
+    var phi_1011_: evaluate_Verdict;
+    var phi_1012_: bool;
+    var phi_1013_: evaluate_Verdict;
+    var phi_1014_: bool;
+    var phi_1019_: evaluate_Verdict;
+    var phi_1024_: evaluate_Verdict;
+    var phi_1025_: evaluate_Verdict;
 
-    let _e35 = id_1;
-    let _e42 = arrayLength((&map.member));
-    let _e48 = p.member.size[0u];
-    let _e50 = p.member.size[1u];
-    let _e51 = lt_shaders_entry_pixel_index(_e35, _e48, _e50);
-    if (bitcast<i32>(_e51.root) != 0i) {
-        let _e57 = p.member.projection;
-        if (_e51.first_primitive < arrayLength((&samples.member))) {
+    let _e38 = id_1;
+    let _e45 = arrayLength((&map.member));
+    let _e51 = p.member.size[0u];
+    let _e53 = p.member.size[1u];
+    let _e54 = lt_shaders_entry_pixel_index(_e38, _e51, _e53);
+    if (bitcast<i32>(_e54.root) != 0i) {
+        let _e60 = p.member.projection;
+        if (_e54.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e61 = lt_math_OneLevel(_e57);
-        let _e65 = samples.member[(0u + _e51.first_primitive)].normal[0u];
-        let _e67 = global[0u];
-        if (_e65 == _e67) {
-            let _e70 = samples.member[(0u + _e51.first_primitive)].normal[1u];
-            let _e72 = global[1u];
-            if (_e70 == _e72) {
-                let _e75 = samples.member[(0u + _e51.first_primitive)].normal[2u];
-                let _e77 = global[2u];
-                phi_398_ = (_e75 == _e77);
-                phi_399_ = false;
+        let _e64 = lt_math_OneLevel(_e60);
+        let _e68 = samples.member[(0u + _e54.first_primitive)].normal[0u];
+        let _e70 = global[0u];
+        if (_e68 == _e70) {
+            let _e73 = samples.member[(0u + _e54.first_primitive)].normal[1u];
+            let _e75 = global[1u];
+            if (_e73 == _e75) {
+                let _e78 = samples.member[(0u + _e54.first_primitive)].normal[2u];
+                let _e80 = global[2u];
+                phi_402_ = (_e78 == _e80);
+                phi_403_ = false;
             } else {
-                phi_398_ = bool();
-                phi_399_ = true;
+                phi_402_ = bool();
+                phi_403_ = true;
             }
-            let _e80 = phi_398_;
-            let _e82 = phi_399_;
-            phi_400_ = _e80;
-            phi_401_ = _e82;
+            let _e83 = phi_402_;
+            let _e85 = phi_403_;
+            phi_404_ = _e83;
+            phi_405_ = _e85;
         } else {
-            phi_400_ = bool();
-            phi_401_ = true;
+            phi_404_ = bool();
+            phi_405_ = true;
         }
-        let _e84 = phi_400_;
-        let _e86 = phi_401_;
-        if _e86 {
-            phi_405_ = false;
+        let _e87 = phi_404_;
+        let _e89 = phi_405_;
+        if _e89 {
+            phi_409_ = false;
         } else {
-            phi_405_ = _e84;
+            phi_409_ = _e87;
         }
-        let _e88 = phi_405_;
-        if !(_e88) {
-            let _e91 = samples.member[(0u + _e51.first_primitive)].position;
-            let _e93 = p.member.light.place;
-            let _e99 = p.member.light.place[3u];
-            let _e106 = (_e93.x - (_e91.x * _e99));
-            let _e107 = (_e93.y - (_e91.y * _e99));
-            let _e108 = (_e93.z - (_e91.z * _e99));
-            let _e110 = samples.member[(0u + _e51.first_primitive)].normal;
-            if ((((_e110.x * _e106) + (_e110.y * _e107)) + (_e110.z * _e108)) > 0f) {
-                let _e124 = (((_e106 * _e106) + (_e107 * _e107)) + (_e108 * _e108));
-                let _e126 = p.member.light.axis;
-                let _e138 = p.member.light.place[3u];
-                if (_e138 == 0f) {
-                    phi_476_ = true;
+        let _e91 = phi_409_;
+        if !(_e91) {
+            let _e94 = samples.member[(0u + _e54.first_primitive)].position;
+            let _e96 = p.member.light.place;
+            let _e102 = p.member.light.place[3u];
+            let _e109 = (_e96.x - (_e94.x * _e102));
+            let _e110 = (_e96.y - (_e94.y * _e102));
+            let _e111 = (_e96.z - (_e94.z * _e102));
+            let _e113 = samples.member[(0u + _e54.first_primitive)].normal;
+            if ((((_e113.x * _e109) + (_e113.y * _e110)) + (_e113.z * _e111)) > 0f) {
+                let _e127 = (((_e109 * _e109) + (_e110 * _e110)) + (_e111 * _e111));
+                let _e129 = p.member.light.axis;
+                let _e141 = p.member.light.place[3u];
+                if (_e141 == 0f) {
+                    phi_480_ = true;
                 } else {
-                    let _e141 = p.member.light.range_squared;
-                    if (_e124 <= _e141) {
-                        let _e144 = p.member.light.cos_outer;
-                        phi_475_ = (-((((_e106 * _e126.x) + (_e107 * _e126.y)) + (_e108 * _e126.z))) >= (_e144 * sqrt(_e124)));
+                    let _e144 = p.member.light.range_squared;
+                    if (_e127 <= _e144) {
+                        let _e147 = p.member.light.cos_outer;
+                        phi_479_ = (-((((_e109 * _e129.x) + (_e110 * _e129.y)) + (_e111 * _e129.z))) >= (_e147 * sqrt(_e127)));
                     } else {
-                        phi_475_ = false;
+                        phi_479_ = false;
                     }
-                    let _e149 = phi_475_;
-                    phi_476_ = _e149;
+                    let _e152 = phi_479_;
+                    phi_480_ = _e152;
                 }
-                let _e151 = phi_476_;
-                if _e151 {
-                    let _e153 = samples.member[(0u + _e51.first_primitive)].flags;
-                    let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e161.unnamed.visibility, false), _e161.unnamed_1);
-                    phi_487_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e167.unnamed, ((_e153 & 1u) == 0u));
-                    phi_488_ = false;
+                let _e154 = phi_480_;
+                if _e154 {
+                    let _e156 = samples.member[(0u + _e54.first_primitive)].flags;
+                    let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e164.unnamed.visibility, false), _e164.unnamed_1);
+                    phi_491_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e170.unnamed, ((_e156 & 1u) == 0u));
+                    phi_492_ = false;
                 } else {
-                    phi_487_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_488_ = true;
+                    phi_491_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_492_ = true;
                 }
-                let _e172 = phi_487_;
-                let _e174 = phi_488_;
-                phi_489_ = _e172;
-                phi_490_ = _e174;
+                let _e175 = phi_491_;
+                let _e177 = phi_492_;
+                phi_493_ = _e175;
+                phi_494_ = _e177;
             } else {
-                phi_489_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_490_ = true;
+                phi_493_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_494_ = true;
             }
-            let _e176 = phi_489_;
-            let _e178 = phi_490_;
-            if _e178 {
-                let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e184.unnamed.visibility, false), _e184.unnamed_1);
-                phi_497_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e190.unnamed, true);
+            let _e179 = phi_493_;
+            let _e181 = phi_494_;
+            if _e181 {
+                let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e187.unnamed.visibility, false), _e187.unnamed_1);
+                phi_501_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e193.unnamed, true);
             } else {
-                phi_497_ = _e176;
+                phi_501_ = _e179;
             }
-            let _e195 = phi_497_;
-            phi_501_ = _e195;
+            let _e198 = phi_501_;
+            phi_505_ = _e198;
         } else {
-            let _e201 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e207 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e201.unnamed.visibility, false), _e201.unnamed_1);
-            phi_501_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e207.unnamed, true);
+            let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
+            phi_505_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
         }
-        let _e212 = phi_501_;
-        if _e212.unnamed_1 {
-            phi_990_ = evaluate_Verdict(_e212.unnamed.visibility, _e212.unnamed.is_doubted);
+        let _e215 = phi_505_;
+        if _e215.unnamed_1 {
+            phi_1025_ = evaluate_Verdict(_e215.unnamed.visibility, _e215.unnamed.is_doubted);
         } else {
-            let _e220 = samples.member[(0u + _e51.first_primitive)].position;
-            let _e238 = ((((_e61.projection.row_w.x * _e220.x) + (_e61.projection.row_w.y * _e220.y)) + (_e61.projection.row_w.z * _e220.z)) + (_e61.projection.row_w.w * 1f));
-            let _e252 = (((((_e61.projection.row_x.x * _e220.x) + (_e61.projection.row_x.y * _e220.y)) + (_e61.projection.row_x.z * _e220.z)) + (_e61.projection.row_x.w * 1f)) / _e238);
-            let _e266 = (((((_e61.projection.row_y.x * _e220.x) + (_e61.projection.row_y.y * _e220.y)) + (_e61.projection.row_y.z * _e220.z)) + (_e61.projection.row_y.w * 1f)) / _e238);
-            let _e279 = ((((_e61.projection.row_z.x * _e220.x) + (_e61.projection.row_z.y * _e220.y)) + (_e61.projection.row_z.z * _e220.z)) + (_e61.projection.row_z.w * 1f));
-            if (_e238 > 0f) {
-                if (_e252 >= 0f) {
-                    phi_575_ = (_e252 <= 1f);
+            let _e223 = samples.member[(0u + _e54.first_primitive)].position;
+            let _e241 = ((((_e64.projection.row_w.x * _e223.x) + (_e64.projection.row_w.y * _e223.y)) + (_e64.projection.row_w.z * _e223.z)) + (_e64.projection.row_w.w * 1f));
+            let _e255 = (((((_e64.projection.row_x.x * _e223.x) + (_e64.projection.row_x.y * _e223.y)) + (_e64.projection.row_x.z * _e223.z)) + (_e64.projection.row_x.w * 1f)) / _e241);
+            let _e269 = (((((_e64.projection.row_y.x * _e223.x) + (_e64.projection.row_y.y * _e223.y)) + (_e64.projection.row_y.z * _e223.z)) + (_e64.projection.row_y.w * 1f)) / _e241);
+            let _e282 = ((((_e64.projection.row_z.x * _e223.x) + (_e64.projection.row_z.y * _e223.y)) + (_e64.projection.row_z.z * _e223.z)) + (_e64.projection.row_z.w * 1f));
+            if (_e241 > 0f) {
+                if (_e255 >= 0f) {
+                    phi_579_ = (_e255 <= 1f);
                 } else {
-                    phi_575_ = false;
+                    phi_579_ = false;
                 }
-                let _e284 = phi_575_;
-                if _e284 {
-                    if (_e266 >= 0f) {
-                        phi_584_ = (_e266 <= 1f);
+                let _e287 = phi_579_;
+                if _e287 {
+                    if (_e269 >= 0f) {
+                        phi_588_ = (_e269 <= 1f);
                     } else {
-                        phi_584_ = false;
+                        phi_588_ = false;
                     }
-                    let _e288 = phi_584_;
-                    if _e288 {
-                        if (_e279 >= 0f) {
-                            phi_593_ = (_e279 <= 1f);
+                    let _e291 = phi_588_;
+                    if _e291 {
+                        if (_e282 >= 0f) {
+                            phi_597_ = (_e282 <= 1f);
                         } else {
-                            phi_593_ = false;
+                            phi_597_ = false;
                         }
-                        let _e292 = phi_593_;
-                        phi_594_ = _e292;
-                        phi_595_ = false;
+                        let _e295 = phi_597_;
+                        phi_598_ = _e295;
+                        phi_599_ = false;
                     } else {
-                        phi_594_ = bool();
-                        phi_595_ = true;
+                        phi_598_ = bool();
+                        phi_599_ = true;
                     }
-                    let _e294 = phi_594_;
-                    let _e296 = phi_595_;
-                    phi_596_ = _e294;
-                    phi_597_ = _e296;
+                    let _e297 = phi_598_;
+                    let _e299 = phi_599_;
+                    phi_600_ = _e297;
+                    phi_601_ = _e299;
                 } else {
-                    phi_596_ = bool();
-                    phi_597_ = true;
+                    phi_600_ = bool();
+                    phi_601_ = true;
                 }
-                let _e298 = phi_596_;
-                let _e300 = phi_597_;
-                phi_598_ = _e298;
-                phi_599_ = _e300;
+                let _e301 = phi_600_;
+                let _e303 = phi_601_;
+                phi_602_ = _e301;
+                phi_603_ = _e303;
             } else {
-                phi_598_ = bool();
-                phi_599_ = true;
+                phi_602_ = bool();
+                phi_603_ = true;
             }
-            let _e302 = phi_598_;
-            let _e304 = phi_599_;
-            if _e304 {
-                phi_603_ = false;
+            let _e305 = phi_602_;
+            let _e307 = phi_603_;
+            if _e307 {
+                phi_607_ = false;
             } else {
-                phi_603_ = _e302;
+                phi_607_ = _e305;
             }
-            let _e306 = phi_603_;
-            if _e306 {
+            let _e309 = phi_607_;
+            if _e309 {
                 if (0f > 0f) {
-                    let _e309 = samples.member[(0u + _e51.first_primitive)].normal;
-                    let _e311 = p.member.map_size;
-                    let _e381 = ((abs(((((_e57.row_x.x * _e309.x) + (_e57.row_x.y * _e309.y)) + (_e57.row_x.z * _e309.z)) / (((_e57.row_x.x * _e57.row_x.x) + (_e57.row_x.y * _e57.row_x.y)) + (_e57.row_x.z * _e57.row_x.z)))) + abs(((((_e57.row_y.x * _e309.x) + (_e57.row_y.y * _e309.y)) + (_e57.row_y.z * _e309.z)) / (((_e57.row_y.x * _e57.row_y.x) + (_e57.row_y.y * _e57.row_y.y)) + (_e57.row_y.z * _e57.row_y.z))))) / (abs(((((_e57.row_z.x * _e309.x) + (_e57.row_z.y * _e309.y)) + (_e57.row_z.z * _e309.z)) / (((_e57.row_z.x * _e57.row_z.x) + (_e57.row_z.y * _e57.row_z.y)) + (_e57.row_z.z * _e57.row_z.z)))) * f32(_e311)));
-                    if (_e381 < 0.002f) {
-                        phi_693_ = _e381;
+                    let _e312 = samples.member[(0u + _e54.first_primitive)].normal;
+                    let _e314 = p.member.map_size;
+                    let _e384 = ((abs(((((_e60.row_x.x * _e312.x) + (_e60.row_x.y * _e312.y)) + (_e60.row_x.z * _e312.z)) / (((_e60.row_x.x * _e60.row_x.x) + (_e60.row_x.y * _e60.row_x.y)) + (_e60.row_x.z * _e60.row_x.z)))) + abs(((((_e60.row_y.x * _e312.x) + (_e60.row_y.y * _e312.y)) + (_e60.row_y.z * _e312.z)) / (((_e60.row_y.x * _e60.row_y.x) + (_e60.row_y.y * _e60.row_y.y)) + (_e60.row_y.z * _e60.row_y.z))))) / (abs(((((_e60.row_z.x * _e312.x) + (_e60.row_z.y * _e312.y)) + (_e60.row_z.z * _e312.z)) / (((_e60.row_z.x * _e60.row_z.x) + (_e60.row_z.y * _e60.row_z.y)) + (_e60.row_z.z * _e60.row_z.z)))) * f32(_e314)));
+                    if (_e384 < 0.002f) {
+                        phi_697_ = _e384;
                     } else {
-                        phi_693_ = 0.002f;
+                        phi_697_ = 0.002f;
                     }
-                    let _e384 = phi_693_;
-                    phi_696_ = (_e279 - (0f * _e384));
+                    let _e387 = phi_697_;
+                    phi_700_ = (_e282 - (0f * _e387));
                 } else {
-                    phi_696_ = _e279;
+                    phi_700_ = _e282;
                 }
-                let _e388 = phi_696_;
-                let _e390 = p.member.map_size;
-                let _e391 = f32(_e390);
-                let _e394 = ((_e252 * _e391) - 0.5f);
-                let _e395 = ((_e266 * _e391) - 0.5f);
-                if (_e394 > -8388608f) {
-                    let _e407 = f32(select(0i, select(select(i32(_e394), i32(-2147483648), (_e394 < bitcast<f32>(3472883712u))), 2147483647i, (_e394 > bitcast<f32>(1325400063u))), (_e394 == _e394)));
-                    if (_e407 > _e394) {
-                        phi_725_ = 1f;
+                let _e391 = phi_700_;
+                let _e393 = p.member.map_size;
+                let _e394 = f32(_e393);
+                let _e397 = ((_e255 * _e394) - 0.5f);
+                let _e398 = ((_e269 * _e394) - 0.5f);
+                if (_e397 > -8388608f) {
+                    let _e410 = f32(select(0i, select(select(i32(_e397), i32(-2147483648), (_e397 < bitcast<f32>(3472883712u))), 2147483647i, (_e397 > bitcast<f32>(1325400063u))), (_e397 == _e397)));
+                    if (_e410 > _e397) {
+                        phi_729_ = 1f;
                     } else {
-                        phi_725_ = 0f;
+                        phi_729_ = 0f;
                     }
-                    let _e410 = phi_725_;
-                    if (_e394 < 8388608f) {
-                        phi_730_ = (_e407 - _e410);
-                        phi_731_ = false;
+                    let _e413 = phi_729_;
+                    if (_e397 < 8388608f) {
+                        phi_734_ = (_e410 - _e413);
+                        phi_735_ = false;
                     } else {
-                        phi_730_ = f32();
-                        phi_731_ = true;
+                        phi_734_ = f32();
+                        phi_735_ = true;
                     }
-                    let _e413 = phi_730_;
-                    let _e415 = phi_731_;
-                    phi_732_ = _e413;
-                    phi_733_ = _e415;
+                    let _e416 = phi_734_;
+                    let _e418 = phi_735_;
+                    phi_736_ = _e416;
+                    phi_737_ = _e418;
                 } else {
-                    phi_732_ = f32();
-                    phi_733_ = true;
+                    phi_736_ = f32();
+                    phi_737_ = true;
                 }
-                let _e417 = phi_732_;
-                let _e419 = phi_733_;
-                if _e419 {
-                    phi_737_ = _e394;
+                let _e420 = phi_736_;
+                let _e422 = phi_737_;
+                if _e422 {
+                    phi_741_ = _e397;
                 } else {
-                    phi_737_ = _e417;
+                    phi_741_ = _e420;
                 }
-                let _e421 = phi_737_;
-                if (_e395 > -8388608f) {
-                    let _e433 = f32(select(0i, select(select(i32(_e395), i32(-2147483648), (_e395 < bitcast<f32>(3472883712u))), 2147483647i, (_e395 > bitcast<f32>(1325400063u))), (_e395 == _e395)));
-                    if (_e433 > _e395) {
-                        phi_757_ = 1f;
+                let _e424 = phi_741_;
+                if (_e398 > -8388608f) {
+                    let _e436 = f32(select(0i, select(select(i32(_e398), i32(-2147483648), (_e398 < bitcast<f32>(3472883712u))), 2147483647i, (_e398 > bitcast<f32>(1325400063u))), (_e398 == _e398)));
+                    if (_e436 > _e398) {
+                        phi_761_ = 1f;
                     } else {
-                        phi_757_ = 0f;
+                        phi_761_ = 0f;
                     }
-                    let _e436 = phi_757_;
-                    if (_e395 < 8388608f) {
-                        phi_762_ = (_e433 - _e436);
-                        phi_763_ = false;
+                    let _e439 = phi_761_;
+                    if (_e398 < 8388608f) {
+                        phi_766_ = (_e436 - _e439);
+                        phi_767_ = false;
                     } else {
-                        phi_762_ = f32();
-                        phi_763_ = true;
+                        phi_766_ = f32();
+                        phi_767_ = true;
                     }
-                    let _e439 = phi_762_;
-                    let _e441 = phi_763_;
-                    phi_764_ = _e439;
-                    phi_765_ = _e441;
+                    let _e442 = phi_766_;
+                    let _e444 = phi_767_;
+                    phi_768_ = _e442;
+                    phi_769_ = _e444;
                 } else {
-                    phi_764_ = f32();
-                    phi_765_ = true;
+                    phi_768_ = f32();
+                    phi_769_ = true;
                 }
-                let _e443 = phi_764_;
-                let _e445 = phi_765_;
-                if _e445 {
-                    phi_769_ = _e395;
+                let _e446 = phi_768_;
+                let _e448 = phi_769_;
+                if _e448 {
+                    phi_773_ = _e398;
                 } else {
-                    phi_769_ = _e443;
+                    phi_773_ = _e446;
                 }
-                let _e447 = phi_769_;
-                let _e448 = (_e394 - _e421);
-                let _e449 = (_e395 - _e447);
-                let _e458 = select(0i, select(select(i32(_e421), i32(-2147483648), (_e421 < bitcast<f32>(3472883712u))), 2147483647i, (_e421 > bitcast<f32>(1325400063u))), (_e421 == _e421));
-                let _e467 = select(0i, select(select(i32(_e447), i32(-2147483648), (_e447 < bitcast<f32>(3472883712u))), 2147483647i, (_e447 > bitcast<f32>(1325400063u))), (_e447 == _e447));
-                let _e470 = ((1f - _e448) * (1f - _e449));
-                let _e472 = (_e448 * (1f - _e449));
-                let _e474 = ((1f - _e448) * _e449);
-                let _e475 = (_e448 * _e449);
-                let _e477 = p.member.test;
-                let _e478 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e477);
-                let _e480 = p.member.map_size;
-                local = _e478;
-                let _e482 = ((0u * _e480) * _e480);
-                let _e484 = (bitcast<i32>(_e480) - 1i);
-                if (_e458 > 0i) {
-                    phi_817_ = _e458;
+                let _e450 = phi_773_;
+                let _e451 = (_e397 - _e424);
+                let _e452 = (_e398 - _e450);
+                let _e461 = select(0i, select(select(i32(_e424), i32(-2147483648), (_e424 < bitcast<f32>(3472883712u))), 2147483647i, (_e424 > bitcast<f32>(1325400063u))), (_e424 == _e424));
+                let _e470 = select(0i, select(select(i32(_e450), i32(-2147483648), (_e450 < bitcast<f32>(3472883712u))), 2147483647i, (_e450 > bitcast<f32>(1325400063u))), (_e450 == _e450));
+                let _e473 = ((1f - _e451) * (1f - _e452));
+                let _e475 = (_e451 * (1f - _e452));
+                let _e477 = ((1f - _e451) * _e452);
+                let _e478 = (_e451 * _e452);
+                let _e480 = p.member.test;
+                let _e481 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e480);
+                let _e483 = p.member.map_size;
+                local = _e481;
+                let _e485 = ((0u * _e483) * _e483);
+                let _e487 = (bitcast<i32>(_e483) - 1i);
+                if (_e461 > 0i) {
+                    phi_821_ = _e461;
                 } else {
-                    phi_817_ = 0i;
+                    phi_821_ = 0i;
                 }
-                let _e487 = phi_817_;
-                if (_e467 > 0i) {
-                    phi_822_ = _e467;
+                let _e490 = phi_821_;
+                if (_e470 > 0i) {
+                    phi_826_ = _e470;
                 } else {
-                    phi_822_ = 0i;
+                    phi_826_ = 0i;
                 }
-                let _e490 = phi_822_;
-                if (_e487 < _e484) {
-                    phi_827_ = _e487;
+                let _e493 = phi_826_;
+                if (_e490 < _e487) {
+                    phi_831_ = _e490;
                 } else {
-                    phi_827_ = _e484;
+                    phi_831_ = _e487;
                 }
-                let _e493 = phi_827_;
-                if (_e490 < _e484) {
-                    phi_832_ = _e490;
+                let _e496 = phi_831_;
+                if (_e493 < _e487) {
+                    phi_836_ = _e493;
                 } else {
-                    phi_832_ = _e484;
+                    phi_836_ = _e487;
                 }
-                let _e496 = phi_832_;
-                let _e497 = bitcast<u32>(_e493);
-                let _e499 = (_e458 + 1i);
-                let _e500 = (_e467 + 1i);
-                if (_e499 > 0i) {
-                    phi_841_ = _e499;
+                let _e499 = phi_836_;
+                let _e500 = bitcast<u32>(_e496);
+                let _e502 = (_e461 + 1i);
+                let _e503 = (_e470 + 1i);
+                if (_e502 > 0i) {
+                    phi_845_ = _e502;
                 } else {
-                    phi_841_ = 0i;
+                    phi_845_ = 0i;
                 }
-                let _e503 = phi_841_;
-                if (_e500 > 0i) {
-                    phi_846_ = _e500;
+                let _e506 = phi_845_;
+                if (_e503 > 0i) {
+                    phi_850_ = _e503;
                 } else {
-                    phi_846_ = 0i;
+                    phi_850_ = 0i;
                 }
-                let _e506 = phi_846_;
-                if (_e503 < _e484) {
-                    phi_851_ = _e503;
+                let _e509 = phi_850_;
+                if (_e506 < _e487) {
+                    phi_855_ = _e506;
                 } else {
-                    phi_851_ = _e484;
+                    phi_855_ = _e487;
                 }
-                let _e509 = phi_851_;
-                if (_e506 < _e484) {
-                    phi_856_ = _e506;
+                let _e512 = phi_855_;
+                if (_e509 < _e487) {
+                    phi_860_ = _e509;
                 } else {
-                    phi_856_ = _e484;
+                    phi_860_ = _e487;
                 }
-                let _e512 = phi_856_;
-                let _e513 = bitcast<u32>(_e509);
-                let _e515 = (bitcast<u32>(_e496) * _e480);
-                let _e516 = (bitcast<u32>(_e512) * _e480);
-                let _e521 = ((_e515 + _e497) + _e482);
-                let _e522 = ((_e515 + _e513) + _e482);
-                let _e523 = ((_e516 + _e497) + _e482);
-                let _e524 = ((_e516 + _e513) + _e482);
-                if (_e521 < _e42) {
+                let _e515 = phi_860_;
+                let _e516 = bitcast<u32>(_e512);
+                let _e518 = (bitcast<u32>(_e499) * _e483);
+                let _e519 = (bitcast<u32>(_e515) * _e483);
+                let _e524 = ((_e518 + _e500) + _e485);
+                let _e525 = ((_e518 + _e516) + _e485);
+                let _e526 = ((_e519 + _e500) + _e485);
+                let _e527 = ((_e519 + _e516) + _e485);
+                if (_e524 < _e45) {
                 } else {
                     return;
                 }
-                let _e528 = map.member[(0u + _e521)];
-                if (_e522 < _e42) {
+                let _e531 = map.member[(0u + _e524)];
+                if (_e525 < _e45) {
                 } else {
                     return;
                 }
-                let _e540 = map.member[(0u + _e522)];
-                if (_e523 < _e42) {
+                let _e543 = map.member[(0u + _e525)];
+                if (_e526 < _e45) {
                 } else {
                     return;
                 }
-                let _e556 = map.member[(0u + _e523)];
-                if (_e524 < _e42) {
+                let _e559 = map.member[(0u + _e526)];
+                if (_e527 < _e45) {
                 } else {
                     return;
                 }
-                let _e572 = map.member[(0u + _e524)];
-                let _e586 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e528.x * _e470) + (_e540.x * _e472)) + (_e556.x * _e474)) + (_e572.x * _e475)), ((((_e528.y * _e470) + (_e540.y * _e472)) + (_e556.y * _e474)) + (_e572.y * _e475)), ((((_e528.z * _e470) + (_e540.z * _e472)) + (_e556.z * _e474)) + (_e572.z * _e475)), ((((_e528.w * _e470) + (_e540.w * _e472)) + (_e556.w * _e474)) + (_e572.w * _e475))), _e388);
-                let _e588 = p.member.epsilon;
-                if (_e586 <= _e588) {
-                    phi_951_ = true;
+                let _e575 = map.member[(0u + _e527)];
+                let _e589 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e531.x * _e473) + (_e543.x * _e475)) + (_e559.x * _e477)) + (_e575.x * _e478)), ((((_e531.y * _e473) + (_e543.y * _e475)) + (_e559.y * _e477)) + (_e575.y * _e478)), ((((_e531.z * _e473) + (_e543.z * _e475)) + (_e559.z * _e477)) + (_e575.z * _e478)), ((((_e531.w * _e473) + (_e543.w * _e475)) + (_e559.w * _e477)) + (_e575.w * _e478))), _e391);
+                let _e593 = p.member.epsilon;
+                if (_e589 <= _e593) {
+                    phi_957_ = true;
                 } else {
-                    phi_951_ = (_e586 >= (1f - _e588));
+                    phi_957_ = (_e589 >= (1f - _e593));
                 }
-                let _e593 = phi_951_;
-                if ((bitcast<u32>(_e586) & 2147483647u) > 2139095040u) {
-                    phi_959_ = true;
+                let _e598 = phi_957_;
+                if ((bitcast<u32>(_e589) & 2147483647u) > 2139095040u) {
+                    phi_965_ = true;
                 } else {
-                    phi_959_ = !(_e593);
+                    phi_965_ = !(_e598);
                 }
-                let _e599 = phi_959_;
-                if _e599 {
-                    if (_e586 > 0f) {
-                        if (_e586 < 1f) {
-                            phi_971_ = false;
+                let _e604 = phi_965_;
+                if _e604 {
+                    if (_e589 > 0f) {
+                        if (_e589 < 1f) {
+                            phi_977_ = false;
                         } else {
-                            phi_971_ = true;
+                            phi_977_ = true;
                         }
-                        let _e603 = phi_971_;
-                        phi_972_ = _e603;
+                        let _e608 = phi_977_;
+                        phi_978_ = _e608;
                     } else {
-                        phi_972_ = true;
+                        phi_978_ = true;
                     }
-                    let _e605 = phi_972_;
-                    if _e605 {
-                        phi_976_ = 0.5f;
+                    let _e610 = phi_978_;
+                    if _e610 {
+                        phi_982_ = 0.5f;
                     } else {
-                        phi_976_ = _e586;
+                        phi_982_ = _e589;
                     }
-                    let _e607 = phi_976_;
-                    phi_984_ = evaluate_Verdict(_e607, true);
+                    let _e612 = phi_982_;
+                    phi_990_ = evaluate_Verdict(_e612, true);
                 } else {
-                    if (_e586 > 0.5f) {
-                        phi_982_ = 1f;
+                    if (_e589 > 0.5f) {
+                        phi_988_ = 1f;
                     } else {
-                        phi_982_ = 0f;
+                        phi_988_ = 0f;
                     }
-                    let _e611 = phi_982_;
-                    phi_984_ = evaluate_Verdict(_e611, false);
+                    let _e616 = phi_988_;
+                    phi_990_ = evaluate_Verdict(_e616, false);
                 }
-                let _e614 = phi_984_;
-                phi_989_ = evaluate_Verdict(_e614.visibility, _e614.is_doubted);
+                let _e619 = phi_990_;
+                let _e622 = (_e619.visibility < 0.5f);
+                if _e619.is_doubted {
+                    phi_1013_ = evaluate_Verdict();
+                    phi_1014_ = true;
+                } else {
+                    if _e622 {
+                        phi_1000_ = 2u;
+                    } else {
+                        phi_1000_ = 1u;
+                    }
+                    let _e624 = phi_1000_;
+                    if ((0u & _e624) != 0u) {
+                        if _e622 {
+                            phi_1009_ = 0.000000059604645f;
+                        } else {
+                            phi_1009_ = 0.99999994f;
+                        }
+                        let _e628 = phi_1009_;
+                        phi_1011_ = evaluate_Verdict(_e628, true);
+                        phi_1012_ = false;
+                    } else {
+                        phi_1011_ = evaluate_Verdict();
+                        phi_1012_ = true;
+                    }
+                    let _e631 = phi_1011_;
+                    let _e633 = phi_1012_;
+                    phi_1013_ = _e631;
+                    phi_1014_ = _e633;
+                }
+                let _e635 = phi_1013_;
+                let _e637 = phi_1014_;
+                if _e637 {
+                    phi_1019_ = evaluate_Verdict(_e619.visibility, _e619.is_doubted);
+                } else {
+                    phi_1019_ = _e635;
+                }
+                let _e640 = phi_1019_;
+                phi_1024_ = evaluate_Verdict(_e640.visibility, _e640.is_doubted);
             } else {
-                phi_989_ = evaluate_Verdict(0.5f, true);
+                phi_1024_ = evaluate_Verdict(0.5f, true);
             }
-            let _e620 = phi_989_;
-            phi_990_ = _e620;
+            let _e646 = phi_1024_;
+            phi_1025_ = _e646;
         }
-        let _e622 = phi_990_;
-        if (_e51.first_primitive < arrayLength((&visibility.member))) {
+        let _e648 = phi_1025_;
+        if (_e54.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e51.first_primitive)] = _e622.visibility;
+        visibility.member[(0u + _e54.first_primitive)] = _e648.visibility;
     }
     return;
 }

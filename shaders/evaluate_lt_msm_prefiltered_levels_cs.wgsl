@@ -68,14 +68,14 @@ struct type_35 {
     member: abi_ShadowParams,
 }
 
+struct type_39 {
+    member: array<lt_math_LightProjection>,
+}
+
 struct lt_math_LightPoint {
     uv: vec2<f32>,
     depth: f32,
     is_inside: bool,
-}
-
-struct type_41 {
-    member: array<lt_math_LightProjection>,
 }
 
 struct lt_math_LevelPoint {
@@ -92,42 +92,42 @@ var<uniform> p: type_35;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_19;
 @group(0) @binding(4) 
-var<storage> levels: type_41;
+var<storage> levels: type_39;
 @group(0) @binding(2) 
 var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_150_: lt_bvh_traverse_Tree;
-    var phi_151_: bool;
-    var phi_152_: lt_bvh_traverse_Tree;
-    var phi_153_: bool;
-    var phi_158_: lt_bvh_traverse_Tree;
+    var phi_154_: lt_bvh_traverse_Tree;
+    var phi_155_: bool;
+    var phi_156_: lt_bvh_traverse_Tree;
+    var phi_157_: bool;
+    var phi_162_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_150_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_151_ = false;
+            phi_154_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_155_ = false;
         } else {
-            phi_150_ = lt_bvh_traverse_Tree();
-            phi_151_ = true;
+            phi_154_ = lt_bvh_traverse_Tree();
+            phi_155_ = true;
         }
-        let _e53 = phi_150_;
-        let _e55 = phi_151_;
-        phi_152_ = _e53;
-        phi_153_ = _e55;
+        let _e56 = phi_154_;
+        let _e58 = phi_155_;
+        phi_156_ = _e56;
+        phi_157_ = _e58;
     } else {
-        phi_152_ = lt_bvh_traverse_Tree();
-        phi_153_ = true;
+        phi_156_ = lt_bvh_traverse_Tree();
+        phi_157_ = true;
     }
-    let _e57 = phi_152_;
-    let _e59 = phi_153_;
-    if _e59 {
-        phi_158_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e60 = phi_156_;
+    let _e62 = phi_157_;
+    if _e62 {
+        phi_162_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_158_ = _e57;
+        phi_162_ = _e60;
     }
-    let _e64 = phi_158_;
-    return lt_bvh_traverse_Tree(_e64.root, _e64.first_primitive);
+    let _e67 = phi_162_;
+    return lt_bvh_traverse_Tree(_e67.root, _e67.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -135,828 +135,872 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_207_: f32;
-    var phi_208_: f32;
-    var phi_209_: f32;
-    var phi_215_: bool;
-    var phi_237_: f32;
-    var phi_238_: f32;
-    var phi_239_: f32;
-    var phi_240_: f32;
-    var phi_241_: bool;
+    var phi_211_: f32;
+    var phi_212_: f32;
+    var phi_213_: f32;
+    var phi_219_: bool;
+    var phi_241_: f32;
     var phi_242_: f32;
-    var phi_243_: bool;
-    var phi_281_: vec2<f32>;
-    var phi_315_: f32;
-    var phi_316_: f32;
-    var phi_317_: f32;
-    var phi_346_: f32;
-    var phi_347_: f32;
-    var phi_348_: f32;
+    var phi_243_: f32;
+    var phi_244_: f32;
+    var phi_245_: bool;
+    var phi_246_: f32;
+    var phi_247_: bool;
+    var phi_285_: vec2<f32>;
+    var phi_319_: f32;
+    var phi_320_: f32;
+    var phi_321_: f32;
+    var phi_350_: f32;
+    var phi_351_: f32;
     var phi_352_: f32;
-    var phi_353_: f32;
-    var phi_354_: f32;
-    var phi_355_: f32;
+    var phi_356_: f32;
+    var phi_357_: f32;
+    var phi_358_: f32;
+    var phi_359_: f32;
 
-    let _e43 = (*param_4);
-    let _e44 = (1f - _e43);
-    let _e53 = (0.5f * _e43);
-    let _e54 = ((param_5.x * _e44) + _e53);
-    let _e55 = ((param_5.y * _e44) + _e53);
-    let _e57 = ((param_5.w * _e44) + _e53);
-    let _e59 = (_e55 - (_e54 * _e54));
-    let _e61 = (((param_5.z * _e44) + _e53) - (_e54 * _e55));
+    let _e46 = (*param_4);
+    let _e47 = (1f - _e46);
+    let _e56 = (0.5f * _e46);
+    let _e57 = ((param_5.x * _e47) + _e56);
+    let _e58 = ((param_5.y * _e47) + _e56);
+    let _e60 = ((param_5.w * _e47) + _e56);
+    let _e62 = (_e58 - (_e57 * _e57));
+    let _e64 = (((param_5.z * _e47) + _e56) - (_e57 * _e58));
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_209_ = param_6;
+        phi_213_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_208_ = 0f;
+            phi_212_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_207_ = 1f;
+                phi_211_ = 1f;
             } else {
-                phi_207_ = param_6;
+                phi_211_ = param_6;
             }
-            let _e73 = phi_207_;
-            phi_208_ = _e73;
+            let _e76 = phi_211_;
+            phi_212_ = _e76;
         }
-        let _e75 = phi_208_;
-        phi_209_ = _e75;
+        let _e78 = phi_212_;
+        phi_213_ = _e78;
     }
-    let _e77 = phi_209_;
-    if (_e54 == _e57) {
-        phi_215_ = (_e54 > 0.5f);
+    let _e80 = phi_213_;
+    if (_e57 == _e60) {
+        phi_219_ = (_e57 > 0.5f);
     } else {
-        phi_215_ = false;
+        phi_219_ = false;
     }
-    let _e81 = phi_215_;
-    if _e81 {
-        if (_e77 > 0f) {
-            if ((bitcast<u32>(_e54) & 2147483647u) > 2139095040u) {
-                phi_239_ = _e54;
+    let _e84 = phi_219_;
+    if _e84 {
+        if (_e80 > 0f) {
+            if ((bitcast<u32>(_e57) & 2147483647u) > 2139095040u) {
+                phi_243_ = _e57;
             } else {
-                if (_e54 < 0f) {
-                    phi_238_ = 0f;
+                if (_e57 < 0f) {
+                    phi_242_ = 0f;
                 } else {
-                    if (_e54 > 1f) {
-                        phi_237_ = 1f;
+                    if (_e57 > 1f) {
+                        phi_241_ = 1f;
                     } else {
-                        phi_237_ = _e54;
+                        phi_241_ = _e57;
                     }
-                    let _e89 = phi_237_;
-                    phi_238_ = _e89;
+                    let _e92 = phi_241_;
+                    phi_242_ = _e92;
                 }
-                let _e91 = phi_238_;
-                phi_239_ = _e91;
+                let _e94 = phi_242_;
+                phi_243_ = _e94;
             }
-            let _e93 = phi_239_;
-            phi_240_ = _e93;
-            phi_241_ = false;
+            let _e96 = phi_243_;
+            phi_244_ = _e96;
+            phi_245_ = false;
         } else {
-            phi_240_ = f32();
-            phi_241_ = true;
+            phi_244_ = f32();
+            phi_245_ = true;
         }
-        let _e95 = phi_240_;
-        let _e97 = phi_241_;
-        phi_242_ = _e95;
-        phi_243_ = _e97;
+        let _e98 = phi_244_;
+        let _e100 = phi_245_;
+        phi_246_ = _e98;
+        phi_247_ = _e100;
     } else {
-        phi_242_ = f32();
-        phi_243_ = true;
+        phi_246_ = f32();
+        phi_247_ = true;
     }
-    let _e99 = phi_242_;
-    let _e101 = phi_243_;
-    if _e101 {
-        let _e102 = (_e61 / _e59);
-        let _e103 = (_e77 - _e54);
-        let _e109 = (((((_e77 * _e77) - _e55) - (_e102 * _e103)) * _e59) / (((_e57 - (_e55 * _e55)) * _e59) - (_e61 * _e61)));
-        let _e112 = ((_e103 / _e59) - (_e102 * _e109));
-        let _e118 = ((0.5f * _e112) / _e109);
-        let _e121 = ((_e118 * _e118) - (((1f - (_e112 * _e54)) - (_e109 * _e55)) / _e109));
-        if (_e121 >= 0f) {
-            let _e123 = sqrt(_e121);
-            phi_281_ = vec2<f32>((-(_e118) - _e123), (-(_e118) + _e123));
+    let _e102 = phi_246_;
+    let _e104 = phi_247_;
+    if _e104 {
+        let _e105 = (_e64 / _e62);
+        let _e106 = (_e80 - _e57);
+        let _e112 = (((((_e80 * _e80) - _e58) - (_e105 * _e106)) * _e62) / (((_e60 - (_e58 * _e58)) * _e62) - (_e64 * _e64)));
+        let _e115 = ((_e106 / _e62) - (_e105 * _e112));
+        let _e121 = ((0.5f * _e115) / _e112);
+        let _e124 = ((_e121 * _e121) - (((1f - (_e115 * _e57)) - (_e112 * _e58)) / _e112));
+        if (_e124 >= 0f) {
+            let _e126 = sqrt(_e124);
+            phi_285_ = vec2<f32>((-(_e121) - _e126), (-(_e121) + _e126));
         } else {
-            phi_281_ = vec2(bitcast<f32>((bitcast<u32>(_e121) | 2143289344u)));
+            phi_285_ = vec2(bitcast<f32>((bitcast<u32>(_e124) | 2143289344u)));
         }
-        let _e134 = phi_281_;
-        if (_e77 <= _e134.x) {
-            phi_354_ = 1f;
+        let _e137 = phi_285_;
+        if (_e80 <= _e137.x) {
+            phi_358_ = 1f;
         } else {
-            if (_e77 > _e134.y) {
-                let _e147 = (((_e55 - (_e54 * (_e134.x + _e134.y))) + (_e134.x * _e134.y)) / ((_e77 - _e134.x) * (_e77 - _e134.y)));
-                if ((bitcast<u32>(_e147) & 2147483647u) > 2139095040u) {
-                    phi_317_ = _e147;
+            if (_e80 > _e137.y) {
+                let _e150 = (((_e58 - (_e57 * (_e137.x + _e137.y))) + (_e137.x * _e137.y)) / ((_e80 - _e137.x) * (_e80 - _e137.y)));
+                if ((bitcast<u32>(_e150) & 2147483647u) > 2139095040u) {
+                    phi_321_ = _e150;
                 } else {
-                    if (_e147 < 0f) {
-                        phi_316_ = 0f;
+                    if (_e150 < 0f) {
+                        phi_320_ = 0f;
                     } else {
-                        if (_e147 > 1f) {
-                            phi_315_ = 1f;
+                        if (_e150 > 1f) {
+                            phi_319_ = 1f;
                         } else {
-                            phi_315_ = _e147;
+                            phi_319_ = _e150;
                         }
-                        let _e154 = phi_315_;
-                        phi_316_ = _e154;
+                        let _e157 = phi_319_;
+                        phi_320_ = _e157;
                     }
-                    let _e156 = phi_316_;
-                    phi_317_ = _e156;
+                    let _e159 = phi_320_;
+                    phi_321_ = _e159;
                 }
-                let _e158 = phi_317_;
-                phi_353_ = _e158;
+                let _e161 = phi_321_;
+                phi_357_ = _e161;
             } else {
-                if (_e77 > _e134.x) {
-                    let _e169 = (1f - (((_e55 - (_e54 * (_e77 + _e134.y))) + (_e77 * _e134.y)) / ((_e134.x - _e77) * (_e134.x - _e134.y))));
-                    if ((bitcast<u32>(_e169) & 2147483647u) > 2139095040u) {
-                        phi_348_ = _e169;
+                if (_e80 > _e137.x) {
+                    let _e172 = (1f - (((_e58 - (_e57 * (_e80 + _e137.y))) + (_e80 * _e137.y)) / ((_e137.x - _e80) * (_e137.x - _e137.y))));
+                    if ((bitcast<u32>(_e172) & 2147483647u) > 2139095040u) {
+                        phi_352_ = _e172;
                     } else {
-                        if (_e169 < 0f) {
-                            phi_347_ = 0f;
+                        if (_e172 < 0f) {
+                            phi_351_ = 0f;
                         } else {
-                            if (_e169 > 1f) {
-                                phi_346_ = 1f;
+                            if (_e172 > 1f) {
+                                phi_350_ = 1f;
                             } else {
-                                phi_346_ = _e169;
+                                phi_350_ = _e172;
                             }
-                            let _e176 = phi_346_;
-                            phi_347_ = _e176;
+                            let _e179 = phi_350_;
+                            phi_351_ = _e179;
                         }
-                        let _e178 = phi_347_;
-                        phi_348_ = _e178;
+                        let _e181 = phi_351_;
+                        phi_352_ = _e181;
                     }
-                    let _e180 = phi_348_;
-                    phi_352_ = _e180;
+                    let _e183 = phi_352_;
+                    phi_356_ = _e183;
                 } else {
-                    phi_352_ = bitcast<f32>((bitcast<u32>(_e134.x) | 2143289344u));
+                    phi_356_ = bitcast<f32>((bitcast<u32>(_e137.x) | 2143289344u));
                 }
-                let _e185 = phi_352_;
-                phi_353_ = _e185;
+                let _e188 = phi_356_;
+                phi_357_ = _e188;
             }
-            let _e187 = phi_353_;
-            phi_354_ = _e187;
+            let _e190 = phi_357_;
+            phi_358_ = _e190;
         }
-        let _e189 = phi_354_;
-        phi_355_ = _e189;
+        let _e192 = phi_358_;
+        phi_359_ = _e192;
     } else {
-        phi_355_ = _e99;
+        phi_359_ = _e102;
     }
-    let _e191 = phi_355_;
-    return _e191;
+    let _e194 = phi_359_;
+    return _e194;
 }
 
 fn function_() {
     var local: f32;
-    var phi_415_: bool;
-    var phi_416_: bool;
-    var phi_417_: bool;
-    var phi_418_: bool;
+    var phi_419_: bool;
+    var phi_420_: bool;
+    var phi_421_: bool;
     var phi_422_: bool;
-    var phi_492_: bool;
-    var phi_493_: bool;
-    var phi_504_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_505_: bool;
-    var phi_506_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_507_: bool;
-    var phi_514_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_426_: bool;
+    var phi_496_: bool;
+    var phi_497_: bool;
+    var phi_508_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_509_: bool;
+    var phi_510_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_511_: bool;
     var phi_518_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_538_: lt_math_LightPoint;
-    var phi_541_: u32;
-    var phi_543_: lt_math_LevelPoint;
-    var phi_629_: bool;
-    var phi_638_: bool;
-    var phi_647_: bool;
-    var phi_648_: bool;
-    var phi_649_: bool;
-    var phi_650_: bool;
+    var phi_522_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_542_: lt_math_LightPoint;
+    var phi_545_: u32;
+    var phi_547_: lt_math_LevelPoint;
+    var phi_633_: bool;
+    var phi_642_: bool;
     var phi_651_: bool;
     var phi_652_: bool;
     var phi_653_: bool;
+    var phi_654_: bool;
+    var phi_655_: bool;
+    var phi_656_: bool;
     var phi_657_: bool;
-    var phi_684_: bool;
-    var phi_685_: bool;
-    var phi_686_: bool;
-    var phi_687_: bool;
+    var phi_661_: bool;
     var phi_688_: bool;
     var phi_689_: bool;
     var phi_690_: bool;
     var phi_691_: bool;
+    var phi_692_: bool;
+    var phi_693_: bool;
+    var phi_694_: bool;
     var phi_695_: bool;
-    var phi_704_: lt_math_LightPoint;
-    var phi_705_: u32;
-    var phi_706_: lt_math_LevelPoint;
-    var phi_707_: bool;
-    var phi_539_: lt_math_LightPoint;
-    var phi_542_: u32;
-    var phi_544_: lt_math_LevelPoint;
-    var phi_708_: bool;
+    var phi_699_: bool;
+    var phi_708_: lt_math_LightPoint;
+    var phi_709_: u32;
+    var phi_710_: lt_math_LevelPoint;
+    var phi_711_: bool;
+    var phi_543_: lt_math_LightPoint;
+    var phi_546_: u32;
+    var phi_548_: lt_math_LevelPoint;
+    var phi_712_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_748_: bool;
-    var phi_749_: bool;
-    var phi_750_: bool;
-    var phi_751_: bool;
+    var phi_752_: bool;
+    var phi_753_: bool;
+    var phi_754_: bool;
     var phi_755_: bool;
-    var phi_837_: f32;
-    var phi_955_: f32;
-    var phi_956_: f32;
+    var phi_759_: bool;
+    var phi_841_: f32;
     var phi_959_: f32;
-    var phi_988_: f32;
-    var phi_993_: f32;
-    var phi_994_: bool;
-    var phi_995_: f32;
-    var phi_996_: bool;
-    var phi_1000_: f32;
-    var phi_1020_: f32;
-    var phi_1025_: f32;
-    var phi_1026_: bool;
-    var phi_1027_: f32;
-    var phi_1028_: bool;
-    var phi_1032_: f32;
+    var phi_960_: f32;
+    var phi_963_: f32;
+    var phi_992_: f32;
+    var phi_997_: f32;
+    var phi_998_: bool;
+    var phi_999_: f32;
+    var phi_1000_: bool;
+    var phi_1004_: f32;
+    var phi_1024_: f32;
+    var phi_1029_: f32;
+    var phi_1030_: bool;
+    var phi_1031_: f32;
+    var phi_1032_: bool;
+    var phi_1036_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_1081_: i32;
-    var phi_1086_: i32;
-    var phi_1091_: i32;
-    var phi_1096_: i32;
-    var phi_1105_: i32;
-    var phi_1110_: i32;
-    var phi_1115_: i32;
-    var phi_1120_: i32;
-    var phi_1215_: bool;
-    var phi_1223_: bool;
-    var phi_1235_: bool;
-    var phi_1236_: bool;
-    var phi_1240_: f32;
+    var phi_1085_: i32;
+    var phi_1090_: i32;
+    var phi_1095_: i32;
+    var phi_1100_: i32;
+    var phi_1109_: i32;
+    var phi_1114_: i32;
+    var phi_1119_: i32;
+    var phi_1124_: i32;
+    var phi_1221_: bool;
+    var phi_1229_: bool;
+    var phi_1241_: bool;
+    var phi_1242_: bool;
     var phi_1246_: f32;
-    var phi_1248_: evaluate_Verdict;
-    var phi_1253_: evaluate_Verdict;
+    var phi_1252_: f32;
     var phi_1254_: evaluate_Verdict;
+    var phi_1264_: u32;
+    var phi_1273_: f32;
+    var phi_1275_: evaluate_Verdict;
+    var phi_1276_: bool;
+    var phi_1277_: evaluate_Verdict;
+    var phi_1278_: bool;
+    var phi_1283_: evaluate_Verdict;
+    var phi_1288_: evaluate_Verdict;
+    var phi_1289_: evaluate_Verdict;
 
-    let _e41 = id_1;
-    let _e48 = arrayLength((&map.member));
-    let _e54 = arrayLength((&levels.member));
-    let _e57 = p.member.size[0u];
-    let _e59 = p.member.size[1u];
-    let _e60 = lt_shaders_entry_pixel_index(_e41, _e57, _e59);
-    if (bitcast<i32>(_e60.root) != 0i) {
-        let _e66 = p.member.level_count;
-        if (_e60.first_primitive < arrayLength((&samples.member))) {
+    let _e44 = id_1;
+    let _e51 = arrayLength((&map.member));
+    let _e57 = arrayLength((&levels.member));
+    let _e60 = p.member.size[0u];
+    let _e62 = p.member.size[1u];
+    let _e63 = lt_shaders_entry_pixel_index(_e44, _e60, _e62);
+    if (bitcast<i32>(_e63.root) != 0i) {
+        let _e69 = p.member.level_count;
+        if (_e63.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e73 = samples.member[(0u + _e60.first_primitive)].normal[0u];
-        let _e75 = global[0u];
-        if (_e73 == _e75) {
-            let _e78 = samples.member[(0u + _e60.first_primitive)].normal[1u];
-            let _e80 = global[1u];
-            if (_e78 == _e80) {
-                let _e83 = samples.member[(0u + _e60.first_primitive)].normal[2u];
-                let _e85 = global[2u];
-                phi_415_ = (_e83 == _e85);
-                phi_416_ = false;
+        let _e76 = samples.member[(0u + _e63.first_primitive)].normal[0u];
+        let _e78 = global[0u];
+        if (_e76 == _e78) {
+            let _e81 = samples.member[(0u + _e63.first_primitive)].normal[1u];
+            let _e83 = global[1u];
+            if (_e81 == _e83) {
+                let _e86 = samples.member[(0u + _e63.first_primitive)].normal[2u];
+                let _e88 = global[2u];
+                phi_419_ = (_e86 == _e88);
+                phi_420_ = false;
             } else {
-                phi_415_ = bool();
-                phi_416_ = true;
+                phi_419_ = bool();
+                phi_420_ = true;
             }
-            let _e88 = phi_415_;
-            let _e90 = phi_416_;
-            phi_417_ = _e88;
-            phi_418_ = _e90;
+            let _e91 = phi_419_;
+            let _e93 = phi_420_;
+            phi_421_ = _e91;
+            phi_422_ = _e93;
         } else {
-            phi_417_ = bool();
-            phi_418_ = true;
+            phi_421_ = bool();
+            phi_422_ = true;
         }
-        let _e92 = phi_417_;
-        let _e94 = phi_418_;
-        if _e94 {
-            phi_422_ = false;
+        let _e95 = phi_421_;
+        let _e97 = phi_422_;
+        if _e97 {
+            phi_426_ = false;
         } else {
-            phi_422_ = _e92;
+            phi_426_ = _e95;
         }
-        let _e96 = phi_422_;
-        if !(_e96) {
-            let _e99 = samples.member[(0u + _e60.first_primitive)].position;
-            let _e101 = p.member.light.place;
-            let _e107 = p.member.light.place[3u];
-            let _e114 = (_e101.x - (_e99.x * _e107));
-            let _e115 = (_e101.y - (_e99.y * _e107));
-            let _e116 = (_e101.z - (_e99.z * _e107));
-            let _e118 = samples.member[(0u + _e60.first_primitive)].normal;
-            if ((((_e118.x * _e114) + (_e118.y * _e115)) + (_e118.z * _e116)) > 0f) {
-                let _e132 = (((_e114 * _e114) + (_e115 * _e115)) + (_e116 * _e116));
-                let _e134 = p.member.light.axis;
-                let _e146 = p.member.light.place[3u];
-                if (_e146 == 0f) {
-                    phi_493_ = true;
+        let _e99 = phi_426_;
+        if !(_e99) {
+            let _e102 = samples.member[(0u + _e63.first_primitive)].position;
+            let _e104 = p.member.light.place;
+            let _e110 = p.member.light.place[3u];
+            let _e117 = (_e104.x - (_e102.x * _e110));
+            let _e118 = (_e104.y - (_e102.y * _e110));
+            let _e119 = (_e104.z - (_e102.z * _e110));
+            let _e121 = samples.member[(0u + _e63.first_primitive)].normal;
+            if ((((_e121.x * _e117) + (_e121.y * _e118)) + (_e121.z * _e119)) > 0f) {
+                let _e135 = (((_e117 * _e117) + (_e118 * _e118)) + (_e119 * _e119));
+                let _e137 = p.member.light.axis;
+                let _e149 = p.member.light.place[3u];
+                if (_e149 == 0f) {
+                    phi_497_ = true;
                 } else {
-                    let _e149 = p.member.light.range_squared;
-                    if (_e132 <= _e149) {
-                        let _e152 = p.member.light.cos_outer;
-                        phi_492_ = (-((((_e114 * _e134.x) + (_e115 * _e134.y)) + (_e116 * _e134.z))) >= (_e152 * sqrt(_e132)));
+                    let _e152 = p.member.light.range_squared;
+                    if (_e135 <= _e152) {
+                        let _e155 = p.member.light.cos_outer;
+                        phi_496_ = (-((((_e117 * _e137.x) + (_e118 * _e137.y)) + (_e119 * _e137.z))) >= (_e155 * sqrt(_e135)));
                     } else {
-                        phi_492_ = false;
+                        phi_496_ = false;
                     }
-                    let _e157 = phi_492_;
-                    phi_493_ = _e157;
+                    let _e160 = phi_496_;
+                    phi_497_ = _e160;
                 }
-                let _e159 = phi_493_;
-                if _e159 {
-                    let _e161 = samples.member[(0u + _e60.first_primitive)].flags;
-                    let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e169.unnamed.visibility, false), _e169.unnamed_1);
-                    phi_504_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e175.unnamed, ((_e161 & 1u) == 0u));
-                    phi_505_ = false;
+                let _e162 = phi_497_;
+                if _e162 {
+                    let _e164 = samples.member[(0u + _e63.first_primitive)].flags;
+                    let _e172 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e178 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e172.unnamed.visibility, false), _e172.unnamed_1);
+                    phi_508_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e178.unnamed, ((_e164 & 1u) == 0u));
+                    phi_509_ = false;
                 } else {
-                    phi_504_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_505_ = true;
+                    phi_508_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_509_ = true;
                 }
-                let _e180 = phi_504_;
-                let _e182 = phi_505_;
-                phi_506_ = _e180;
-                phi_507_ = _e182;
+                let _e183 = phi_508_;
+                let _e185 = phi_509_;
+                phi_510_ = _e183;
+                phi_511_ = _e185;
             } else {
-                phi_506_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_507_ = true;
+                phi_510_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_511_ = true;
             }
-            let _e184 = phi_506_;
-            let _e186 = phi_507_;
-            if _e186 {
-                let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
-                phi_514_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, true);
+            let _e187 = phi_510_;
+            let _e189 = phi_511_;
+            if _e189 {
+                let _e195 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e201 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e195.unnamed.visibility, false), _e195.unnamed_1);
+                phi_518_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e201.unnamed, true);
             } else {
-                phi_514_ = _e184;
+                phi_518_ = _e187;
             }
-            let _e203 = phi_514_;
-            phi_518_ = _e203;
+            let _e206 = phi_518_;
+            phi_522_ = _e206;
         } else {
-            let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e209.unnamed.visibility, false), _e209.unnamed_1);
-            phi_518_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e215.unnamed, true);
+            let _e212 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e218 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e212.unnamed.visibility, false), _e212.unnamed_1);
+            phi_522_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e218.unnamed, true);
         }
-        let _e220 = phi_518_;
-        if _e220.unnamed_1 {
-            phi_1254_ = evaluate_Verdict(_e220.unnamed.visibility, _e220.unnamed.is_doubted);
+        let _e223 = phi_522_;
+        if _e223.unnamed_1 {
+            phi_1289_ = evaluate_Verdict(_e223.unnamed.visibility, _e223.unnamed.is_doubted);
         } else {
-            let _e228 = samples.member[(0u + _e60.first_primitive)].position;
-            let _e230 = p.member.map_size;
-            let _e232 = (0.5f / f32(_e230));
-            let _e239 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e246 = lt_math_LightPoint(vec2<f32>(_e239.uv.x, 0f), _e239.depth, _e239.is_inside);
-            let _e250 = lt_math_LightPoint(_e246.uv, 0f, _e246.is_inside);
-            phi_538_ = lt_math_LightPoint();
-            phi_541_ = 0u;
-            phi_543_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e250.uv, _e250.depth, false));
+            let _e231 = samples.member[(0u + _e63.first_primitive)].position;
+            let _e233 = p.member.map_size;
+            let _e235 = (0.5f / f32(_e233));
+            let _e242 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e249 = lt_math_LightPoint(vec2<f32>(_e242.uv.x, 0f), _e242.depth, _e242.is_inside);
+            let _e253 = lt_math_LightPoint(_e249.uv, 0f, _e249.is_inside);
+            phi_542_ = lt_math_LightPoint();
+            phi_545_ = 0u;
+            phi_547_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e253.uv, _e253.depth, false));
             loop {
-                let _e257 = phi_538_;
-                let _e259 = phi_541_;
-                let _e261 = phi_543_;
-                local_1 = _e261;
-                local_2 = _e261;
-                local_3 = _e261;
-                if (_e259 < _e66) {
-                    if _e261.point.is_inside {
-                        phi_704_ = lt_math_LightPoint();
-                        phi_705_ = u32();
-                        phi_706_ = lt_math_LevelPoint();
-                        phi_707_ = false;
+                let _e260 = phi_542_;
+                let _e262 = phi_545_;
+                let _e264 = phi_547_;
+                local_1 = _e264;
+                local_2 = _e264;
+                local_3 = _e264;
+                if (_e262 < _e69) {
+                    if _e264.point.is_inside {
+                        phi_708_ = lt_math_LightPoint();
+                        phi_709_ = u32();
+                        phi_710_ = lt_math_LevelPoint();
+                        phi_711_ = false;
                     } else {
-                        if (_e259 < _e54) {
+                        if (_e262 < _e57) {
                         } else {
                             return;
                         }
-                        let _e272 = levels.member[(0u + _e259)].row_w;
-                        let _e283 = ((((_e272.x * _e228.x) + (_e272.y * _e228.y)) + (_e272.z * _e228.z)) + (_e272.w * 1f));
-                        let _e285 = levels.member[(0u + _e259)].row_x;
-                        let _e297 = (((((_e285.x * _e228.x) + (_e285.y * _e228.y)) + (_e285.z * _e228.z)) + (_e285.w * 1f)) / _e283);
-                        let _e299 = levels.member[(0u + _e259)].row_y;
-                        let _e311 = (((((_e299.x * _e228.x) + (_e299.y * _e228.y)) + (_e299.z * _e228.z)) + (_e299.w * 1f)) / _e283);
-                        let _e313 = levels.member[(0u + _e259)].row_z;
-                        let _e324 = ((((_e313.x * _e228.x) + (_e313.y * _e228.y)) + (_e313.z * _e228.z)) + (_e313.w * 1f));
-                        if (_e283 > 0f) {
-                            if (_e297 >= 0f) {
-                                phi_629_ = (_e297 <= 1f);
+                        let _e275 = levels.member[(0u + _e262)].row_w;
+                        let _e286 = ((((_e275.x * _e231.x) + (_e275.y * _e231.y)) + (_e275.z * _e231.z)) + (_e275.w * 1f));
+                        let _e288 = levels.member[(0u + _e262)].row_x;
+                        let _e300 = (((((_e288.x * _e231.x) + (_e288.y * _e231.y)) + (_e288.z * _e231.z)) + (_e288.w * 1f)) / _e286);
+                        let _e302 = levels.member[(0u + _e262)].row_y;
+                        let _e314 = (((((_e302.x * _e231.x) + (_e302.y * _e231.y)) + (_e302.z * _e231.z)) + (_e302.w * 1f)) / _e286);
+                        let _e316 = levels.member[(0u + _e262)].row_z;
+                        let _e327 = ((((_e316.x * _e231.x) + (_e316.y * _e231.y)) + (_e316.z * _e231.z)) + (_e316.w * 1f));
+                        if (_e286 > 0f) {
+                            if (_e300 >= 0f) {
+                                phi_633_ = (_e300 <= 1f);
                             } else {
-                                phi_629_ = false;
+                                phi_633_ = false;
                             }
-                            let _e329 = phi_629_;
-                            if _e329 {
-                                if (_e311 >= 0f) {
-                                    phi_638_ = (_e311 <= 1f);
+                            let _e332 = phi_633_;
+                            if _e332 {
+                                if (_e314 >= 0f) {
+                                    phi_642_ = (_e314 <= 1f);
                                 } else {
-                                    phi_638_ = false;
+                                    phi_642_ = false;
                                 }
-                                let _e333 = phi_638_;
-                                if _e333 {
-                                    if (_e324 >= 0f) {
-                                        phi_647_ = (_e324 <= 1f);
+                                let _e336 = phi_642_;
+                                if _e336 {
+                                    if (_e327 >= 0f) {
+                                        phi_651_ = (_e327 <= 1f);
                                     } else {
-                                        phi_647_ = false;
+                                        phi_651_ = false;
                                     }
-                                    let _e337 = phi_647_;
-                                    phi_648_ = _e337;
-                                    phi_649_ = false;
+                                    let _e340 = phi_651_;
+                                    phi_652_ = _e340;
+                                    phi_653_ = false;
                                 } else {
-                                    phi_648_ = bool();
-                                    phi_649_ = true;
+                                    phi_652_ = bool();
+                                    phi_653_ = true;
                                 }
-                                let _e339 = phi_648_;
-                                let _e341 = phi_649_;
-                                phi_650_ = _e339;
-                                phi_651_ = _e341;
+                                let _e342 = phi_652_;
+                                let _e344 = phi_653_;
+                                phi_654_ = _e342;
+                                phi_655_ = _e344;
                             } else {
-                                phi_650_ = bool();
-                                phi_651_ = true;
+                                phi_654_ = bool();
+                                phi_655_ = true;
                             }
-                            let _e343 = phi_650_;
-                            let _e345 = phi_651_;
-                            phi_652_ = _e343;
-                            phi_653_ = _e345;
+                            let _e346 = phi_654_;
+                            let _e348 = phi_655_;
+                            phi_656_ = _e346;
+                            phi_657_ = _e348;
                         } else {
-                            phi_652_ = bool();
-                            phi_653_ = true;
+                            phi_656_ = bool();
+                            phi_657_ = true;
                         }
-                        let _e347 = phi_652_;
-                        let _e349 = phi_653_;
-                        if _e349 {
-                            phi_657_ = false;
+                        let _e350 = phi_656_;
+                        let _e352 = phi_657_;
+                        if _e352 {
+                            phi_661_ = false;
                         } else {
-                            phi_657_ = _e347;
+                            phi_661_ = _e350;
                         }
-                        let _e351 = phi_657_;
-                        if _e351 {
-                            if (_e297 >= _e232) {
-                                if (_e297 <= (1f - _e232)) {
-                                    if (_e311 >= _e232) {
-                                        phi_684_ = (_e311 <= (1f - _e232));
-                                        phi_685_ = false;
+                        let _e354 = phi_661_;
+                        if _e354 {
+                            if (_e300 >= _e235) {
+                                if (_e300 <= (1f - _e235)) {
+                                    if (_e314 >= _e235) {
+                                        phi_688_ = (_e314 <= (1f - _e235));
+                                        phi_689_ = false;
                                     } else {
-                                        phi_684_ = bool();
-                                        phi_685_ = true;
+                                        phi_688_ = bool();
+                                        phi_689_ = true;
                                     }
-                                    let _e359 = phi_684_;
-                                    let _e361 = phi_685_;
-                                    phi_686_ = _e359;
-                                    phi_687_ = _e361;
+                                    let _e362 = phi_688_;
+                                    let _e364 = phi_689_;
+                                    phi_690_ = _e362;
+                                    phi_691_ = _e364;
                                 } else {
-                                    phi_686_ = bool();
-                                    phi_687_ = true;
+                                    phi_690_ = bool();
+                                    phi_691_ = true;
                                 }
-                                let _e363 = phi_686_;
-                                let _e365 = phi_687_;
-                                phi_688_ = _e363;
-                                phi_689_ = _e365;
+                                let _e366 = phi_690_;
+                                let _e368 = phi_691_;
+                                phi_692_ = _e366;
+                                phi_693_ = _e368;
                             } else {
-                                phi_688_ = bool();
-                                phi_689_ = true;
+                                phi_692_ = bool();
+                                phi_693_ = true;
                             }
-                            let _e367 = phi_688_;
-                            let _e369 = phi_689_;
-                            phi_690_ = _e367;
-                            phi_691_ = _e369;
+                            let _e370 = phi_692_;
+                            let _e372 = phi_693_;
+                            phi_694_ = _e370;
+                            phi_695_ = _e372;
                         } else {
-                            phi_690_ = bool();
-                            phi_691_ = true;
+                            phi_694_ = bool();
+                            phi_695_ = true;
                         }
-                        let _e371 = phi_690_;
-                        let _e373 = phi_691_;
-                        if _e373 {
-                            phi_695_ = false;
+                        let _e374 = phi_694_;
+                        let _e376 = phi_695_;
+                        if _e376 {
+                            phi_699_ = false;
                         } else {
-                            phi_695_ = _e371;
+                            phi_699_ = _e374;
                         }
-                        let _e375 = phi_695_;
-                        let _e382 = lt_math_LightPoint(vec2<f32>(_e297, _e257.uv.y), _e257.depth, _e257.is_inside);
-                        let _e389 = lt_math_LightPoint(vec2<f32>(_e382.uv.x, _e311), _e382.depth, _e382.is_inside);
-                        let _e393 = lt_math_LightPoint(_e389.uv, _e324, _e389.is_inside);
-                        let _e397 = lt_math_LightPoint(_e393.uv, _e393.depth, _e375);
-                        phi_704_ = _e397;
-                        phi_705_ = (_e259 + 1u);
-                        phi_706_ = lt_math_LevelPoint(_e259, _e397);
-                        phi_707_ = true;
+                        let _e378 = phi_699_;
+                        let _e385 = lt_math_LightPoint(vec2<f32>(_e300, _e260.uv.y), _e260.depth, _e260.is_inside);
+                        let _e392 = lt_math_LightPoint(vec2<f32>(_e385.uv.x, _e314), _e385.depth, _e385.is_inside);
+                        let _e396 = lt_math_LightPoint(_e392.uv, _e327, _e392.is_inside);
+                        let _e400 = lt_math_LightPoint(_e396.uv, _e396.depth, _e378);
+                        phi_708_ = _e400;
+                        phi_709_ = (_e262 + 1u);
+                        phi_710_ = lt_math_LevelPoint(_e262, _e400);
+                        phi_711_ = true;
                     }
-                    let _e401 = phi_704_;
-                    let _e403 = phi_705_;
-                    let _e405 = phi_706_;
-                    let _e407 = phi_707_;
-                    phi_539_ = _e401;
-                    phi_542_ = _e403;
-                    phi_544_ = _e405;
-                    phi_708_ = _e407;
+                    let _e404 = phi_708_;
+                    let _e406 = phi_709_;
+                    let _e408 = phi_710_;
+                    let _e410 = phi_711_;
+                    phi_543_ = _e404;
+                    phi_546_ = _e406;
+                    phi_548_ = _e408;
+                    phi_712_ = _e410;
                 } else {
-                    phi_539_ = lt_math_LightPoint();
-                    phi_542_ = u32();
-                    phi_544_ = lt_math_LevelPoint();
-                    phi_708_ = false;
+                    phi_543_ = lt_math_LightPoint();
+                    phi_546_ = u32();
+                    phi_548_ = lt_math_LevelPoint();
+                    phi_712_ = false;
                 }
-                let _e409 = phi_539_;
-                let _e411 = phi_542_;
-                let _e413 = phi_544_;
-                let _e415 = phi_708_;
+                let _e412 = phi_543_;
+                let _e414 = phi_546_;
+                let _e416 = phi_548_;
+                let _e418 = phi_712_;
                 continue;
                 continuing {
-                    phi_538_ = _e409;
-                    phi_541_ = _e411;
-                    phi_543_ = _e413;
-                    break if !(_e415);
+                    phi_542_ = _e412;
+                    phi_545_ = _e414;
+                    phi_547_ = _e416;
+                    break if !(_e418);
                 }
             }
-            let _e418 = local_1;
-            if _e418.point.is_inside {
+            let _e421 = local_1;
+            if _e421.point.is_inside {
                 if (0f > 0f) {
-                    let _e424 = local_2;
-                    if (_e424.level < _e54) {
+                    let _e427 = local_2;
+                    if (_e427.level < _e57) {
                     } else {
                         return;
                     }
-                    let _e429 = levels.member[(0u + _e424.level)];
-                    let _e435 = global[0u];
-                    if (_e429.row_w.x == _e435) {
-                        let _e438 = global[1u];
-                        if (_e429.row_w.y == _e438) {
-                            let _e441 = global[2u];
-                            phi_748_ = (_e429.row_w.z == _e441);
-                            phi_749_ = false;
+                    let _e432 = levels.member[(0u + _e427.level)];
+                    let _e438 = global[0u];
+                    if (_e432.row_w.x == _e438) {
+                        let _e441 = global[1u];
+                        if (_e432.row_w.y == _e441) {
+                            let _e444 = global[2u];
+                            phi_752_ = (_e432.row_w.z == _e444);
+                            phi_753_ = false;
                         } else {
-                            phi_748_ = bool();
-                            phi_749_ = true;
+                            phi_752_ = bool();
+                            phi_753_ = true;
                         }
-                        let _e444 = phi_748_;
-                        let _e446 = phi_749_;
-                        phi_750_ = _e444;
-                        phi_751_ = _e446;
+                        let _e447 = phi_752_;
+                        let _e449 = phi_753_;
+                        phi_754_ = _e447;
+                        phi_755_ = _e449;
                     } else {
-                        phi_750_ = bool();
-                        phi_751_ = true;
+                        phi_754_ = bool();
+                        phi_755_ = true;
                     }
-                    let _e448 = phi_750_;
-                    let _e450 = phi_751_;
-                    if _e450 {
-                        phi_755_ = false;
+                    let _e451 = phi_754_;
+                    let _e453 = phi_755_;
+                    if _e453 {
+                        phi_759_ = false;
                     } else {
-                        phi_755_ = _e448;
+                        phi_759_ = _e451;
                     }
-                    let _e452 = phi_755_;
-                    if _e452 {
-                        let _e454 = samples.member[(0u + _e60.first_primitive)].normal;
-                        let _e456 = p.member.map_size;
-                        let _e526 = ((abs(((((_e429.row_x.x * _e454.x) + (_e429.row_x.y * _e454.y)) + (_e429.row_x.z * _e454.z)) / (((_e429.row_x.x * _e429.row_x.x) + (_e429.row_x.y * _e429.row_x.y)) + (_e429.row_x.z * _e429.row_x.z)))) + abs(((((_e429.row_y.x * _e454.x) + (_e429.row_y.y * _e454.y)) + (_e429.row_y.z * _e454.z)) / (((_e429.row_y.x * _e429.row_y.x) + (_e429.row_y.y * _e429.row_y.y)) + (_e429.row_y.z * _e429.row_y.z))))) / (abs(((((_e429.row_z.x * _e454.x) + (_e429.row_z.y * _e454.y)) + (_e429.row_z.z * _e454.z)) / (((_e429.row_z.x * _e429.row_z.x) + (_e429.row_z.y * _e429.row_z.y)) + (_e429.row_z.z * _e429.row_z.z)))) * f32(_e456)));
-                        if (_e526 < 0.002f) {
-                            phi_837_ = _e526;
+                    let _e455 = phi_759_;
+                    if _e455 {
+                        let _e457 = samples.member[(0u + _e63.first_primitive)].normal;
+                        let _e459 = p.member.map_size;
+                        let _e529 = ((abs(((((_e432.row_x.x * _e457.x) + (_e432.row_x.y * _e457.y)) + (_e432.row_x.z * _e457.z)) / (((_e432.row_x.x * _e432.row_x.x) + (_e432.row_x.y * _e432.row_x.y)) + (_e432.row_x.z * _e432.row_x.z)))) + abs(((((_e432.row_y.x * _e457.x) + (_e432.row_y.y * _e457.y)) + (_e432.row_y.z * _e457.z)) / (((_e432.row_y.x * _e432.row_y.x) + (_e432.row_y.y * _e432.row_y.y)) + (_e432.row_y.z * _e432.row_y.z))))) / (abs(((((_e432.row_z.x * _e457.x) + (_e432.row_z.y * _e457.y)) + (_e432.row_z.z * _e457.z)) / (((_e432.row_z.x * _e432.row_z.x) + (_e432.row_z.y * _e432.row_z.y)) + (_e432.row_z.z * _e432.row_z.z)))) * f32(_e459)));
+                        if (_e529 < 0.002f) {
+                            phi_841_ = _e529;
                         } else {
-                            phi_837_ = 0.002f;
+                            phi_841_ = 0.002f;
                         }
-                        let _e529 = phi_837_;
-                        phi_956_ = _e529;
+                        let _e532 = phi_841_;
+                        phi_960_ = _e532;
                     } else {
-                        let _e531 = p.member.map_size;
-                        let _e537 = samples.member[(0u + _e60.first_primitive)].position;
-                        let _e548 = ((((_e429.row_w.x * _e537.x) + (_e429.row_w.y * _e537.y)) + (_e429.row_w.z * _e537.z)) + _e429.row_w.w);
-                        let _e561 = ((_e429.row_x.x - (_e429.row_w.x * _e418.point.uv.x)) / _e548);
-                        let _e562 = ((_e429.row_x.y - (_e429.row_w.y * _e418.point.uv.x)) / _e548);
-                        let _e563 = ((_e429.row_x.z - (_e429.row_w.z * _e418.point.uv.x)) / _e548);
-                        let _e576 = ((_e429.row_y.x - (_e429.row_w.x * _e418.point.uv.y)) / _e548);
-                        let _e577 = ((_e429.row_y.y - (_e429.row_w.y * _e418.point.uv.y)) / _e548);
-                        let _e578 = ((_e429.row_y.z - (_e429.row_w.z * _e418.point.uv.y)) / _e548);
-                        let _e584 = samples.member[(0u + _e60.first_primitive)].normal;
-                        let _e589 = ((_e577 * _e584.z) - (_e584.y * _e578));
-                        let _e594 = ((_e578 * _e584.x) - (_e584.z * _e576));
-                        let _e599 = ((_e576 * _e584.y) - (_e584.x * _e577));
-                        let _e601 = samples.member[(0u + _e60.first_primitive)].normal;
-                        let _e606 = ((_e562 * _e601.z) - (_e601.y * _e563));
-                        let _e611 = ((_e563 * _e601.x) - (_e601.z * _e561));
-                        let _e616 = ((_e561 * _e601.y) - (_e601.x * _e562));
-                        let _e643 = ((abs(((((_e429.row_z.x * _e589) + (_e429.row_z.y * _e594)) + (_e429.row_z.z * _e599)) / (((_e561 * _e589) + (_e562 * _e594)) + (_e563 * _e599)))) + abs(((((_e429.row_z.x * _e606) + (_e429.row_z.y * _e611)) + (_e429.row_z.z * _e616)) / (((_e576 * _e606) + (_e577 * _e611)) + (_e578 * _e616))))) / f32(_e531));
-                        let _e645 = (16f / f32(_e531));
-                        if (_e643 < _e645) {
-                            phi_955_ = _e643;
+                        let _e534 = p.member.map_size;
+                        let _e540 = samples.member[(0u + _e63.first_primitive)].position;
+                        let _e551 = ((((_e432.row_w.x * _e540.x) + (_e432.row_w.y * _e540.y)) + (_e432.row_w.z * _e540.z)) + _e432.row_w.w);
+                        let _e564 = ((_e432.row_x.x - (_e432.row_w.x * _e421.point.uv.x)) / _e551);
+                        let _e565 = ((_e432.row_x.y - (_e432.row_w.y * _e421.point.uv.x)) / _e551);
+                        let _e566 = ((_e432.row_x.z - (_e432.row_w.z * _e421.point.uv.x)) / _e551);
+                        let _e579 = ((_e432.row_y.x - (_e432.row_w.x * _e421.point.uv.y)) / _e551);
+                        let _e580 = ((_e432.row_y.y - (_e432.row_w.y * _e421.point.uv.y)) / _e551);
+                        let _e581 = ((_e432.row_y.z - (_e432.row_w.z * _e421.point.uv.y)) / _e551);
+                        let _e587 = samples.member[(0u + _e63.first_primitive)].normal;
+                        let _e592 = ((_e580 * _e587.z) - (_e587.y * _e581));
+                        let _e597 = ((_e581 * _e587.x) - (_e587.z * _e579));
+                        let _e602 = ((_e579 * _e587.y) - (_e587.x * _e580));
+                        let _e604 = samples.member[(0u + _e63.first_primitive)].normal;
+                        let _e609 = ((_e565 * _e604.z) - (_e604.y * _e566));
+                        let _e614 = ((_e566 * _e604.x) - (_e604.z * _e564));
+                        let _e619 = ((_e564 * _e604.y) - (_e604.x * _e565));
+                        let _e646 = ((abs(((((_e432.row_z.x * _e592) + (_e432.row_z.y * _e597)) + (_e432.row_z.z * _e602)) / (((_e564 * _e592) + (_e565 * _e597)) + (_e566 * _e602)))) + abs(((((_e432.row_z.x * _e609) + (_e432.row_z.y * _e614)) + (_e432.row_z.z * _e619)) / (((_e579 * _e609) + (_e580 * _e614)) + (_e581 * _e619))))) / f32(_e534));
+                        let _e648 = (16f / f32(_e534));
+                        if (_e646 < _e648) {
+                            phi_959_ = _e646;
                         } else {
-                            phi_955_ = _e645;
+                            phi_959_ = _e648;
                         }
-                        let _e648 = phi_955_;
-                        phi_956_ = _e648;
+                        let _e651 = phi_959_;
+                        phi_960_ = _e651;
                     }
-                    let _e650 = phi_956_;
-                    phi_959_ = (_e418.point.depth - (0f * _e650));
+                    let _e653 = phi_960_;
+                    phi_963_ = (_e421.point.depth - (0f * _e653));
                 } else {
-                    phi_959_ = _e418.point.depth;
+                    phi_963_ = _e421.point.depth;
                 }
-                let _e654 = phi_959_;
-                let _e660 = p.member.map_size;
-                let _e661 = f32(_e660);
-                let _e664 = ((_e418.point.uv.x * _e661) - 0.5f);
-                let _e665 = ((_e418.point.uv.y * _e661) - 0.5f);
-                if (_e664 > -8388608f) {
-                    let _e677 = f32(select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < bitcast<f32>(3472883712u))), 2147483647i, (_e664 > bitcast<f32>(1325400063u))), (_e664 == _e664)));
-                    if (_e677 > _e664) {
-                        phi_988_ = 1f;
+                let _e657 = phi_963_;
+                let _e663 = p.member.map_size;
+                let _e664 = f32(_e663);
+                let _e667 = ((_e421.point.uv.x * _e664) - 0.5f);
+                let _e668 = ((_e421.point.uv.y * _e664) - 0.5f);
+                if (_e667 > -8388608f) {
+                    let _e680 = f32(select(0i, select(select(i32(_e667), i32(-2147483648), (_e667 < bitcast<f32>(3472883712u))), 2147483647i, (_e667 > bitcast<f32>(1325400063u))), (_e667 == _e667)));
+                    if (_e680 > _e667) {
+                        phi_992_ = 1f;
                     } else {
-                        phi_988_ = 0f;
+                        phi_992_ = 0f;
                     }
-                    let _e680 = phi_988_;
-                    if (_e664 < 8388608f) {
-                        phi_993_ = (_e677 - _e680);
-                        phi_994_ = false;
+                    let _e683 = phi_992_;
+                    if (_e667 < 8388608f) {
+                        phi_997_ = (_e680 - _e683);
+                        phi_998_ = false;
                     } else {
-                        phi_993_ = f32();
-                        phi_994_ = true;
+                        phi_997_ = f32();
+                        phi_998_ = true;
                     }
-                    let _e683 = phi_993_;
-                    let _e685 = phi_994_;
-                    phi_995_ = _e683;
-                    phi_996_ = _e685;
+                    let _e686 = phi_997_;
+                    let _e688 = phi_998_;
+                    phi_999_ = _e686;
+                    phi_1000_ = _e688;
                 } else {
-                    phi_995_ = f32();
-                    phi_996_ = true;
+                    phi_999_ = f32();
+                    phi_1000_ = true;
                 }
-                let _e687 = phi_995_;
-                let _e689 = phi_996_;
-                if _e689 {
-                    phi_1000_ = _e664;
+                let _e690 = phi_999_;
+                let _e692 = phi_1000_;
+                if _e692 {
+                    phi_1004_ = _e667;
                 } else {
-                    phi_1000_ = _e687;
+                    phi_1004_ = _e690;
                 }
-                let _e691 = phi_1000_;
-                if (_e665 > -8388608f) {
-                    let _e703 = f32(select(0i, select(select(i32(_e665), i32(-2147483648), (_e665 < bitcast<f32>(3472883712u))), 2147483647i, (_e665 > bitcast<f32>(1325400063u))), (_e665 == _e665)));
-                    if (_e703 > _e665) {
-                        phi_1020_ = 1f;
+                let _e694 = phi_1004_;
+                if (_e668 > -8388608f) {
+                    let _e706 = f32(select(0i, select(select(i32(_e668), i32(-2147483648), (_e668 < bitcast<f32>(3472883712u))), 2147483647i, (_e668 > bitcast<f32>(1325400063u))), (_e668 == _e668)));
+                    if (_e706 > _e668) {
+                        phi_1024_ = 1f;
                     } else {
-                        phi_1020_ = 0f;
+                        phi_1024_ = 0f;
                     }
-                    let _e706 = phi_1020_;
-                    if (_e665 < 8388608f) {
-                        phi_1025_ = (_e703 - _e706);
-                        phi_1026_ = false;
+                    let _e709 = phi_1024_;
+                    if (_e668 < 8388608f) {
+                        phi_1029_ = (_e706 - _e709);
+                        phi_1030_ = false;
                     } else {
-                        phi_1025_ = f32();
-                        phi_1026_ = true;
+                        phi_1029_ = f32();
+                        phi_1030_ = true;
                     }
-                    let _e709 = phi_1025_;
-                    let _e711 = phi_1026_;
-                    phi_1027_ = _e709;
-                    phi_1028_ = _e711;
+                    let _e712 = phi_1029_;
+                    let _e714 = phi_1030_;
+                    phi_1031_ = _e712;
+                    phi_1032_ = _e714;
                 } else {
-                    phi_1027_ = f32();
-                    phi_1028_ = true;
+                    phi_1031_ = f32();
+                    phi_1032_ = true;
                 }
-                let _e713 = phi_1027_;
-                let _e715 = phi_1028_;
-                if _e715 {
-                    phi_1032_ = _e665;
+                let _e716 = phi_1031_;
+                let _e718 = phi_1032_;
+                if _e718 {
+                    phi_1036_ = _e668;
                 } else {
-                    phi_1032_ = _e713;
+                    phi_1036_ = _e716;
                 }
-                let _e717 = phi_1032_;
-                let _e718 = (_e664 - _e691);
-                let _e719 = (_e665 - _e717);
-                let _e728 = select(0i, select(select(i32(_e691), i32(-2147483648), (_e691 < bitcast<f32>(3472883712u))), 2147483647i, (_e691 > bitcast<f32>(1325400063u))), (_e691 == _e691));
-                let _e737 = select(0i, select(select(i32(_e717), i32(-2147483648), (_e717 < bitcast<f32>(3472883712u))), 2147483647i, (_e717 > bitcast<f32>(1325400063u))), (_e717 == _e717));
-                let _e740 = ((1f - _e718) * (1f - _e719));
-                let _e742 = (_e718 * (1f - _e719));
-                let _e744 = ((1f - _e718) * _e719);
-                let _e745 = (_e718 * _e719);
-                let _e747 = p.member.test;
-                let _e748 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e747);
-                let _e750 = p.member.map_size;
-                let _e752 = local_3;
-                local = _e748;
-                let _e755 = ((_e752.level * _e750) * _e750);
-                let _e757 = (bitcast<i32>(_e750) - 1i);
-                if (_e728 > 0i) {
-                    phi_1081_ = _e728;
+                let _e720 = phi_1036_;
+                let _e721 = (_e667 - _e694);
+                let _e722 = (_e668 - _e720);
+                let _e731 = select(0i, select(select(i32(_e694), i32(-2147483648), (_e694 < bitcast<f32>(3472883712u))), 2147483647i, (_e694 > bitcast<f32>(1325400063u))), (_e694 == _e694));
+                let _e740 = select(0i, select(select(i32(_e720), i32(-2147483648), (_e720 < bitcast<f32>(3472883712u))), 2147483647i, (_e720 > bitcast<f32>(1325400063u))), (_e720 == _e720));
+                let _e743 = ((1f - _e721) * (1f - _e722));
+                let _e745 = (_e721 * (1f - _e722));
+                let _e747 = ((1f - _e721) * _e722);
+                let _e748 = (_e721 * _e722);
+                let _e750 = p.member.test;
+                let _e751 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e750);
+                let _e753 = p.member.map_size;
+                let _e755 = local_3;
+                local = _e751;
+                let _e758 = ((_e755.level * _e753) * _e753);
+                let _e760 = (bitcast<i32>(_e753) - 1i);
+                if (_e731 > 0i) {
+                    phi_1085_ = _e731;
                 } else {
-                    phi_1081_ = 0i;
+                    phi_1085_ = 0i;
                 }
-                let _e760 = phi_1081_;
-                if (_e737 > 0i) {
-                    phi_1086_ = _e737;
+                let _e763 = phi_1085_;
+                if (_e740 > 0i) {
+                    phi_1090_ = _e740;
                 } else {
-                    phi_1086_ = 0i;
+                    phi_1090_ = 0i;
                 }
-                let _e763 = phi_1086_;
-                if (_e760 < _e757) {
-                    phi_1091_ = _e760;
+                let _e766 = phi_1090_;
+                if (_e763 < _e760) {
+                    phi_1095_ = _e763;
                 } else {
-                    phi_1091_ = _e757;
+                    phi_1095_ = _e760;
                 }
-                let _e766 = phi_1091_;
-                if (_e763 < _e757) {
-                    phi_1096_ = _e763;
+                let _e769 = phi_1095_;
+                if (_e766 < _e760) {
+                    phi_1100_ = _e766;
                 } else {
-                    phi_1096_ = _e757;
+                    phi_1100_ = _e760;
                 }
-                let _e769 = phi_1096_;
-                let _e770 = bitcast<u32>(_e766);
-                let _e772 = (_e728 + 1i);
-                let _e773 = (_e737 + 1i);
-                if (_e772 > 0i) {
-                    phi_1105_ = _e772;
+                let _e772 = phi_1100_;
+                let _e773 = bitcast<u32>(_e769);
+                let _e775 = (_e731 + 1i);
+                let _e776 = (_e740 + 1i);
+                if (_e775 > 0i) {
+                    phi_1109_ = _e775;
                 } else {
-                    phi_1105_ = 0i;
+                    phi_1109_ = 0i;
                 }
-                let _e776 = phi_1105_;
-                if (_e773 > 0i) {
-                    phi_1110_ = _e773;
+                let _e779 = phi_1109_;
+                if (_e776 > 0i) {
+                    phi_1114_ = _e776;
                 } else {
-                    phi_1110_ = 0i;
+                    phi_1114_ = 0i;
                 }
-                let _e779 = phi_1110_;
-                if (_e776 < _e757) {
-                    phi_1115_ = _e776;
+                let _e782 = phi_1114_;
+                if (_e779 < _e760) {
+                    phi_1119_ = _e779;
                 } else {
-                    phi_1115_ = _e757;
+                    phi_1119_ = _e760;
                 }
-                let _e782 = phi_1115_;
-                if (_e779 < _e757) {
-                    phi_1120_ = _e779;
+                let _e785 = phi_1119_;
+                if (_e782 < _e760) {
+                    phi_1124_ = _e782;
                 } else {
-                    phi_1120_ = _e757;
+                    phi_1124_ = _e760;
                 }
-                let _e785 = phi_1120_;
-                let _e786 = bitcast<u32>(_e782);
-                let _e788 = (bitcast<u32>(_e769) * _e750);
-                let _e789 = (bitcast<u32>(_e785) * _e750);
-                let _e794 = ((_e788 + _e770) + _e755);
-                let _e795 = ((_e788 + _e786) + _e755);
-                let _e796 = ((_e789 + _e770) + _e755);
-                let _e797 = ((_e789 + _e786) + _e755);
-                if (_e794 < _e48) {
+                let _e788 = phi_1124_;
+                let _e789 = bitcast<u32>(_e785);
+                let _e791 = (bitcast<u32>(_e772) * _e753);
+                let _e792 = (bitcast<u32>(_e788) * _e753);
+                let _e797 = ((_e791 + _e773) + _e758);
+                let _e798 = ((_e791 + _e789) + _e758);
+                let _e799 = ((_e792 + _e773) + _e758);
+                let _e800 = ((_e792 + _e789) + _e758);
+                if (_e797 < _e51) {
                 } else {
                     return;
                 }
-                let _e801 = map.member[(0u + _e794)];
-                if (_e795 < _e48) {
+                let _e804 = map.member[(0u + _e797)];
+                if (_e798 < _e51) {
                 } else {
                     return;
                 }
-                let _e813 = map.member[(0u + _e795)];
-                if (_e796 < _e48) {
+                let _e816 = map.member[(0u + _e798)];
+                if (_e799 < _e51) {
                 } else {
                     return;
                 }
-                let _e829 = map.member[(0u + _e796)];
-                if (_e797 < _e48) {
+                let _e832 = map.member[(0u + _e799)];
+                if (_e800 < _e51) {
                 } else {
                     return;
                 }
-                let _e845 = map.member[(0u + _e797)];
-                let _e859 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e801.x * _e740) + (_e813.x * _e742)) + (_e829.x * _e744)) + (_e845.x * _e745)), ((((_e801.y * _e740) + (_e813.y * _e742)) + (_e829.y * _e744)) + (_e845.y * _e745)), ((((_e801.z * _e740) + (_e813.z * _e742)) + (_e829.z * _e744)) + (_e845.z * _e745)), ((((_e801.w * _e740) + (_e813.w * _e742)) + (_e829.w * _e744)) + (_e845.w * _e745))), _e654);
-                let _e861 = p.member.epsilon;
-                if (_e859 <= _e861) {
-                    phi_1215_ = true;
+                let _e848 = map.member[(0u + _e800)];
+                let _e862 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e804.x * _e743) + (_e816.x * _e745)) + (_e832.x * _e747)) + (_e848.x * _e748)), ((((_e804.y * _e743) + (_e816.y * _e745)) + (_e832.y * _e747)) + (_e848.y * _e748)), ((((_e804.z * _e743) + (_e816.z * _e745)) + (_e832.z * _e747)) + (_e848.z * _e748)), ((((_e804.w * _e743) + (_e816.w * _e745)) + (_e832.w * _e747)) + (_e848.w * _e748))), _e657);
+                let _e866 = p.member.epsilon;
+                if (_e862 <= _e866) {
+                    phi_1221_ = true;
                 } else {
-                    phi_1215_ = (_e859 >= (1f - _e861));
+                    phi_1221_ = (_e862 >= (1f - _e866));
                 }
-                let _e866 = phi_1215_;
-                if ((bitcast<u32>(_e859) & 2147483647u) > 2139095040u) {
-                    phi_1223_ = true;
+                let _e871 = phi_1221_;
+                if ((bitcast<u32>(_e862) & 2147483647u) > 2139095040u) {
+                    phi_1229_ = true;
                 } else {
-                    phi_1223_ = !(_e866);
+                    phi_1229_ = !(_e871);
                 }
-                let _e872 = phi_1223_;
-                if _e872 {
-                    if (_e859 > 0f) {
-                        if (_e859 < 1f) {
-                            phi_1235_ = false;
+                let _e877 = phi_1229_;
+                if _e877 {
+                    if (_e862 > 0f) {
+                        if (_e862 < 1f) {
+                            phi_1241_ = false;
                         } else {
-                            phi_1235_ = true;
+                            phi_1241_ = true;
                         }
-                        let _e876 = phi_1235_;
-                        phi_1236_ = _e876;
+                        let _e881 = phi_1241_;
+                        phi_1242_ = _e881;
                     } else {
-                        phi_1236_ = true;
+                        phi_1242_ = true;
                     }
-                    let _e878 = phi_1236_;
-                    if _e878 {
-                        phi_1240_ = 0.5f;
+                    let _e883 = phi_1242_;
+                    if _e883 {
+                        phi_1246_ = 0.5f;
                     } else {
-                        phi_1240_ = _e859;
+                        phi_1246_ = _e862;
                     }
-                    let _e880 = phi_1240_;
-                    phi_1248_ = evaluate_Verdict(_e880, true);
+                    let _e885 = phi_1246_;
+                    phi_1254_ = evaluate_Verdict(_e885, true);
                 } else {
-                    if (_e859 > 0.5f) {
-                        phi_1246_ = 1f;
+                    if (_e862 > 0.5f) {
+                        phi_1252_ = 1f;
                     } else {
-                        phi_1246_ = 0f;
+                        phi_1252_ = 0f;
                     }
-                    let _e884 = phi_1246_;
-                    phi_1248_ = evaluate_Verdict(_e884, false);
+                    let _e889 = phi_1252_;
+                    phi_1254_ = evaluate_Verdict(_e889, false);
                 }
-                let _e887 = phi_1248_;
-                phi_1253_ = evaluate_Verdict(_e887.visibility, _e887.is_doubted);
+                let _e892 = phi_1254_;
+                let _e895 = (_e892.visibility < 0.5f);
+                if _e892.is_doubted {
+                    phi_1277_ = evaluate_Verdict();
+                    phi_1278_ = true;
+                } else {
+                    if _e895 {
+                        phi_1264_ = 2u;
+                    } else {
+                        phi_1264_ = 1u;
+                    }
+                    let _e897 = phi_1264_;
+                    if ((0u & _e897) != 0u) {
+                        if _e895 {
+                            phi_1273_ = 0.000000059604645f;
+                        } else {
+                            phi_1273_ = 0.99999994f;
+                        }
+                        let _e901 = phi_1273_;
+                        phi_1275_ = evaluate_Verdict(_e901, true);
+                        phi_1276_ = false;
+                    } else {
+                        phi_1275_ = evaluate_Verdict();
+                        phi_1276_ = true;
+                    }
+                    let _e904 = phi_1275_;
+                    let _e906 = phi_1276_;
+                    phi_1277_ = _e904;
+                    phi_1278_ = _e906;
+                }
+                let _e908 = phi_1277_;
+                let _e910 = phi_1278_;
+                if _e910 {
+                    phi_1283_ = evaluate_Verdict(_e892.visibility, _e892.is_doubted);
+                } else {
+                    phi_1283_ = _e908;
+                }
+                let _e913 = phi_1283_;
+                phi_1288_ = evaluate_Verdict(_e913.visibility, _e913.is_doubted);
             } else {
-                phi_1253_ = evaluate_Verdict(0.5f, true);
+                phi_1288_ = evaluate_Verdict(0.5f, true);
             }
-            let _e893 = phi_1253_;
-            phi_1254_ = _e893;
+            let _e919 = phi_1288_;
+            phi_1289_ = _e919;
         }
-        let _e895 = phi_1254_;
-        if (_e60.first_primitive < arrayLength((&visibility.member))) {
+        let _e921 = phi_1289_;
+        if (_e63.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e60.first_primitive)] = _e895.visibility;
+        visibility.member[(0u + _e63.first_primitive)] = _e921.visibility;
     }
     return;
 }

@@ -80,37 +80,37 @@ var<storage> map: type_19;
 var<storage, read_write> visibility: type_19;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_130_: lt_bvh_traverse_Tree;
-    var phi_131_: bool;
-    var phi_132_: lt_bvh_traverse_Tree;
-    var phi_133_: bool;
-    var phi_138_: lt_bvh_traverse_Tree;
+    var phi_134_: lt_bvh_traverse_Tree;
+    var phi_135_: bool;
+    var phi_136_: lt_bvh_traverse_Tree;
+    var phi_137_: bool;
+    var phi_142_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_130_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_131_ = false;
+            phi_134_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_135_ = false;
         } else {
-            phi_130_ = lt_bvh_traverse_Tree();
-            phi_131_ = true;
+            phi_134_ = lt_bvh_traverse_Tree();
+            phi_135_ = true;
         }
-        let _e46 = phi_130_;
-        let _e48 = phi_131_;
-        phi_132_ = _e46;
-        phi_133_ = _e48;
+        let _e49 = phi_134_;
+        let _e51 = phi_135_;
+        phi_136_ = _e49;
+        phi_137_ = _e51;
     } else {
-        phi_132_ = lt_bvh_traverse_Tree();
-        phi_133_ = true;
+        phi_136_ = lt_bvh_traverse_Tree();
+        phi_137_ = true;
     }
-    let _e50 = phi_132_;
-    let _e52 = phi_133_;
-    if _e52 {
-        phi_138_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e53 = phi_136_;
+    let _e55 = phi_137_;
+    if _e55 {
+        phi_142_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_138_ = _e50;
+        phi_142_ = _e53;
     }
-    let _e57 = phi_138_;
-    return lt_bvh_traverse_Tree(_e57.root, _e57.first_primitive);
+    let _e60 = phi_142_;
+    return lt_bvh_traverse_Tree(_e60.root, _e60.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -118,628 +118,672 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_164_: f32;
-    var phi_165_: f32;
-    var phi_166_: f32;
-    var phi_182_: f32;
-    var phi_183_: f32;
-    var phi_184_: f32;
-    var phi_200_: f32;
-    var phi_201_: f32;
-    var phi_202_: f32;
-    var phi_218_: f32;
-    var phi_219_: f32;
-    var phi_220_: f32;
-    var phi_236_: f32;
-    var phi_237_: f32;
-    var phi_238_: f32;
-    var phi_284_: bool;
-    var phi_288_: f32;
-    var phi_300_: bool;
-    var phi_307_: f32;
-    var phi_322_: f32;
-    var phi_323_: f32;
-    var phi_324_: f32;
+    var phi_168_: f32;
+    var phi_169_: f32;
+    var phi_170_: f32;
+    var phi_186_: f32;
+    var phi_187_: f32;
+    var phi_188_: f32;
+    var phi_204_: f32;
+    var phi_205_: f32;
+    var phi_206_: f32;
+    var phi_222_: f32;
+    var phi_223_: f32;
+    var phi_224_: f32;
+    var phi_240_: f32;
+    var phi_241_: f32;
+    var phi_242_: f32;
+    var phi_288_: bool;
+    var phi_292_: f32;
+    var phi_304_: bool;
+    var phi_311_: f32;
+    var phi_326_: f32;
+    var phi_327_: f32;
+    var phi_328_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_166_ = param_7;
+        phi_170_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_165_ = 0f;
+            phi_169_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_164_ = 1f;
+                phi_168_ = 1f;
             } else {
-                phi_164_ = param_7;
+                phi_168_ = param_7;
             }
-            let _e43 = phi_164_;
-            phi_165_ = _e43;
+            let _e46 = phi_168_;
+            phi_169_ = _e46;
         }
-        let _e45 = phi_165_;
-        phi_166_ = _e45;
+        let _e48 = phi_169_;
+        phi_170_ = _e48;
     }
-    let _e47 = phi_166_;
+    let _e50 = phi_170_;
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_184_ = param_5.x;
+        phi_188_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_183_ = 0f;
+            phi_187_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_182_ = 1f;
+                phi_186_ = 1f;
             } else {
-                phi_182_ = param_5.x;
+                phi_186_ = param_5.x;
             }
-            let _e55 = phi_182_;
-            phi_183_ = _e55;
+            let _e58 = phi_186_;
+            phi_187_ = _e58;
         }
-        let _e57 = phi_183_;
-        phi_184_ = _e57;
+        let _e60 = phi_187_;
+        phi_188_ = _e60;
     }
-    let _e59 = phi_184_;
+    let _e62 = phi_188_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_202_ = param_5.y;
+        phi_206_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_201_ = 0f;
+            phi_205_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_200_ = 1f;
+                phi_204_ = 1f;
             } else {
-                phi_200_ = param_5.y;
+                phi_204_ = param_5.y;
             }
-            let _e67 = phi_200_;
-            phi_201_ = _e67;
+            let _e70 = phi_204_;
+            phi_205_ = _e70;
         }
-        let _e69 = phi_201_;
-        phi_202_ = _e69;
+        let _e72 = phi_205_;
+        phi_206_ = _e72;
     }
-    let _e71 = phi_202_;
+    let _e74 = phi_206_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_220_ = param_5.z;
+        phi_224_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_219_ = 0f;
+            phi_223_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_218_ = 1f;
+                phi_222_ = 1f;
             } else {
-                phi_218_ = param_5.z;
+                phi_222_ = param_5.z;
             }
-            let _e79 = phi_218_;
-            phi_219_ = _e79;
+            let _e82 = phi_222_;
+            phi_223_ = _e82;
         }
-        let _e81 = phi_219_;
-        phi_220_ = _e81;
+        let _e84 = phi_223_;
+        phi_224_ = _e84;
     }
-    let _e83 = phi_220_;
+    let _e86 = phi_224_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_238_ = param_5.w;
+        phi_242_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_237_ = 0f;
+            phi_241_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_236_ = 1f;
+                phi_240_ = 1f;
             } else {
-                phi_236_ = param_5.w;
+                phi_240_ = param_5.w;
             }
-            let _e91 = phi_236_;
-            phi_237_ = _e91;
+            let _e94 = phi_240_;
+            phi_241_ = _e94;
         }
-        let _e93 = phi_237_;
-        phi_238_ = _e93;
+        let _e96 = phi_241_;
+        phi_242_ = _e96;
     }
-    let _e95 = phi_238_;
-    let _e96 = (_e59 - _e47);
-    let _e97 = (_e71 - _e47);
-    let _e98 = (_e83 - _e47);
-    let _e99 = (_e95 - _e47);
-    let _e100 = (*param_4);
-    let _e111 = ((((_e96 * param_6.x) + (_e97 * param_6.y)) + (_e98 * param_6.z)) + (_e99 * param_6.w));
-    let _e112 = (_e96 - _e111);
-    let _e113 = (_e97 - _e111);
-    let _e114 = (_e98 - _e111);
-    let _e115 = (_e99 - _e111);
-    let _e130 = (((((_e112 * _e112) * param_6.x) + ((_e113 * _e113) * param_6.y)) + ((_e114 * _e114) * param_6.z)) + ((_e115 * _e115) * param_6.w));
-    if ((bitcast<u32>(_e100) & 2147483647u) > 2139095040u) {
-        phi_284_ = true;
+    let _e98 = phi_242_;
+    let _e99 = (_e62 - _e50);
+    let _e100 = (_e74 - _e50);
+    let _e101 = (_e86 - _e50);
+    let _e102 = (_e98 - _e50);
+    let _e103 = (*param_4);
+    let _e114 = ((((_e99 * param_6.x) + (_e100 * param_6.y)) + (_e101 * param_6.z)) + (_e102 * param_6.w));
+    let _e115 = (_e99 - _e114);
+    let _e116 = (_e100 - _e114);
+    let _e117 = (_e101 - _e114);
+    let _e118 = (_e102 - _e114);
+    let _e133 = (((((_e115 * _e115) * param_6.x) + ((_e116 * _e116) * param_6.y)) + ((_e117 * _e117) * param_6.z)) + ((_e118 * _e118) * param_6.w));
+    if ((bitcast<u32>(_e103) & 2147483647u) > 2139095040u) {
+        phi_288_ = true;
     } else {
-        let _e134 = (_e100 > _e130);
-        if _e134 {
+        let _e137 = (_e103 > _e133);
+        if _e137 {
         }
-        phi_284_ = _e134;
+        phi_288_ = _e137;
     }
-    let _e136 = phi_284_;
-    if _e136 {
-        phi_288_ = _e100;
+    let _e139 = phi_288_;
+    if _e139 {
+        phi_292_ = _e103;
     } else {
-        phi_288_ = _e130;
+        phi_292_ = _e133;
     }
-    let _e138 = phi_288_;
-    let _e139 = -(_e111);
-    if (_e139 <= 0f) {
-        let _e143 = ((bitcast<u32>(_e138) & 2147483647u) > 2139095040u);
-        if _e143 {
+    let _e141 = phi_292_;
+    let _e142 = -(_e114);
+    if (_e142 <= 0f) {
+        let _e146 = ((bitcast<u32>(_e141) & 2147483647u) > 2139095040u);
+        if _e146 {
         }
-        phi_300_ = _e143;
+        phi_304_ = _e146;
     } else {
-        phi_300_ = true;
+        phi_304_ = true;
     }
-    let _e145 = phi_300_;
-    if _e145 {
-        phi_307_ = (_e138 / (_e138 + (_e139 * _e139)));
+    let _e148 = phi_304_;
+    if _e148 {
+        phi_311_ = (_e141 / (_e141 + (_e142 * _e142)));
     } else {
-        phi_307_ = 1f;
+        phi_311_ = 1f;
     }
-    let _e150 = phi_307_;
-    if ((bitcast<u32>(_e150) & 2147483647u) > 2139095040u) {
-        phi_324_ = _e150;
+    let _e153 = phi_311_;
+    if ((bitcast<u32>(_e153) & 2147483647u) > 2139095040u) {
+        phi_328_ = _e153;
     } else {
-        if (_e150 < 0f) {
-            phi_323_ = 0f;
+        if (_e153 < 0f) {
+            phi_327_ = 0f;
         } else {
-            if (_e150 > 1f) {
-                phi_322_ = 1f;
+            if (_e153 > 1f) {
+                phi_326_ = 1f;
             } else {
-                phi_322_ = _e150;
+                phi_326_ = _e153;
             }
-            let _e157 = phi_322_;
-            phi_323_ = _e157;
+            let _e160 = phi_326_;
+            phi_327_ = _e160;
         }
-        let _e159 = phi_323_;
-        phi_324_ = _e159;
+        let _e162 = phi_327_;
+        phi_328_ = _e162;
     }
-    let _e161 = phi_324_;
-    return _e161;
+    let _e164 = phi_328_;
+    return _e164;
 }
 
 fn function_() {
     var local: f32;
-    var phi_380_: bool;
-    var phi_381_: bool;
-    var phi_382_: bool;
-    var phi_383_: bool;
+    var phi_384_: bool;
+    var phi_385_: bool;
+    var phi_386_: bool;
     var phi_387_: bool;
-    var phi_457_: bool;
-    var phi_458_: bool;
-    var phi_469_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_470_: bool;
-    var phi_471_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_472_: bool;
-    var phi_479_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_391_: bool;
+    var phi_461_: bool;
+    var phi_462_: bool;
+    var phi_473_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_474_: bool;
+    var phi_475_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_476_: bool;
     var phi_483_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_557_: bool;
-    var phi_566_: bool;
-    var phi_575_: bool;
-    var phi_576_: bool;
-    var phi_577_: bool;
-    var phi_578_: bool;
+    var phi_487_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_561_: bool;
+    var phi_570_: bool;
     var phi_579_: bool;
     var phi_580_: bool;
     var phi_581_: bool;
+    var phi_582_: bool;
+    var phi_583_: bool;
+    var phi_584_: bool;
     var phi_585_: bool;
-    var phi_675_: f32;
-    var phi_678_: f32;
-    var phi_707_: f32;
-    var phi_712_: f32;
-    var phi_713_: bool;
-    var phi_714_: f32;
-    var phi_715_: bool;
-    var phi_719_: f32;
-    var phi_739_: f32;
-    var phi_744_: f32;
-    var phi_745_: bool;
-    var phi_746_: f32;
-    var phi_747_: bool;
-    var phi_751_: f32;
-    var phi_799_: i32;
-    var phi_804_: i32;
-    var phi_809_: i32;
-    var phi_814_: i32;
-    var phi_823_: i32;
-    var phi_828_: i32;
-    var phi_833_: i32;
-    var phi_838_: i32;
-    var phi_889_: bool;
-    var phi_897_: bool;
-    var phi_909_: bool;
-    var phi_910_: bool;
-    var phi_914_: f32;
+    var phi_589_: bool;
+    var phi_679_: f32;
+    var phi_682_: f32;
+    var phi_711_: f32;
+    var phi_716_: f32;
+    var phi_717_: bool;
+    var phi_718_: f32;
+    var phi_719_: bool;
+    var phi_723_: f32;
+    var phi_743_: f32;
+    var phi_748_: f32;
+    var phi_749_: bool;
+    var phi_750_: f32;
+    var phi_751_: bool;
+    var phi_755_: f32;
+    var phi_803_: i32;
+    var phi_808_: i32;
+    var phi_813_: i32;
+    var phi_818_: i32;
+    var phi_827_: i32;
+    var phi_832_: i32;
+    var phi_837_: i32;
+    var phi_842_: i32;
+    var phi_895_: bool;
+    var phi_903_: bool;
+    var phi_915_: bool;
+    var phi_916_: bool;
     var phi_920_: f32;
-    var phi_922_: evaluate_Verdict;
-    var phi_927_: evaluate_Verdict;
+    var phi_926_: f32;
     var phi_928_: evaluate_Verdict;
+    var phi_938_: u32;
+    var phi_947_: f32;
+    var phi_949_: evaluate_Verdict;
+    var phi_950_: bool;
+    var phi_951_: evaluate_Verdict;
+    var phi_952_: bool;
+    var phi_957_: evaluate_Verdict;
+    var phi_962_: evaluate_Verdict;
+    var phi_963_: evaluate_Verdict;
 
-    let _e34 = id_1;
-    let _e41 = arrayLength((&map.member));
-    let _e47 = p.member.size[0u];
-    let _e49 = p.member.size[1u];
-    let _e50 = lt_shaders_entry_pixel_index(_e34, _e47, _e49);
-    if (bitcast<i32>(_e50.root) != 0i) {
-        let _e56 = p.member.projection;
-        if (_e50.first_primitive < arrayLength((&samples.member))) {
+    let _e37 = id_1;
+    let _e44 = arrayLength((&map.member));
+    let _e50 = p.member.size[0u];
+    let _e52 = p.member.size[1u];
+    let _e53 = lt_shaders_entry_pixel_index(_e37, _e50, _e52);
+    if (bitcast<i32>(_e53.root) != 0i) {
+        let _e59 = p.member.projection;
+        if (_e53.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e60 = lt_math_OneLevel(_e56);
-        let _e64 = samples.member[(0u + _e50.first_primitive)].normal[0u];
-        let _e66 = global[0u];
-        if (_e64 == _e66) {
-            let _e69 = samples.member[(0u + _e50.first_primitive)].normal[1u];
-            let _e71 = global[1u];
-            if (_e69 == _e71) {
-                let _e74 = samples.member[(0u + _e50.first_primitive)].normal[2u];
-                let _e76 = global[2u];
-                phi_380_ = (_e74 == _e76);
-                phi_381_ = false;
+        let _e63 = lt_math_OneLevel(_e59);
+        let _e67 = samples.member[(0u + _e53.first_primitive)].normal[0u];
+        let _e69 = global[0u];
+        if (_e67 == _e69) {
+            let _e72 = samples.member[(0u + _e53.first_primitive)].normal[1u];
+            let _e74 = global[1u];
+            if (_e72 == _e74) {
+                let _e77 = samples.member[(0u + _e53.first_primitive)].normal[2u];
+                let _e79 = global[2u];
+                phi_384_ = (_e77 == _e79);
+                phi_385_ = false;
             } else {
-                phi_380_ = bool();
-                phi_381_ = true;
+                phi_384_ = bool();
+                phi_385_ = true;
             }
-            let _e79 = phi_380_;
-            let _e81 = phi_381_;
-            phi_382_ = _e79;
-            phi_383_ = _e81;
+            let _e82 = phi_384_;
+            let _e84 = phi_385_;
+            phi_386_ = _e82;
+            phi_387_ = _e84;
         } else {
-            phi_382_ = bool();
-            phi_383_ = true;
+            phi_386_ = bool();
+            phi_387_ = true;
         }
-        let _e83 = phi_382_;
-        let _e85 = phi_383_;
-        if _e85 {
-            phi_387_ = false;
+        let _e86 = phi_386_;
+        let _e88 = phi_387_;
+        if _e88 {
+            phi_391_ = false;
         } else {
-            phi_387_ = _e83;
+            phi_391_ = _e86;
         }
-        let _e87 = phi_387_;
-        if !(_e87) {
-            let _e90 = samples.member[(0u + _e50.first_primitive)].position;
-            let _e92 = p.member.light.place;
-            let _e98 = p.member.light.place[3u];
-            let _e105 = (_e92.x - (_e90.x * _e98));
-            let _e106 = (_e92.y - (_e90.y * _e98));
-            let _e107 = (_e92.z - (_e90.z * _e98));
-            let _e109 = samples.member[(0u + _e50.first_primitive)].normal;
-            if ((((_e109.x * _e105) + (_e109.y * _e106)) + (_e109.z * _e107)) > 0f) {
-                let _e123 = (((_e105 * _e105) + (_e106 * _e106)) + (_e107 * _e107));
-                let _e125 = p.member.light.axis;
-                let _e137 = p.member.light.place[3u];
-                if (_e137 == 0f) {
-                    phi_458_ = true;
+        let _e90 = phi_391_;
+        if !(_e90) {
+            let _e93 = samples.member[(0u + _e53.first_primitive)].position;
+            let _e95 = p.member.light.place;
+            let _e101 = p.member.light.place[3u];
+            let _e108 = (_e95.x - (_e93.x * _e101));
+            let _e109 = (_e95.y - (_e93.y * _e101));
+            let _e110 = (_e95.z - (_e93.z * _e101));
+            let _e112 = samples.member[(0u + _e53.first_primitive)].normal;
+            if ((((_e112.x * _e108) + (_e112.y * _e109)) + (_e112.z * _e110)) > 0f) {
+                let _e126 = (((_e108 * _e108) + (_e109 * _e109)) + (_e110 * _e110));
+                let _e128 = p.member.light.axis;
+                let _e140 = p.member.light.place[3u];
+                if (_e140 == 0f) {
+                    phi_462_ = true;
                 } else {
-                    let _e140 = p.member.light.range_squared;
-                    if (_e123 <= _e140) {
-                        let _e143 = p.member.light.cos_outer;
-                        phi_457_ = (-((((_e105 * _e125.x) + (_e106 * _e125.y)) + (_e107 * _e125.z))) >= (_e143 * sqrt(_e123)));
+                    let _e143 = p.member.light.range_squared;
+                    if (_e126 <= _e143) {
+                        let _e146 = p.member.light.cos_outer;
+                        phi_461_ = (-((((_e108 * _e128.x) + (_e109 * _e128.y)) + (_e110 * _e128.z))) >= (_e146 * sqrt(_e126)));
                     } else {
-                        phi_457_ = false;
+                        phi_461_ = false;
                     }
-                    let _e148 = phi_457_;
-                    phi_458_ = _e148;
+                    let _e151 = phi_461_;
+                    phi_462_ = _e151;
                 }
-                let _e150 = phi_458_;
-                if _e150 {
-                    let _e152 = samples.member[(0u + _e50.first_primitive)].flags;
-                    let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
-                    phi_469_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, ((_e152 & 1u) == 0u));
-                    phi_470_ = false;
+                let _e153 = phi_462_;
+                if _e153 {
+                    let _e155 = samples.member[(0u + _e53.first_primitive)].flags;
+                    let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e163.unnamed.visibility, false), _e163.unnamed_1);
+                    phi_473_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e169.unnamed, ((_e155 & 1u) == 0u));
+                    phi_474_ = false;
                 } else {
-                    phi_469_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_470_ = true;
+                    phi_473_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_474_ = true;
                 }
-                let _e171 = phi_469_;
-                let _e173 = phi_470_;
-                phi_471_ = _e171;
-                phi_472_ = _e173;
+                let _e174 = phi_473_;
+                let _e176 = phi_474_;
+                phi_475_ = _e174;
+                phi_476_ = _e176;
             } else {
-                phi_471_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_472_ = true;
+                phi_475_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_476_ = true;
             }
-            let _e175 = phi_471_;
-            let _e177 = phi_472_;
-            if _e177 {
-                let _e183 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e189 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e183.unnamed.visibility, false), _e183.unnamed_1);
-                phi_479_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e189.unnamed, true);
+            let _e178 = phi_475_;
+            let _e180 = phi_476_;
+            if _e180 {
+                let _e186 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e186.unnamed.visibility, false), _e186.unnamed_1);
+                phi_483_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e192.unnamed, true);
             } else {
-                phi_479_ = _e175;
+                phi_483_ = _e178;
             }
-            let _e194 = phi_479_;
-            phi_483_ = _e194;
+            let _e197 = phi_483_;
+            phi_487_ = _e197;
         } else {
-            let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e206 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e200.unnamed.visibility, false), _e200.unnamed_1);
-            phi_483_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e206.unnamed, true);
+            let _e203 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e203.unnamed.visibility, false), _e203.unnamed_1);
+            phi_487_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e209.unnamed, true);
         }
-        let _e211 = phi_483_;
-        if _e211.unnamed_1 {
-            phi_928_ = evaluate_Verdict(_e211.unnamed.visibility, _e211.unnamed.is_doubted);
+        let _e214 = phi_487_;
+        if _e214.unnamed_1 {
+            phi_963_ = evaluate_Verdict(_e214.unnamed.visibility, _e214.unnamed.is_doubted);
         } else {
-            let _e219 = samples.member[(0u + _e50.first_primitive)].position;
-            let _e237 = ((((_e60.projection.row_w.x * _e219.x) + (_e60.projection.row_w.y * _e219.y)) + (_e60.projection.row_w.z * _e219.z)) + (_e60.projection.row_w.w * 1f));
-            let _e251 = (((((_e60.projection.row_x.x * _e219.x) + (_e60.projection.row_x.y * _e219.y)) + (_e60.projection.row_x.z * _e219.z)) + (_e60.projection.row_x.w * 1f)) / _e237);
-            let _e265 = (((((_e60.projection.row_y.x * _e219.x) + (_e60.projection.row_y.y * _e219.y)) + (_e60.projection.row_y.z * _e219.z)) + (_e60.projection.row_y.w * 1f)) / _e237);
-            let _e278 = ((((_e60.projection.row_z.x * _e219.x) + (_e60.projection.row_z.y * _e219.y)) + (_e60.projection.row_z.z * _e219.z)) + (_e60.projection.row_z.w * 1f));
-            if (_e237 > 0f) {
-                if (_e251 >= 0f) {
-                    phi_557_ = (_e251 <= 1f);
+            let _e222 = samples.member[(0u + _e53.first_primitive)].position;
+            let _e240 = ((((_e63.projection.row_w.x * _e222.x) + (_e63.projection.row_w.y * _e222.y)) + (_e63.projection.row_w.z * _e222.z)) + (_e63.projection.row_w.w * 1f));
+            let _e254 = (((((_e63.projection.row_x.x * _e222.x) + (_e63.projection.row_x.y * _e222.y)) + (_e63.projection.row_x.z * _e222.z)) + (_e63.projection.row_x.w * 1f)) / _e240);
+            let _e268 = (((((_e63.projection.row_y.x * _e222.x) + (_e63.projection.row_y.y * _e222.y)) + (_e63.projection.row_y.z * _e222.z)) + (_e63.projection.row_y.w * 1f)) / _e240);
+            let _e281 = ((((_e63.projection.row_z.x * _e222.x) + (_e63.projection.row_z.y * _e222.y)) + (_e63.projection.row_z.z * _e222.z)) + (_e63.projection.row_z.w * 1f));
+            if (_e240 > 0f) {
+                if (_e254 >= 0f) {
+                    phi_561_ = (_e254 <= 1f);
                 } else {
-                    phi_557_ = false;
+                    phi_561_ = false;
                 }
-                let _e283 = phi_557_;
-                if _e283 {
-                    if (_e265 >= 0f) {
-                        phi_566_ = (_e265 <= 1f);
+                let _e286 = phi_561_;
+                if _e286 {
+                    if (_e268 >= 0f) {
+                        phi_570_ = (_e268 <= 1f);
                     } else {
-                        phi_566_ = false;
+                        phi_570_ = false;
                     }
-                    let _e287 = phi_566_;
-                    if _e287 {
-                        if (_e278 >= 0f) {
-                            phi_575_ = (_e278 <= 1f);
+                    let _e290 = phi_570_;
+                    if _e290 {
+                        if (_e281 >= 0f) {
+                            phi_579_ = (_e281 <= 1f);
                         } else {
-                            phi_575_ = false;
+                            phi_579_ = false;
                         }
-                        let _e291 = phi_575_;
-                        phi_576_ = _e291;
-                        phi_577_ = false;
+                        let _e294 = phi_579_;
+                        phi_580_ = _e294;
+                        phi_581_ = false;
                     } else {
-                        phi_576_ = bool();
-                        phi_577_ = true;
+                        phi_580_ = bool();
+                        phi_581_ = true;
                     }
-                    let _e293 = phi_576_;
-                    let _e295 = phi_577_;
-                    phi_578_ = _e293;
-                    phi_579_ = _e295;
+                    let _e296 = phi_580_;
+                    let _e298 = phi_581_;
+                    phi_582_ = _e296;
+                    phi_583_ = _e298;
                 } else {
-                    phi_578_ = bool();
-                    phi_579_ = true;
+                    phi_582_ = bool();
+                    phi_583_ = true;
                 }
-                let _e297 = phi_578_;
-                let _e299 = phi_579_;
-                phi_580_ = _e297;
-                phi_581_ = _e299;
+                let _e300 = phi_582_;
+                let _e302 = phi_583_;
+                phi_584_ = _e300;
+                phi_585_ = _e302;
             } else {
-                phi_580_ = bool();
-                phi_581_ = true;
+                phi_584_ = bool();
+                phi_585_ = true;
             }
-            let _e301 = phi_580_;
-            let _e303 = phi_581_;
-            if _e303 {
-                phi_585_ = false;
+            let _e304 = phi_584_;
+            let _e306 = phi_585_;
+            if _e306 {
+                phi_589_ = false;
             } else {
-                phi_585_ = _e301;
+                phi_589_ = _e304;
             }
-            let _e305 = phi_585_;
-            if _e305 {
+            let _e308 = phi_589_;
+            if _e308 {
                 if (0f > 0f) {
-                    let _e308 = samples.member[(0u + _e50.first_primitive)].normal;
-                    let _e310 = p.member.map_size;
-                    let _e380 = ((abs(((((_e56.row_x.x * _e308.x) + (_e56.row_x.y * _e308.y)) + (_e56.row_x.z * _e308.z)) / (((_e56.row_x.x * _e56.row_x.x) + (_e56.row_x.y * _e56.row_x.y)) + (_e56.row_x.z * _e56.row_x.z)))) + abs(((((_e56.row_y.x * _e308.x) + (_e56.row_y.y * _e308.y)) + (_e56.row_y.z * _e308.z)) / (((_e56.row_y.x * _e56.row_y.x) + (_e56.row_y.y * _e56.row_y.y)) + (_e56.row_y.z * _e56.row_y.z))))) / (abs(((((_e56.row_z.x * _e308.x) + (_e56.row_z.y * _e308.y)) + (_e56.row_z.z * _e308.z)) / (((_e56.row_z.x * _e56.row_z.x) + (_e56.row_z.y * _e56.row_z.y)) + (_e56.row_z.z * _e56.row_z.z)))) * f32(_e310)));
-                    if (_e380 < 0.002f) {
-                        phi_675_ = _e380;
+                    let _e311 = samples.member[(0u + _e53.first_primitive)].normal;
+                    let _e313 = p.member.map_size;
+                    let _e383 = ((abs(((((_e59.row_x.x * _e311.x) + (_e59.row_x.y * _e311.y)) + (_e59.row_x.z * _e311.z)) / (((_e59.row_x.x * _e59.row_x.x) + (_e59.row_x.y * _e59.row_x.y)) + (_e59.row_x.z * _e59.row_x.z)))) + abs(((((_e59.row_y.x * _e311.x) + (_e59.row_y.y * _e311.y)) + (_e59.row_y.z * _e311.z)) / (((_e59.row_y.x * _e59.row_y.x) + (_e59.row_y.y * _e59.row_y.y)) + (_e59.row_y.z * _e59.row_y.z))))) / (abs(((((_e59.row_z.x * _e311.x) + (_e59.row_z.y * _e311.y)) + (_e59.row_z.z * _e311.z)) / (((_e59.row_z.x * _e59.row_z.x) + (_e59.row_z.y * _e59.row_z.y)) + (_e59.row_z.z * _e59.row_z.z)))) * f32(_e313)));
+                    if (_e383 < 0.002f) {
+                        phi_679_ = _e383;
                     } else {
-                        phi_675_ = 0.002f;
+                        phi_679_ = 0.002f;
                     }
-                    let _e383 = phi_675_;
-                    phi_678_ = (_e278 - (0f * _e383));
+                    let _e386 = phi_679_;
+                    phi_682_ = (_e281 - (0f * _e386));
                 } else {
-                    phi_678_ = _e278;
+                    phi_682_ = _e281;
                 }
-                let _e387 = phi_678_;
-                let _e389 = p.member.map_size;
-                let _e390 = f32(_e389);
-                let _e393 = ((_e251 * _e390) - 0.5f);
-                let _e394 = ((_e265 * _e390) - 0.5f);
-                if (_e393 > -8388608f) {
-                    let _e406 = f32(select(0i, select(select(i32(_e393), i32(-2147483648), (_e393 < bitcast<f32>(3472883712u))), 2147483647i, (_e393 > bitcast<f32>(1325400063u))), (_e393 == _e393)));
-                    if (_e406 > _e393) {
-                        phi_707_ = 1f;
+                let _e390 = phi_682_;
+                let _e392 = p.member.map_size;
+                let _e393 = f32(_e392);
+                let _e396 = ((_e254 * _e393) - 0.5f);
+                let _e397 = ((_e268 * _e393) - 0.5f);
+                if (_e396 > -8388608f) {
+                    let _e409 = f32(select(0i, select(select(i32(_e396), i32(-2147483648), (_e396 < bitcast<f32>(3472883712u))), 2147483647i, (_e396 > bitcast<f32>(1325400063u))), (_e396 == _e396)));
+                    if (_e409 > _e396) {
+                        phi_711_ = 1f;
                     } else {
-                        phi_707_ = 0f;
+                        phi_711_ = 0f;
                     }
-                    let _e409 = phi_707_;
-                    if (_e393 < 8388608f) {
-                        phi_712_ = (_e406 - _e409);
-                        phi_713_ = false;
+                    let _e412 = phi_711_;
+                    if (_e396 < 8388608f) {
+                        phi_716_ = (_e409 - _e412);
+                        phi_717_ = false;
                     } else {
-                        phi_712_ = f32();
-                        phi_713_ = true;
+                        phi_716_ = f32();
+                        phi_717_ = true;
                     }
-                    let _e412 = phi_712_;
-                    let _e414 = phi_713_;
-                    phi_714_ = _e412;
-                    phi_715_ = _e414;
+                    let _e415 = phi_716_;
+                    let _e417 = phi_717_;
+                    phi_718_ = _e415;
+                    phi_719_ = _e417;
                 } else {
-                    phi_714_ = f32();
-                    phi_715_ = true;
+                    phi_718_ = f32();
+                    phi_719_ = true;
                 }
-                let _e416 = phi_714_;
-                let _e418 = phi_715_;
-                if _e418 {
-                    phi_719_ = _e393;
+                let _e419 = phi_718_;
+                let _e421 = phi_719_;
+                if _e421 {
+                    phi_723_ = _e396;
                 } else {
-                    phi_719_ = _e416;
+                    phi_723_ = _e419;
                 }
-                let _e420 = phi_719_;
-                if (_e394 > -8388608f) {
-                    let _e432 = f32(select(0i, select(select(i32(_e394), i32(-2147483648), (_e394 < bitcast<f32>(3472883712u))), 2147483647i, (_e394 > bitcast<f32>(1325400063u))), (_e394 == _e394)));
-                    if (_e432 > _e394) {
-                        phi_739_ = 1f;
+                let _e423 = phi_723_;
+                if (_e397 > -8388608f) {
+                    let _e435 = f32(select(0i, select(select(i32(_e397), i32(-2147483648), (_e397 < bitcast<f32>(3472883712u))), 2147483647i, (_e397 > bitcast<f32>(1325400063u))), (_e397 == _e397)));
+                    if (_e435 > _e397) {
+                        phi_743_ = 1f;
                     } else {
-                        phi_739_ = 0f;
+                        phi_743_ = 0f;
                     }
-                    let _e435 = phi_739_;
-                    if (_e394 < 8388608f) {
-                        phi_744_ = (_e432 - _e435);
-                        phi_745_ = false;
+                    let _e438 = phi_743_;
+                    if (_e397 < 8388608f) {
+                        phi_748_ = (_e435 - _e438);
+                        phi_749_ = false;
                     } else {
-                        phi_744_ = f32();
-                        phi_745_ = true;
+                        phi_748_ = f32();
+                        phi_749_ = true;
                     }
-                    let _e438 = phi_744_;
-                    let _e440 = phi_745_;
-                    phi_746_ = _e438;
-                    phi_747_ = _e440;
+                    let _e441 = phi_748_;
+                    let _e443 = phi_749_;
+                    phi_750_ = _e441;
+                    phi_751_ = _e443;
                 } else {
-                    phi_746_ = f32();
-                    phi_747_ = true;
+                    phi_750_ = f32();
+                    phi_751_ = true;
                 }
-                let _e442 = phi_746_;
-                let _e444 = phi_747_;
-                if _e444 {
-                    phi_751_ = _e394;
+                let _e445 = phi_750_;
+                let _e447 = phi_751_;
+                if _e447 {
+                    phi_755_ = _e397;
                 } else {
-                    phi_751_ = _e442;
+                    phi_755_ = _e445;
                 }
-                let _e446 = phi_751_;
-                let _e447 = (_e393 - _e420);
-                let _e448 = (_e394 - _e446);
-                let _e457 = select(0i, select(select(i32(_e420), i32(-2147483648), (_e420 < bitcast<f32>(3472883712u))), 2147483647i, (_e420 > bitcast<f32>(1325400063u))), (_e420 == _e420));
-                let _e466 = select(0i, select(select(i32(_e446), i32(-2147483648), (_e446 < bitcast<f32>(3472883712u))), 2147483647i, (_e446 > bitcast<f32>(1325400063u))), (_e446 == _e446));
-                let _e477 = p.member.test;
-                let _e478 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e477);
-                let _e480 = p.member.map_size;
-                local = _e478;
-                let _e482 = ((0u * _e480) * _e480);
-                let _e484 = (bitcast<i32>(_e480) - 1i);
-                if (_e457 > 0i) {
-                    phi_799_ = _e457;
+                let _e449 = phi_755_;
+                let _e450 = (_e396 - _e423);
+                let _e451 = (_e397 - _e449);
+                let _e460 = select(0i, select(select(i32(_e423), i32(-2147483648), (_e423 < bitcast<f32>(3472883712u))), 2147483647i, (_e423 > bitcast<f32>(1325400063u))), (_e423 == _e423));
+                let _e469 = select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < bitcast<f32>(3472883712u))), 2147483647i, (_e449 > bitcast<f32>(1325400063u))), (_e449 == _e449));
+                let _e480 = p.member.test;
+                let _e481 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e480);
+                let _e483 = p.member.map_size;
+                local = _e481;
+                let _e485 = ((0u * _e483) * _e483);
+                let _e487 = (bitcast<i32>(_e483) - 1i);
+                if (_e460 > 0i) {
+                    phi_803_ = _e460;
                 } else {
-                    phi_799_ = 0i;
+                    phi_803_ = 0i;
                 }
-                let _e487 = phi_799_;
-                if (_e466 > 0i) {
-                    phi_804_ = _e466;
+                let _e490 = phi_803_;
+                if (_e469 > 0i) {
+                    phi_808_ = _e469;
                 } else {
-                    phi_804_ = 0i;
+                    phi_808_ = 0i;
                 }
-                let _e490 = phi_804_;
-                if (_e487 < _e484) {
-                    phi_809_ = _e487;
+                let _e493 = phi_808_;
+                if (_e490 < _e487) {
+                    phi_813_ = _e490;
                 } else {
-                    phi_809_ = _e484;
+                    phi_813_ = _e487;
                 }
-                let _e493 = phi_809_;
-                if (_e490 < _e484) {
-                    phi_814_ = _e490;
+                let _e496 = phi_813_;
+                if (_e493 < _e487) {
+                    phi_818_ = _e493;
                 } else {
-                    phi_814_ = _e484;
+                    phi_818_ = _e487;
                 }
-                let _e496 = phi_814_;
-                let _e497 = bitcast<u32>(_e493);
-                let _e499 = (_e457 + 1i);
-                let _e500 = (_e466 + 1i);
-                if (_e499 > 0i) {
-                    phi_823_ = _e499;
+                let _e499 = phi_818_;
+                let _e500 = bitcast<u32>(_e496);
+                let _e502 = (_e460 + 1i);
+                let _e503 = (_e469 + 1i);
+                if (_e502 > 0i) {
+                    phi_827_ = _e502;
                 } else {
-                    phi_823_ = 0i;
+                    phi_827_ = 0i;
                 }
-                let _e503 = phi_823_;
-                if (_e500 > 0i) {
-                    phi_828_ = _e500;
+                let _e506 = phi_827_;
+                if (_e503 > 0i) {
+                    phi_832_ = _e503;
                 } else {
-                    phi_828_ = 0i;
+                    phi_832_ = 0i;
                 }
-                let _e506 = phi_828_;
-                if (_e503 < _e484) {
-                    phi_833_ = _e503;
+                let _e509 = phi_832_;
+                if (_e506 < _e487) {
+                    phi_837_ = _e506;
                 } else {
-                    phi_833_ = _e484;
+                    phi_837_ = _e487;
                 }
-                let _e509 = phi_833_;
-                if (_e506 < _e484) {
-                    phi_838_ = _e506;
+                let _e512 = phi_837_;
+                if (_e509 < _e487) {
+                    phi_842_ = _e509;
                 } else {
-                    phi_838_ = _e484;
+                    phi_842_ = _e487;
                 }
-                let _e512 = phi_838_;
-                let _e513 = bitcast<u32>(_e509);
-                let _e515 = (bitcast<u32>(_e496) * _e480);
-                let _e516 = (bitcast<u32>(_e512) * _e480);
-                let _e521 = ((_e515 + _e497) + _e482);
-                let _e522 = ((_e515 + _e513) + _e482);
-                let _e523 = ((_e516 + _e497) + _e482);
-                let _e524 = ((_e516 + _e513) + _e482);
-                if (_e521 < _e41) {
+                let _e515 = phi_842_;
+                let _e516 = bitcast<u32>(_e512);
+                let _e518 = (bitcast<u32>(_e499) * _e483);
+                let _e519 = (bitcast<u32>(_e515) * _e483);
+                let _e524 = ((_e518 + _e500) + _e485);
+                let _e525 = ((_e518 + _e516) + _e485);
+                let _e526 = ((_e519 + _e500) + _e485);
+                let _e527 = ((_e519 + _e516) + _e485);
+                if (_e524 < _e44) {
                 } else {
                     return;
                 }
-                let _e528 = map.member[(0u + _e521)];
-                if (_e522 < _e41) {
+                let _e531 = map.member[(0u + _e524)];
+                if (_e525 < _e44) {
                 } else {
                     return;
                 }
-                let _e532 = map.member[(0u + _e522)];
-                if (_e523 < _e41) {
+                let _e535 = map.member[(0u + _e525)];
+                if (_e526 < _e44) {
                 } else {
                     return;
                 }
-                let _e536 = map.member[(0u + _e523)];
-                if (_e524 < _e41) {
+                let _e539 = map.member[(0u + _e526)];
+                if (_e527 < _e44) {
                 } else {
                     return;
                 }
-                let _e540 = map.member[(0u + _e524)];
-                let _e542 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e528, _e532, _e536, _e540), vec4<f32>(((1f - _e447) * (1f - _e448)), (_e447 * (1f - _e448)), ((1f - _e447) * _e448), (_e447 * _e448)), _e387);
-                let _e544 = p.member.epsilon;
-                if (_e542 <= _e544) {
-                    phi_889_ = true;
+                let _e543 = map.member[(0u + _e527)];
+                let _e545 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local), vec4<f32>(_e531, _e535, _e539, _e543), vec4<f32>(((1f - _e450) * (1f - _e451)), (_e450 * (1f - _e451)), ((1f - _e450) * _e451), (_e450 * _e451)), _e390);
+                let _e549 = p.member.epsilon;
+                if (_e545 <= _e549) {
+                    phi_895_ = true;
                 } else {
-                    phi_889_ = (_e542 >= (1f - _e544));
+                    phi_895_ = (_e545 >= (1f - _e549));
                 }
-                let _e549 = phi_889_;
-                if ((bitcast<u32>(_e542) & 2147483647u) > 2139095040u) {
-                    phi_897_ = true;
+                let _e554 = phi_895_;
+                if ((bitcast<u32>(_e545) & 2147483647u) > 2139095040u) {
+                    phi_903_ = true;
                 } else {
-                    phi_897_ = !(_e549);
+                    phi_903_ = !(_e554);
                 }
-                let _e555 = phi_897_;
-                if _e555 {
-                    if (_e542 > 0f) {
-                        if (_e542 < 1f) {
-                            phi_909_ = false;
+                let _e560 = phi_903_;
+                if _e560 {
+                    if (_e545 > 0f) {
+                        if (_e545 < 1f) {
+                            phi_915_ = false;
                         } else {
-                            phi_909_ = true;
+                            phi_915_ = true;
                         }
-                        let _e559 = phi_909_;
-                        phi_910_ = _e559;
+                        let _e564 = phi_915_;
+                        phi_916_ = _e564;
                     } else {
-                        phi_910_ = true;
+                        phi_916_ = true;
                     }
-                    let _e561 = phi_910_;
-                    if _e561 {
-                        phi_914_ = 0.5f;
+                    let _e566 = phi_916_;
+                    if _e566 {
+                        phi_920_ = 0.5f;
                     } else {
-                        phi_914_ = _e542;
+                        phi_920_ = _e545;
                     }
-                    let _e563 = phi_914_;
-                    phi_922_ = evaluate_Verdict(_e563, true);
+                    let _e568 = phi_920_;
+                    phi_928_ = evaluate_Verdict(_e568, true);
                 } else {
-                    if (_e542 > 0.5f) {
-                        phi_920_ = 1f;
+                    if (_e545 > 0.5f) {
+                        phi_926_ = 1f;
                     } else {
-                        phi_920_ = 0f;
+                        phi_926_ = 0f;
                     }
-                    let _e567 = phi_920_;
-                    phi_922_ = evaluate_Verdict(_e567, false);
+                    let _e572 = phi_926_;
+                    phi_928_ = evaluate_Verdict(_e572, false);
                 }
-                let _e570 = phi_922_;
-                phi_927_ = evaluate_Verdict(_e570.visibility, _e570.is_doubted);
+                let _e575 = phi_928_;
+                let _e578 = (_e575.visibility < 0.5f);
+                if _e575.is_doubted {
+                    phi_951_ = evaluate_Verdict();
+                    phi_952_ = true;
+                } else {
+                    if _e578 {
+                        phi_938_ = 2u;
+                    } else {
+                        phi_938_ = 1u;
+                    }
+                    let _e580 = phi_938_;
+                    if ((0u & _e580) != 0u) {
+                        if _e578 {
+                            phi_947_ = 0.000000059604645f;
+                        } else {
+                            phi_947_ = 0.99999994f;
+                        }
+                        let _e584 = phi_947_;
+                        phi_949_ = evaluate_Verdict(_e584, true);
+                        phi_950_ = false;
+                    } else {
+                        phi_949_ = evaluate_Verdict();
+                        phi_950_ = true;
+                    }
+                    let _e587 = phi_949_;
+                    let _e589 = phi_950_;
+                    phi_951_ = _e587;
+                    phi_952_ = _e589;
+                }
+                let _e591 = phi_951_;
+                let _e593 = phi_952_;
+                if _e593 {
+                    phi_957_ = evaluate_Verdict(_e575.visibility, _e575.is_doubted);
+                } else {
+                    phi_957_ = _e591;
+                }
+                let _e596 = phi_957_;
+                phi_962_ = evaluate_Verdict(_e596.visibility, _e596.is_doubted);
             } else {
-                phi_927_ = evaluate_Verdict(0.5f, true);
+                phi_962_ = evaluate_Verdict(0.5f, true);
             }
-            let _e576 = phi_927_;
-            phi_928_ = _e576;
+            let _e602 = phi_962_;
+            phi_963_ = _e602;
         }
-        let _e578 = phi_928_;
-        if (_e50.first_primitive < arrayLength((&visibility.member))) {
+        let _e604 = phi_963_;
+        if (_e53.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e50.first_primitive)] = _e578.visibility;
+        visibility.member[(0u + _e53.first_primitive)] = _e604.visibility;
     }
     return;
 }

@@ -84,37 +84,37 @@ var<storage, read_write> visibility: type_19;
 var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_135_: lt_bvh_traverse_Tree;
-    var phi_136_: bool;
-    var phi_137_: lt_bvh_traverse_Tree;
-    var phi_138_: bool;
-    var phi_143_: lt_bvh_traverse_Tree;
+    var phi_139_: lt_bvh_traverse_Tree;
+    var phi_140_: bool;
+    var phi_141_: lt_bvh_traverse_Tree;
+    var phi_142_: bool;
+    var phi_147_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_135_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_136_ = false;
+            phi_139_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_140_ = false;
         } else {
-            phi_135_ = lt_bvh_traverse_Tree();
-            phi_136_ = true;
+            phi_139_ = lt_bvh_traverse_Tree();
+            phi_140_ = true;
         }
-        let _e47 = phi_135_;
-        let _e49 = phi_136_;
-        phi_137_ = _e47;
-        phi_138_ = _e49;
+        let _e50 = phi_139_;
+        let _e52 = phi_140_;
+        phi_141_ = _e50;
+        phi_142_ = _e52;
     } else {
-        phi_137_ = lt_bvh_traverse_Tree();
-        phi_138_ = true;
+        phi_141_ = lt_bvh_traverse_Tree();
+        phi_142_ = true;
     }
-    let _e51 = phi_137_;
-    let _e53 = phi_138_;
-    if _e53 {
-        phi_143_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e54 = phi_141_;
+    let _e56 = phi_142_;
+    if _e56 {
+        phi_147_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_143_ = _e51;
+        phi_147_ = _e54;
     }
-    let _e58 = phi_143_;
-    return lt_bvh_traverse_Tree(_e58.root, _e58.first_primitive);
+    let _e61 = phi_147_;
+    return lt_bvh_traverse_Tree(_e61.root, _e61.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -122,539 +122,583 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_168_: f32;
-    var phi_169_: f32;
-    var phi_170_: f32;
-    var phi_188_: bool;
-    var phi_192_: f32;
-    var phi_204_: bool;
-    var phi_211_: f32;
-    var phi_226_: f32;
-    var phi_227_: f32;
-    var phi_228_: f32;
+    var phi_172_: f32;
+    var phi_173_: f32;
+    var phi_174_: f32;
+    var phi_192_: bool;
+    var phi_196_: f32;
+    var phi_208_: bool;
+    var phi_215_: f32;
+    var phi_230_: f32;
+    var phi_231_: f32;
+    var phi_232_: f32;
 
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_170_ = param_6;
+        phi_174_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_169_ = 0f;
+            phi_173_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_168_ = 1f;
+                phi_172_ = 1f;
             } else {
-                phi_168_ = param_6;
+                phi_172_ = param_6;
             }
-            let _e43 = phi_168_;
-            phi_169_ = _e43;
+            let _e46 = phi_172_;
+            phi_173_ = _e46;
         }
-        let _e45 = phi_169_;
-        phi_170_ = _e45;
+        let _e48 = phi_173_;
+        phi_174_ = _e48;
     }
-    let _e47 = phi_170_;
-    let _e50 = (*param_4);
-    let _e54 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
-    if ((bitcast<u32>(_e50) & 2147483647u) > 2139095040u) {
-        phi_188_ = true;
+    let _e50 = phi_174_;
+    let _e53 = (*param_4);
+    let _e57 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
+    if ((bitcast<u32>(_e53) & 2147483647u) > 2139095040u) {
+        phi_192_ = true;
     } else {
-        let _e58 = (_e50 > _e54);
-        if _e58 {
+        let _e61 = (_e53 > _e57);
+        if _e61 {
         }
-        phi_188_ = _e58;
+        phi_192_ = _e61;
     }
-    let _e60 = phi_188_;
-    if _e60 {
-        phi_192_ = _e50;
+    let _e63 = phi_192_;
+    if _e63 {
+        phi_196_ = _e53;
     } else {
-        phi_192_ = _e54;
+        phi_196_ = _e57;
     }
-    let _e62 = phi_192_;
-    let _e63 = (_e47 - param_5.x);
-    if (_e63 <= 0f) {
-        let _e67 = ((bitcast<u32>(_e62) & 2147483647u) > 2139095040u);
-        if _e67 {
+    let _e65 = phi_196_;
+    let _e66 = (_e50 - param_5.x);
+    if (_e66 <= 0f) {
+        let _e70 = ((bitcast<u32>(_e65) & 2147483647u) > 2139095040u);
+        if _e70 {
         }
-        phi_204_ = _e67;
+        phi_208_ = _e70;
     } else {
-        phi_204_ = true;
+        phi_208_ = true;
     }
-    let _e69 = phi_204_;
-    if _e69 {
-        phi_211_ = (_e62 / (_e62 + (_e63 * _e63)));
+    let _e72 = phi_208_;
+    if _e72 {
+        phi_215_ = (_e65 / (_e65 + (_e66 * _e66)));
     } else {
-        phi_211_ = 1f;
+        phi_215_ = 1f;
     }
-    let _e74 = phi_211_;
-    if ((bitcast<u32>(_e74) & 2147483647u) > 2139095040u) {
-        phi_228_ = _e74;
+    let _e77 = phi_215_;
+    if ((bitcast<u32>(_e77) & 2147483647u) > 2139095040u) {
+        phi_232_ = _e77;
     } else {
-        if (_e74 < 0f) {
-            phi_227_ = 0f;
+        if (_e77 < 0f) {
+            phi_231_ = 0f;
         } else {
-            if (_e74 > 1f) {
-                phi_226_ = 1f;
+            if (_e77 > 1f) {
+                phi_230_ = 1f;
             } else {
-                phi_226_ = _e74;
+                phi_230_ = _e77;
             }
-            let _e81 = phi_226_;
-            phi_227_ = _e81;
+            let _e84 = phi_230_;
+            phi_231_ = _e84;
         }
-        let _e83 = phi_227_;
-        phi_228_ = _e83;
+        let _e86 = phi_231_;
+        phi_232_ = _e86;
     }
-    let _e85 = phi_228_;
-    return _e85;
+    let _e88 = phi_232_;
+    return _e88;
 }
 
 fn function_() {
     var local: f32;
-    var phi_284_: bool;
-    var phi_285_: bool;
-    var phi_286_: bool;
-    var phi_287_: bool;
+    var phi_288_: bool;
+    var phi_289_: bool;
+    var phi_290_: bool;
     var phi_291_: bool;
-    var phi_361_: bool;
-    var phi_362_: bool;
-    var phi_373_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_374_: bool;
-    var phi_375_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_376_: bool;
-    var phi_383_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_295_: bool;
+    var phi_365_: bool;
+    var phi_366_: bool;
+    var phi_377_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_378_: bool;
+    var phi_379_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_380_: bool;
     var phi_387_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_461_: bool;
-    var phi_470_: bool;
-    var phi_479_: bool;
-    var phi_480_: bool;
-    var phi_481_: bool;
-    var phi_482_: bool;
+    var phi_391_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_465_: bool;
+    var phi_474_: bool;
     var phi_483_: bool;
     var phi_484_: bool;
     var phi_485_: bool;
+    var phi_486_: bool;
+    var phi_487_: bool;
+    var phi_488_: bool;
     var phi_489_: bool;
-    var phi_579_: f32;
-    var phi_582_: f32;
-    var phi_611_: f32;
-    var phi_616_: f32;
-    var phi_617_: bool;
-    var phi_618_: f32;
-    var phi_619_: bool;
-    var phi_623_: f32;
-    var phi_643_: f32;
-    var phi_648_: f32;
-    var phi_649_: bool;
-    var phi_650_: f32;
-    var phi_651_: bool;
-    var phi_655_: f32;
-    var phi_703_: i32;
-    var phi_708_: i32;
-    var phi_713_: i32;
-    var phi_718_: i32;
-    var phi_727_: i32;
-    var phi_732_: i32;
-    var phi_737_: i32;
-    var phi_742_: i32;
-    var phi_837_: bool;
-    var phi_845_: bool;
-    var phi_857_: bool;
-    var phi_858_: bool;
-    var phi_862_: f32;
+    var phi_493_: bool;
+    var phi_583_: f32;
+    var phi_586_: f32;
+    var phi_615_: f32;
+    var phi_620_: f32;
+    var phi_621_: bool;
+    var phi_622_: f32;
+    var phi_623_: bool;
+    var phi_627_: f32;
+    var phi_647_: f32;
+    var phi_652_: f32;
+    var phi_653_: bool;
+    var phi_654_: f32;
+    var phi_655_: bool;
+    var phi_659_: f32;
+    var phi_707_: i32;
+    var phi_712_: i32;
+    var phi_717_: i32;
+    var phi_722_: i32;
+    var phi_731_: i32;
+    var phi_736_: i32;
+    var phi_741_: i32;
+    var phi_746_: i32;
+    var phi_843_: bool;
+    var phi_851_: bool;
+    var phi_863_: bool;
+    var phi_864_: bool;
     var phi_868_: f32;
-    var phi_870_: evaluate_Verdict;
-    var phi_875_: evaluate_Verdict;
+    var phi_874_: f32;
     var phi_876_: evaluate_Verdict;
+    var phi_886_: u32;
+    var phi_895_: f32;
+    var phi_897_: evaluate_Verdict;
+    var phi_898_: bool;
+    var phi_899_: evaluate_Verdict;
+    var phi_900_: bool;
+    var phi_905_: evaluate_Verdict;
+    var phi_910_: evaluate_Verdict;
+    var phi_911_: evaluate_Verdict;
 
-    let _e35 = id_1;
-    let _e42 = arrayLength((&map.member));
-    let _e48 = p.member.size[0u];
-    let _e50 = p.member.size[1u];
-    let _e51 = lt_shaders_entry_pixel_index(_e35, _e48, _e50);
-    if (bitcast<i32>(_e51.root) != 0i) {
-        let _e57 = p.member.projection;
-        if (_e51.first_primitive < arrayLength((&samples.member))) {
+    let _e38 = id_1;
+    let _e45 = arrayLength((&map.member));
+    let _e51 = p.member.size[0u];
+    let _e53 = p.member.size[1u];
+    let _e54 = lt_shaders_entry_pixel_index(_e38, _e51, _e53);
+    if (bitcast<i32>(_e54.root) != 0i) {
+        let _e60 = p.member.projection;
+        if (_e54.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e61 = lt_math_OneLevel(_e57);
-        let _e65 = samples.member[(0u + _e51.first_primitive)].normal[0u];
-        let _e67 = global[0u];
-        if (_e65 == _e67) {
-            let _e70 = samples.member[(0u + _e51.first_primitive)].normal[1u];
-            let _e72 = global[1u];
-            if (_e70 == _e72) {
-                let _e75 = samples.member[(0u + _e51.first_primitive)].normal[2u];
-                let _e77 = global[2u];
-                phi_284_ = (_e75 == _e77);
-                phi_285_ = false;
+        let _e64 = lt_math_OneLevel(_e60);
+        let _e68 = samples.member[(0u + _e54.first_primitive)].normal[0u];
+        let _e70 = global[0u];
+        if (_e68 == _e70) {
+            let _e73 = samples.member[(0u + _e54.first_primitive)].normal[1u];
+            let _e75 = global[1u];
+            if (_e73 == _e75) {
+                let _e78 = samples.member[(0u + _e54.first_primitive)].normal[2u];
+                let _e80 = global[2u];
+                phi_288_ = (_e78 == _e80);
+                phi_289_ = false;
             } else {
-                phi_284_ = bool();
-                phi_285_ = true;
+                phi_288_ = bool();
+                phi_289_ = true;
             }
-            let _e80 = phi_284_;
-            let _e82 = phi_285_;
-            phi_286_ = _e80;
-            phi_287_ = _e82;
+            let _e83 = phi_288_;
+            let _e85 = phi_289_;
+            phi_290_ = _e83;
+            phi_291_ = _e85;
         } else {
-            phi_286_ = bool();
-            phi_287_ = true;
+            phi_290_ = bool();
+            phi_291_ = true;
         }
-        let _e84 = phi_286_;
-        let _e86 = phi_287_;
-        if _e86 {
-            phi_291_ = false;
+        let _e87 = phi_290_;
+        let _e89 = phi_291_;
+        if _e89 {
+            phi_295_ = false;
         } else {
-            phi_291_ = _e84;
+            phi_295_ = _e87;
         }
-        let _e88 = phi_291_;
-        if !(_e88) {
-            let _e91 = samples.member[(0u + _e51.first_primitive)].position;
-            let _e93 = p.member.light.place;
-            let _e99 = p.member.light.place[3u];
-            let _e106 = (_e93.x - (_e91.x * _e99));
-            let _e107 = (_e93.y - (_e91.y * _e99));
-            let _e108 = (_e93.z - (_e91.z * _e99));
-            let _e110 = samples.member[(0u + _e51.first_primitive)].normal;
-            if ((((_e110.x * _e106) + (_e110.y * _e107)) + (_e110.z * _e108)) > 0f) {
-                let _e124 = (((_e106 * _e106) + (_e107 * _e107)) + (_e108 * _e108));
-                let _e126 = p.member.light.axis;
-                let _e138 = p.member.light.place[3u];
-                if (_e138 == 0f) {
-                    phi_362_ = true;
+        let _e91 = phi_295_;
+        if !(_e91) {
+            let _e94 = samples.member[(0u + _e54.first_primitive)].position;
+            let _e96 = p.member.light.place;
+            let _e102 = p.member.light.place[3u];
+            let _e109 = (_e96.x - (_e94.x * _e102));
+            let _e110 = (_e96.y - (_e94.y * _e102));
+            let _e111 = (_e96.z - (_e94.z * _e102));
+            let _e113 = samples.member[(0u + _e54.first_primitive)].normal;
+            if ((((_e113.x * _e109) + (_e113.y * _e110)) + (_e113.z * _e111)) > 0f) {
+                let _e127 = (((_e109 * _e109) + (_e110 * _e110)) + (_e111 * _e111));
+                let _e129 = p.member.light.axis;
+                let _e141 = p.member.light.place[3u];
+                if (_e141 == 0f) {
+                    phi_366_ = true;
                 } else {
-                    let _e141 = p.member.light.range_squared;
-                    if (_e124 <= _e141) {
-                        let _e144 = p.member.light.cos_outer;
-                        phi_361_ = (-((((_e106 * _e126.x) + (_e107 * _e126.y)) + (_e108 * _e126.z))) >= (_e144 * sqrt(_e124)));
+                    let _e144 = p.member.light.range_squared;
+                    if (_e127 <= _e144) {
+                        let _e147 = p.member.light.cos_outer;
+                        phi_365_ = (-((((_e109 * _e129.x) + (_e110 * _e129.y)) + (_e111 * _e129.z))) >= (_e147 * sqrt(_e127)));
                     } else {
-                        phi_361_ = false;
+                        phi_365_ = false;
                     }
-                    let _e149 = phi_361_;
-                    phi_362_ = _e149;
+                    let _e152 = phi_365_;
+                    phi_366_ = _e152;
                 }
-                let _e151 = phi_362_;
-                if _e151 {
-                    let _e153 = samples.member[(0u + _e51.first_primitive)].flags;
-                    let _e161 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e161.unnamed.visibility, false), _e161.unnamed_1);
-                    phi_373_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e167.unnamed, ((_e153 & 1u) == 0u));
-                    phi_374_ = false;
+                let _e154 = phi_366_;
+                if _e154 {
+                    let _e156 = samples.member[(0u + _e54.first_primitive)].flags;
+                    let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e164.unnamed.visibility, false), _e164.unnamed_1);
+                    phi_377_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e170.unnamed, ((_e156 & 1u) == 0u));
+                    phi_378_ = false;
                 } else {
-                    phi_373_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_374_ = true;
+                    phi_377_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_378_ = true;
                 }
-                let _e172 = phi_373_;
-                let _e174 = phi_374_;
-                phi_375_ = _e172;
-                phi_376_ = _e174;
+                let _e175 = phi_377_;
+                let _e177 = phi_378_;
+                phi_379_ = _e175;
+                phi_380_ = _e177;
             } else {
-                phi_375_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_376_ = true;
+                phi_379_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_380_ = true;
             }
-            let _e176 = phi_375_;
-            let _e178 = phi_376_;
-            if _e178 {
-                let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e184.unnamed.visibility, false), _e184.unnamed_1);
-                phi_383_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e190.unnamed, true);
+            let _e179 = phi_379_;
+            let _e181 = phi_380_;
+            if _e181 {
+                let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e187.unnamed.visibility, false), _e187.unnamed_1);
+                phi_387_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e193.unnamed, true);
             } else {
-                phi_383_ = _e176;
+                phi_387_ = _e179;
             }
-            let _e195 = phi_383_;
-            phi_387_ = _e195;
+            let _e198 = phi_387_;
+            phi_391_ = _e198;
         } else {
-            let _e201 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e207 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e201.unnamed.visibility, false), _e201.unnamed_1);
-            phi_387_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e207.unnamed, true);
+            let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
+            phi_391_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
         }
-        let _e212 = phi_387_;
-        if _e212.unnamed_1 {
-            phi_876_ = evaluate_Verdict(_e212.unnamed.visibility, _e212.unnamed.is_doubted);
+        let _e215 = phi_391_;
+        if _e215.unnamed_1 {
+            phi_911_ = evaluate_Verdict(_e215.unnamed.visibility, _e215.unnamed.is_doubted);
         } else {
-            let _e220 = samples.member[(0u + _e51.first_primitive)].position;
-            let _e238 = ((((_e61.projection.row_w.x * _e220.x) + (_e61.projection.row_w.y * _e220.y)) + (_e61.projection.row_w.z * _e220.z)) + (_e61.projection.row_w.w * 1f));
-            let _e252 = (((((_e61.projection.row_x.x * _e220.x) + (_e61.projection.row_x.y * _e220.y)) + (_e61.projection.row_x.z * _e220.z)) + (_e61.projection.row_x.w * 1f)) / _e238);
-            let _e266 = (((((_e61.projection.row_y.x * _e220.x) + (_e61.projection.row_y.y * _e220.y)) + (_e61.projection.row_y.z * _e220.z)) + (_e61.projection.row_y.w * 1f)) / _e238);
-            let _e279 = ((((_e61.projection.row_z.x * _e220.x) + (_e61.projection.row_z.y * _e220.y)) + (_e61.projection.row_z.z * _e220.z)) + (_e61.projection.row_z.w * 1f));
-            if (_e238 > 0f) {
-                if (_e252 >= 0f) {
-                    phi_461_ = (_e252 <= 1f);
+            let _e223 = samples.member[(0u + _e54.first_primitive)].position;
+            let _e241 = ((((_e64.projection.row_w.x * _e223.x) + (_e64.projection.row_w.y * _e223.y)) + (_e64.projection.row_w.z * _e223.z)) + (_e64.projection.row_w.w * 1f));
+            let _e255 = (((((_e64.projection.row_x.x * _e223.x) + (_e64.projection.row_x.y * _e223.y)) + (_e64.projection.row_x.z * _e223.z)) + (_e64.projection.row_x.w * 1f)) / _e241);
+            let _e269 = (((((_e64.projection.row_y.x * _e223.x) + (_e64.projection.row_y.y * _e223.y)) + (_e64.projection.row_y.z * _e223.z)) + (_e64.projection.row_y.w * 1f)) / _e241);
+            let _e282 = ((((_e64.projection.row_z.x * _e223.x) + (_e64.projection.row_z.y * _e223.y)) + (_e64.projection.row_z.z * _e223.z)) + (_e64.projection.row_z.w * 1f));
+            if (_e241 > 0f) {
+                if (_e255 >= 0f) {
+                    phi_465_ = (_e255 <= 1f);
                 } else {
-                    phi_461_ = false;
+                    phi_465_ = false;
                 }
-                let _e284 = phi_461_;
-                if _e284 {
-                    if (_e266 >= 0f) {
-                        phi_470_ = (_e266 <= 1f);
+                let _e287 = phi_465_;
+                if _e287 {
+                    if (_e269 >= 0f) {
+                        phi_474_ = (_e269 <= 1f);
                     } else {
-                        phi_470_ = false;
+                        phi_474_ = false;
                     }
-                    let _e288 = phi_470_;
-                    if _e288 {
-                        if (_e279 >= 0f) {
-                            phi_479_ = (_e279 <= 1f);
+                    let _e291 = phi_474_;
+                    if _e291 {
+                        if (_e282 >= 0f) {
+                            phi_483_ = (_e282 <= 1f);
                         } else {
-                            phi_479_ = false;
+                            phi_483_ = false;
                         }
-                        let _e292 = phi_479_;
-                        phi_480_ = _e292;
-                        phi_481_ = false;
+                        let _e295 = phi_483_;
+                        phi_484_ = _e295;
+                        phi_485_ = false;
                     } else {
-                        phi_480_ = bool();
-                        phi_481_ = true;
+                        phi_484_ = bool();
+                        phi_485_ = true;
                     }
-                    let _e294 = phi_480_;
-                    let _e296 = phi_481_;
-                    phi_482_ = _e294;
-                    phi_483_ = _e296;
+                    let _e297 = phi_484_;
+                    let _e299 = phi_485_;
+                    phi_486_ = _e297;
+                    phi_487_ = _e299;
                 } else {
-                    phi_482_ = bool();
-                    phi_483_ = true;
+                    phi_486_ = bool();
+                    phi_487_ = true;
                 }
-                let _e298 = phi_482_;
-                let _e300 = phi_483_;
-                phi_484_ = _e298;
-                phi_485_ = _e300;
+                let _e301 = phi_486_;
+                let _e303 = phi_487_;
+                phi_488_ = _e301;
+                phi_489_ = _e303;
             } else {
-                phi_484_ = bool();
-                phi_485_ = true;
+                phi_488_ = bool();
+                phi_489_ = true;
             }
-            let _e302 = phi_484_;
-            let _e304 = phi_485_;
-            if _e304 {
-                phi_489_ = false;
+            let _e305 = phi_488_;
+            let _e307 = phi_489_;
+            if _e307 {
+                phi_493_ = false;
             } else {
-                phi_489_ = _e302;
+                phi_493_ = _e305;
             }
-            let _e306 = phi_489_;
-            if _e306 {
+            let _e309 = phi_493_;
+            if _e309 {
                 if (0f > 0f) {
-                    let _e309 = samples.member[(0u + _e51.first_primitive)].normal;
-                    let _e311 = p.member.map_size;
-                    let _e381 = ((abs(((((_e57.row_x.x * _e309.x) + (_e57.row_x.y * _e309.y)) + (_e57.row_x.z * _e309.z)) / (((_e57.row_x.x * _e57.row_x.x) + (_e57.row_x.y * _e57.row_x.y)) + (_e57.row_x.z * _e57.row_x.z)))) + abs(((((_e57.row_y.x * _e309.x) + (_e57.row_y.y * _e309.y)) + (_e57.row_y.z * _e309.z)) / (((_e57.row_y.x * _e57.row_y.x) + (_e57.row_y.y * _e57.row_y.y)) + (_e57.row_y.z * _e57.row_y.z))))) / (abs(((((_e57.row_z.x * _e309.x) + (_e57.row_z.y * _e309.y)) + (_e57.row_z.z * _e309.z)) / (((_e57.row_z.x * _e57.row_z.x) + (_e57.row_z.y * _e57.row_z.y)) + (_e57.row_z.z * _e57.row_z.z)))) * f32(_e311)));
-                    if (_e381 < 0.002f) {
-                        phi_579_ = _e381;
+                    let _e312 = samples.member[(0u + _e54.first_primitive)].normal;
+                    let _e314 = p.member.map_size;
+                    let _e384 = ((abs(((((_e60.row_x.x * _e312.x) + (_e60.row_x.y * _e312.y)) + (_e60.row_x.z * _e312.z)) / (((_e60.row_x.x * _e60.row_x.x) + (_e60.row_x.y * _e60.row_x.y)) + (_e60.row_x.z * _e60.row_x.z)))) + abs(((((_e60.row_y.x * _e312.x) + (_e60.row_y.y * _e312.y)) + (_e60.row_y.z * _e312.z)) / (((_e60.row_y.x * _e60.row_y.x) + (_e60.row_y.y * _e60.row_y.y)) + (_e60.row_y.z * _e60.row_y.z))))) / (abs(((((_e60.row_z.x * _e312.x) + (_e60.row_z.y * _e312.y)) + (_e60.row_z.z * _e312.z)) / (((_e60.row_z.x * _e60.row_z.x) + (_e60.row_z.y * _e60.row_z.y)) + (_e60.row_z.z * _e60.row_z.z)))) * f32(_e314)));
+                    if (_e384 < 0.002f) {
+                        phi_583_ = _e384;
                     } else {
-                        phi_579_ = 0.002f;
+                        phi_583_ = 0.002f;
                     }
-                    let _e384 = phi_579_;
-                    phi_582_ = (_e279 - (0f * _e384));
+                    let _e387 = phi_583_;
+                    phi_586_ = (_e282 - (0f * _e387));
                 } else {
-                    phi_582_ = _e279;
+                    phi_586_ = _e282;
                 }
-                let _e388 = phi_582_;
-                let _e390 = p.member.map_size;
-                let _e391 = f32(_e390);
-                let _e394 = ((_e252 * _e391) - 0.5f);
-                let _e395 = ((_e266 * _e391) - 0.5f);
-                if (_e394 > -8388608f) {
-                    let _e407 = f32(select(0i, select(select(i32(_e394), i32(-2147483648), (_e394 < bitcast<f32>(3472883712u))), 2147483647i, (_e394 > bitcast<f32>(1325400063u))), (_e394 == _e394)));
-                    if (_e407 > _e394) {
-                        phi_611_ = 1f;
+                let _e391 = phi_586_;
+                let _e393 = p.member.map_size;
+                let _e394 = f32(_e393);
+                let _e397 = ((_e255 * _e394) - 0.5f);
+                let _e398 = ((_e269 * _e394) - 0.5f);
+                if (_e397 > -8388608f) {
+                    let _e410 = f32(select(0i, select(select(i32(_e397), i32(-2147483648), (_e397 < bitcast<f32>(3472883712u))), 2147483647i, (_e397 > bitcast<f32>(1325400063u))), (_e397 == _e397)));
+                    if (_e410 > _e397) {
+                        phi_615_ = 1f;
                     } else {
-                        phi_611_ = 0f;
+                        phi_615_ = 0f;
                     }
-                    let _e410 = phi_611_;
-                    if (_e394 < 8388608f) {
-                        phi_616_ = (_e407 - _e410);
-                        phi_617_ = false;
+                    let _e413 = phi_615_;
+                    if (_e397 < 8388608f) {
+                        phi_620_ = (_e410 - _e413);
+                        phi_621_ = false;
                     } else {
-                        phi_616_ = f32();
-                        phi_617_ = true;
+                        phi_620_ = f32();
+                        phi_621_ = true;
                     }
-                    let _e413 = phi_616_;
-                    let _e415 = phi_617_;
-                    phi_618_ = _e413;
-                    phi_619_ = _e415;
+                    let _e416 = phi_620_;
+                    let _e418 = phi_621_;
+                    phi_622_ = _e416;
+                    phi_623_ = _e418;
                 } else {
-                    phi_618_ = f32();
-                    phi_619_ = true;
+                    phi_622_ = f32();
+                    phi_623_ = true;
                 }
-                let _e417 = phi_618_;
-                let _e419 = phi_619_;
-                if _e419 {
-                    phi_623_ = _e394;
+                let _e420 = phi_622_;
+                let _e422 = phi_623_;
+                if _e422 {
+                    phi_627_ = _e397;
                 } else {
-                    phi_623_ = _e417;
+                    phi_627_ = _e420;
                 }
-                let _e421 = phi_623_;
-                if (_e395 > -8388608f) {
-                    let _e433 = f32(select(0i, select(select(i32(_e395), i32(-2147483648), (_e395 < bitcast<f32>(3472883712u))), 2147483647i, (_e395 > bitcast<f32>(1325400063u))), (_e395 == _e395)));
-                    if (_e433 > _e395) {
-                        phi_643_ = 1f;
+                let _e424 = phi_627_;
+                if (_e398 > -8388608f) {
+                    let _e436 = f32(select(0i, select(select(i32(_e398), i32(-2147483648), (_e398 < bitcast<f32>(3472883712u))), 2147483647i, (_e398 > bitcast<f32>(1325400063u))), (_e398 == _e398)));
+                    if (_e436 > _e398) {
+                        phi_647_ = 1f;
                     } else {
-                        phi_643_ = 0f;
+                        phi_647_ = 0f;
                     }
-                    let _e436 = phi_643_;
-                    if (_e395 < 8388608f) {
-                        phi_648_ = (_e433 - _e436);
-                        phi_649_ = false;
+                    let _e439 = phi_647_;
+                    if (_e398 < 8388608f) {
+                        phi_652_ = (_e436 - _e439);
+                        phi_653_ = false;
                     } else {
-                        phi_648_ = f32();
-                        phi_649_ = true;
+                        phi_652_ = f32();
+                        phi_653_ = true;
                     }
-                    let _e439 = phi_648_;
-                    let _e441 = phi_649_;
-                    phi_650_ = _e439;
-                    phi_651_ = _e441;
+                    let _e442 = phi_652_;
+                    let _e444 = phi_653_;
+                    phi_654_ = _e442;
+                    phi_655_ = _e444;
                 } else {
-                    phi_650_ = f32();
-                    phi_651_ = true;
+                    phi_654_ = f32();
+                    phi_655_ = true;
                 }
-                let _e443 = phi_650_;
-                let _e445 = phi_651_;
-                if _e445 {
-                    phi_655_ = _e395;
+                let _e446 = phi_654_;
+                let _e448 = phi_655_;
+                if _e448 {
+                    phi_659_ = _e398;
                 } else {
-                    phi_655_ = _e443;
+                    phi_659_ = _e446;
                 }
-                let _e447 = phi_655_;
-                let _e448 = (_e394 - _e421);
-                let _e449 = (_e395 - _e447);
-                let _e458 = select(0i, select(select(i32(_e421), i32(-2147483648), (_e421 < bitcast<f32>(3472883712u))), 2147483647i, (_e421 > bitcast<f32>(1325400063u))), (_e421 == _e421));
-                let _e467 = select(0i, select(select(i32(_e447), i32(-2147483648), (_e447 < bitcast<f32>(3472883712u))), 2147483647i, (_e447 > bitcast<f32>(1325400063u))), (_e447 == _e447));
-                let _e470 = ((1f - _e448) * (1f - _e449));
-                let _e472 = (_e448 * (1f - _e449));
-                let _e474 = ((1f - _e448) * _e449);
-                let _e475 = (_e448 * _e449);
-                let _e477 = p.member.test;
-                let _e478 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e477);
-                let _e480 = p.member.map_size;
-                local = _e478;
-                let _e482 = ((0u * _e480) * _e480);
-                let _e484 = (bitcast<i32>(_e480) - 1i);
-                if (_e458 > 0i) {
-                    phi_703_ = _e458;
+                let _e450 = phi_659_;
+                let _e451 = (_e397 - _e424);
+                let _e452 = (_e398 - _e450);
+                let _e461 = select(0i, select(select(i32(_e424), i32(-2147483648), (_e424 < bitcast<f32>(3472883712u))), 2147483647i, (_e424 > bitcast<f32>(1325400063u))), (_e424 == _e424));
+                let _e470 = select(0i, select(select(i32(_e450), i32(-2147483648), (_e450 < bitcast<f32>(3472883712u))), 2147483647i, (_e450 > bitcast<f32>(1325400063u))), (_e450 == _e450));
+                let _e473 = ((1f - _e451) * (1f - _e452));
+                let _e475 = (_e451 * (1f - _e452));
+                let _e477 = ((1f - _e451) * _e452);
+                let _e478 = (_e451 * _e452);
+                let _e480 = p.member.test;
+                let _e481 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e480);
+                let _e483 = p.member.map_size;
+                local = _e481;
+                let _e485 = ((0u * _e483) * _e483);
+                let _e487 = (bitcast<i32>(_e483) - 1i);
+                if (_e461 > 0i) {
+                    phi_707_ = _e461;
                 } else {
-                    phi_703_ = 0i;
+                    phi_707_ = 0i;
                 }
-                let _e487 = phi_703_;
-                if (_e467 > 0i) {
-                    phi_708_ = _e467;
+                let _e490 = phi_707_;
+                if (_e470 > 0i) {
+                    phi_712_ = _e470;
                 } else {
-                    phi_708_ = 0i;
+                    phi_712_ = 0i;
                 }
-                let _e490 = phi_708_;
-                if (_e487 < _e484) {
-                    phi_713_ = _e487;
+                let _e493 = phi_712_;
+                if (_e490 < _e487) {
+                    phi_717_ = _e490;
                 } else {
-                    phi_713_ = _e484;
+                    phi_717_ = _e487;
                 }
-                let _e493 = phi_713_;
-                if (_e490 < _e484) {
-                    phi_718_ = _e490;
+                let _e496 = phi_717_;
+                if (_e493 < _e487) {
+                    phi_722_ = _e493;
                 } else {
-                    phi_718_ = _e484;
+                    phi_722_ = _e487;
                 }
-                let _e496 = phi_718_;
-                let _e497 = bitcast<u32>(_e493);
-                let _e499 = (_e458 + 1i);
-                let _e500 = (_e467 + 1i);
-                if (_e499 > 0i) {
-                    phi_727_ = _e499;
+                let _e499 = phi_722_;
+                let _e500 = bitcast<u32>(_e496);
+                let _e502 = (_e461 + 1i);
+                let _e503 = (_e470 + 1i);
+                if (_e502 > 0i) {
+                    phi_731_ = _e502;
                 } else {
-                    phi_727_ = 0i;
+                    phi_731_ = 0i;
                 }
-                let _e503 = phi_727_;
-                if (_e500 > 0i) {
-                    phi_732_ = _e500;
+                let _e506 = phi_731_;
+                if (_e503 > 0i) {
+                    phi_736_ = _e503;
                 } else {
-                    phi_732_ = 0i;
+                    phi_736_ = 0i;
                 }
-                let _e506 = phi_732_;
-                if (_e503 < _e484) {
-                    phi_737_ = _e503;
+                let _e509 = phi_736_;
+                if (_e506 < _e487) {
+                    phi_741_ = _e506;
                 } else {
-                    phi_737_ = _e484;
+                    phi_741_ = _e487;
                 }
-                let _e509 = phi_737_;
-                if (_e506 < _e484) {
-                    phi_742_ = _e506;
+                let _e512 = phi_741_;
+                if (_e509 < _e487) {
+                    phi_746_ = _e509;
                 } else {
-                    phi_742_ = _e484;
+                    phi_746_ = _e487;
                 }
-                let _e512 = phi_742_;
-                let _e513 = bitcast<u32>(_e509);
-                let _e515 = (bitcast<u32>(_e496) * _e480);
-                let _e516 = (bitcast<u32>(_e512) * _e480);
-                let _e521 = ((_e515 + _e497) + _e482);
-                let _e522 = ((_e515 + _e513) + _e482);
-                let _e523 = ((_e516 + _e497) + _e482);
-                let _e524 = ((_e516 + _e513) + _e482);
-                if (_e521 < _e42) {
+                let _e515 = phi_746_;
+                let _e516 = bitcast<u32>(_e512);
+                let _e518 = (bitcast<u32>(_e499) * _e483);
+                let _e519 = (bitcast<u32>(_e515) * _e483);
+                let _e524 = ((_e518 + _e500) + _e485);
+                let _e525 = ((_e518 + _e516) + _e485);
+                let _e526 = ((_e519 + _e500) + _e485);
+                let _e527 = ((_e519 + _e516) + _e485);
+                if (_e524 < _e45) {
                 } else {
                     return;
                 }
-                let _e528 = map.member[(0u + _e521)];
-                if (_e522 < _e42) {
+                let _e531 = map.member[(0u + _e524)];
+                if (_e525 < _e45) {
                 } else {
                     return;
                 }
-                let _e540 = map.member[(0u + _e522)];
-                if (_e523 < _e42) {
+                let _e543 = map.member[(0u + _e525)];
+                if (_e526 < _e45) {
                 } else {
                     return;
                 }
-                let _e556 = map.member[(0u + _e523)];
-                if (_e524 < _e42) {
+                let _e559 = map.member[(0u + _e526)];
+                if (_e527 < _e45) {
                 } else {
                     return;
                 }
-                let _e572 = map.member[(0u + _e524)];
-                let _e586 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e528.x * _e470) + (_e540.x * _e472)) + (_e556.x * _e474)) + (_e572.x * _e475)), ((((_e528.y * _e470) + (_e540.y * _e472)) + (_e556.y * _e474)) + (_e572.y * _e475)), ((((_e528.z * _e470) + (_e540.z * _e472)) + (_e556.z * _e474)) + (_e572.z * _e475)), ((((_e528.w * _e470) + (_e540.w * _e472)) + (_e556.w * _e474)) + (_e572.w * _e475))), _e388);
-                let _e588 = p.member.epsilon;
-                if (_e586 <= _e588) {
-                    phi_837_ = true;
+                let _e575 = map.member[(0u + _e527)];
+                let _e589 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e531.x * _e473) + (_e543.x * _e475)) + (_e559.x * _e477)) + (_e575.x * _e478)), ((((_e531.y * _e473) + (_e543.y * _e475)) + (_e559.y * _e477)) + (_e575.y * _e478)), ((((_e531.z * _e473) + (_e543.z * _e475)) + (_e559.z * _e477)) + (_e575.z * _e478)), ((((_e531.w * _e473) + (_e543.w * _e475)) + (_e559.w * _e477)) + (_e575.w * _e478))), _e391);
+                let _e593 = p.member.epsilon;
+                if (_e589 <= _e593) {
+                    phi_843_ = true;
                 } else {
-                    phi_837_ = (_e586 >= (1f - _e588));
+                    phi_843_ = (_e589 >= (1f - _e593));
                 }
-                let _e593 = phi_837_;
-                if ((bitcast<u32>(_e586) & 2147483647u) > 2139095040u) {
-                    phi_845_ = true;
+                let _e598 = phi_843_;
+                if ((bitcast<u32>(_e589) & 2147483647u) > 2139095040u) {
+                    phi_851_ = true;
                 } else {
-                    phi_845_ = !(_e593);
+                    phi_851_ = !(_e598);
                 }
-                let _e599 = phi_845_;
-                if _e599 {
-                    if (_e586 > 0f) {
-                        if (_e586 < 1f) {
-                            phi_857_ = false;
+                let _e604 = phi_851_;
+                if _e604 {
+                    if (_e589 > 0f) {
+                        if (_e589 < 1f) {
+                            phi_863_ = false;
                         } else {
-                            phi_857_ = true;
+                            phi_863_ = true;
                         }
-                        let _e603 = phi_857_;
-                        phi_858_ = _e603;
+                        let _e608 = phi_863_;
+                        phi_864_ = _e608;
                     } else {
-                        phi_858_ = true;
+                        phi_864_ = true;
                     }
-                    let _e605 = phi_858_;
-                    if _e605 {
-                        phi_862_ = 0.5f;
+                    let _e610 = phi_864_;
+                    if _e610 {
+                        phi_868_ = 0.5f;
                     } else {
-                        phi_862_ = _e586;
+                        phi_868_ = _e589;
                     }
-                    let _e607 = phi_862_;
-                    phi_870_ = evaluate_Verdict(_e607, true);
+                    let _e612 = phi_868_;
+                    phi_876_ = evaluate_Verdict(_e612, true);
                 } else {
-                    if (_e586 > 0.5f) {
-                        phi_868_ = 1f;
+                    if (_e589 > 0.5f) {
+                        phi_874_ = 1f;
                     } else {
-                        phi_868_ = 0f;
+                        phi_874_ = 0f;
                     }
-                    let _e611 = phi_868_;
-                    phi_870_ = evaluate_Verdict(_e611, false);
+                    let _e616 = phi_874_;
+                    phi_876_ = evaluate_Verdict(_e616, false);
                 }
-                let _e614 = phi_870_;
-                phi_875_ = evaluate_Verdict(_e614.visibility, _e614.is_doubted);
+                let _e619 = phi_876_;
+                let _e622 = (_e619.visibility < 0.5f);
+                if _e619.is_doubted {
+                    phi_899_ = evaluate_Verdict();
+                    phi_900_ = true;
+                } else {
+                    if _e622 {
+                        phi_886_ = 2u;
+                    } else {
+                        phi_886_ = 1u;
+                    }
+                    let _e624 = phi_886_;
+                    if ((0u & _e624) != 0u) {
+                        if _e622 {
+                            phi_895_ = 0.000000059604645f;
+                        } else {
+                            phi_895_ = 0.99999994f;
+                        }
+                        let _e628 = phi_895_;
+                        phi_897_ = evaluate_Verdict(_e628, true);
+                        phi_898_ = false;
+                    } else {
+                        phi_897_ = evaluate_Verdict();
+                        phi_898_ = true;
+                    }
+                    let _e631 = phi_897_;
+                    let _e633 = phi_898_;
+                    phi_899_ = _e631;
+                    phi_900_ = _e633;
+                }
+                let _e635 = phi_899_;
+                let _e637 = phi_900_;
+                if _e637 {
+                    phi_905_ = evaluate_Verdict(_e619.visibility, _e619.is_doubted);
+                } else {
+                    phi_905_ = _e635;
+                }
+                let _e640 = phi_905_;
+                phi_910_ = evaluate_Verdict(_e640.visibility, _e640.is_doubted);
             } else {
-                phi_875_ = evaluate_Verdict(0.5f, true);
+                phi_910_ = evaluate_Verdict(0.5f, true);
             }
-            let _e620 = phi_875_;
-            phi_876_ = _e620;
+            let _e646 = phi_910_;
+            phi_911_ = _e646;
         }
-        let _e622 = phi_876_;
-        if (_e51.first_primitive < arrayLength((&visibility.member))) {
+        let _e648 = phi_911_;
+        if (_e54.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e51.first_primitive)] = _e622.visibility;
+        visibility.member[(0u + _e54.first_primitive)] = _e648.visibility;
     }
     return;
 }

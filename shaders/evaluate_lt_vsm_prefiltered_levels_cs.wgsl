@@ -68,14 +68,14 @@ struct type_35 {
     member: abi_ShadowParams,
 }
 
+struct type_39 {
+    member: array<lt_math_LightProjection>,
+}
+
 struct lt_math_LightPoint {
     uv: vec2<f32>,
     depth: f32,
     is_inside: bool,
-}
-
-struct type_41 {
-    member: array<lt_math_LightProjection>,
 }
 
 struct lt_math_LevelPoint {
@@ -92,42 +92,42 @@ var<uniform> p: type_35;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_19;
 @group(0) @binding(4) 
-var<storage> levels: type_41;
+var<storage> levels: type_39;
 @group(0) @binding(2) 
 var<storage> map: type_31;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_148_: lt_bvh_traverse_Tree;
-    var phi_149_: bool;
-    var phi_150_: lt_bvh_traverse_Tree;
-    var phi_151_: bool;
-    var phi_156_: lt_bvh_traverse_Tree;
+    var phi_152_: lt_bvh_traverse_Tree;
+    var phi_153_: bool;
+    var phi_154_: lt_bvh_traverse_Tree;
+    var phi_155_: bool;
+    var phi_160_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_148_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_149_ = false;
+            phi_152_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_153_ = false;
         } else {
-            phi_148_ = lt_bvh_traverse_Tree();
-            phi_149_ = true;
+            phi_152_ = lt_bvh_traverse_Tree();
+            phi_153_ = true;
         }
-        let _e53 = phi_148_;
-        let _e55 = phi_149_;
-        phi_150_ = _e53;
-        phi_151_ = _e55;
+        let _e56 = phi_152_;
+        let _e58 = phi_153_;
+        phi_154_ = _e56;
+        phi_155_ = _e58;
     } else {
-        phi_150_ = lt_bvh_traverse_Tree();
-        phi_151_ = true;
+        phi_154_ = lt_bvh_traverse_Tree();
+        phi_155_ = true;
     }
-    let _e57 = phi_150_;
-    let _e59 = phi_151_;
-    if _e59 {
-        phi_156_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e60 = phi_154_;
+    let _e62 = phi_155_;
+    if _e62 {
+        phi_160_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_156_ = _e57;
+        phi_160_ = _e60;
     }
-    let _e64 = phi_156_;
-    return lt_bvh_traverse_Tree(_e64.root, _e64.first_primitive);
+    let _e67 = phi_160_;
+    return lt_bvh_traverse_Tree(_e67.root, _e67.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -135,742 +135,786 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_181_: f32;
-    var phi_182_: f32;
-    var phi_183_: f32;
-    var phi_201_: bool;
-    var phi_205_: f32;
-    var phi_217_: bool;
-    var phi_224_: f32;
-    var phi_239_: f32;
-    var phi_240_: f32;
-    var phi_241_: f32;
+    var phi_185_: f32;
+    var phi_186_: f32;
+    var phi_187_: f32;
+    var phi_205_: bool;
+    var phi_209_: f32;
+    var phi_221_: bool;
+    var phi_228_: f32;
+    var phi_243_: f32;
+    var phi_244_: f32;
+    var phi_245_: f32;
 
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_183_ = param_6;
+        phi_187_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_182_ = 0f;
+            phi_186_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_181_ = 1f;
+                phi_185_ = 1f;
             } else {
-                phi_181_ = param_6;
+                phi_185_ = param_6;
             }
-            let _e49 = phi_181_;
-            phi_182_ = _e49;
+            let _e52 = phi_185_;
+            phi_186_ = _e52;
         }
-        let _e51 = phi_182_;
-        phi_183_ = _e51;
+        let _e54 = phi_186_;
+        phi_187_ = _e54;
     }
-    let _e53 = phi_183_;
-    let _e56 = (*param_4);
-    let _e60 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
-    if ((bitcast<u32>(_e56) & 2147483647u) > 2139095040u) {
-        phi_201_ = true;
+    let _e56 = phi_187_;
+    let _e59 = (*param_4);
+    let _e63 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
+    if ((bitcast<u32>(_e59) & 2147483647u) > 2139095040u) {
+        phi_205_ = true;
     } else {
-        let _e64 = (_e56 > _e60);
-        if _e64 {
+        let _e67 = (_e59 > _e63);
+        if _e67 {
         }
-        phi_201_ = _e64;
+        phi_205_ = _e67;
     }
-    let _e66 = phi_201_;
-    if _e66 {
-        phi_205_ = _e56;
+    let _e69 = phi_205_;
+    if _e69 {
+        phi_209_ = _e59;
     } else {
-        phi_205_ = _e60;
+        phi_209_ = _e63;
     }
-    let _e68 = phi_205_;
-    let _e69 = (_e53 - param_5.x);
-    if (_e69 <= 0f) {
-        let _e73 = ((bitcast<u32>(_e68) & 2147483647u) > 2139095040u);
-        if _e73 {
+    let _e71 = phi_209_;
+    let _e72 = (_e56 - param_5.x);
+    if (_e72 <= 0f) {
+        let _e76 = ((bitcast<u32>(_e71) & 2147483647u) > 2139095040u);
+        if _e76 {
         }
-        phi_217_ = _e73;
+        phi_221_ = _e76;
     } else {
-        phi_217_ = true;
+        phi_221_ = true;
     }
-    let _e75 = phi_217_;
-    if _e75 {
-        phi_224_ = (_e68 / (_e68 + (_e69 * _e69)));
+    let _e78 = phi_221_;
+    if _e78 {
+        phi_228_ = (_e71 / (_e71 + (_e72 * _e72)));
     } else {
-        phi_224_ = 1f;
+        phi_228_ = 1f;
     }
-    let _e80 = phi_224_;
-    if ((bitcast<u32>(_e80) & 2147483647u) > 2139095040u) {
-        phi_241_ = _e80;
+    let _e83 = phi_228_;
+    if ((bitcast<u32>(_e83) & 2147483647u) > 2139095040u) {
+        phi_245_ = _e83;
     } else {
-        if (_e80 < 0f) {
-            phi_240_ = 0f;
+        if (_e83 < 0f) {
+            phi_244_ = 0f;
         } else {
-            if (_e80 > 1f) {
-                phi_239_ = 1f;
+            if (_e83 > 1f) {
+                phi_243_ = 1f;
             } else {
-                phi_239_ = _e80;
+                phi_243_ = _e83;
             }
-            let _e87 = phi_239_;
-            phi_240_ = _e87;
+            let _e90 = phi_243_;
+            phi_244_ = _e90;
         }
-        let _e89 = phi_240_;
-        phi_241_ = _e89;
+        let _e92 = phi_244_;
+        phi_245_ = _e92;
     }
-    let _e91 = phi_241_;
-    return _e91;
+    let _e94 = phi_245_;
+    return _e94;
 }
 
 fn function_() {
     var local: f32;
-    var phi_301_: bool;
-    var phi_302_: bool;
-    var phi_303_: bool;
-    var phi_304_: bool;
+    var phi_305_: bool;
+    var phi_306_: bool;
+    var phi_307_: bool;
     var phi_308_: bool;
-    var phi_378_: bool;
-    var phi_379_: bool;
-    var phi_390_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_391_: bool;
-    var phi_392_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_393_: bool;
-    var phi_400_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_312_: bool;
+    var phi_382_: bool;
+    var phi_383_: bool;
+    var phi_394_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_395_: bool;
+    var phi_396_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_397_: bool;
     var phi_404_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_424_: lt_math_LightPoint;
-    var phi_427_: u32;
-    var phi_429_: lt_math_LevelPoint;
-    var phi_515_: bool;
-    var phi_524_: bool;
-    var phi_533_: bool;
-    var phi_534_: bool;
-    var phi_535_: bool;
-    var phi_536_: bool;
+    var phi_408_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_428_: lt_math_LightPoint;
+    var phi_431_: u32;
+    var phi_433_: lt_math_LevelPoint;
+    var phi_519_: bool;
+    var phi_528_: bool;
     var phi_537_: bool;
     var phi_538_: bool;
     var phi_539_: bool;
+    var phi_540_: bool;
+    var phi_541_: bool;
+    var phi_542_: bool;
     var phi_543_: bool;
-    var phi_570_: bool;
-    var phi_571_: bool;
-    var phi_572_: bool;
-    var phi_573_: bool;
+    var phi_547_: bool;
     var phi_574_: bool;
     var phi_575_: bool;
     var phi_576_: bool;
     var phi_577_: bool;
+    var phi_578_: bool;
+    var phi_579_: bool;
+    var phi_580_: bool;
     var phi_581_: bool;
-    var phi_590_: lt_math_LightPoint;
-    var phi_591_: u32;
-    var phi_592_: lt_math_LevelPoint;
-    var phi_593_: bool;
-    var phi_425_: lt_math_LightPoint;
-    var phi_428_: u32;
-    var phi_430_: lt_math_LevelPoint;
-    var phi_594_: bool;
+    var phi_585_: bool;
+    var phi_594_: lt_math_LightPoint;
+    var phi_595_: u32;
+    var phi_596_: lt_math_LevelPoint;
+    var phi_597_: bool;
+    var phi_429_: lt_math_LightPoint;
+    var phi_432_: u32;
+    var phi_434_: lt_math_LevelPoint;
+    var phi_598_: bool;
     var local_1: lt_math_LevelPoint;
     var local_2: lt_math_LevelPoint;
-    var phi_634_: bool;
-    var phi_635_: bool;
-    var phi_636_: bool;
-    var phi_637_: bool;
+    var phi_638_: bool;
+    var phi_639_: bool;
+    var phi_640_: bool;
     var phi_641_: bool;
-    var phi_723_: f32;
-    var phi_841_: f32;
-    var phi_842_: f32;
+    var phi_645_: bool;
+    var phi_727_: f32;
     var phi_845_: f32;
-    var phi_874_: f32;
-    var phi_879_: f32;
-    var phi_880_: bool;
-    var phi_881_: f32;
-    var phi_882_: bool;
-    var phi_886_: f32;
-    var phi_906_: f32;
-    var phi_911_: f32;
-    var phi_912_: bool;
-    var phi_913_: f32;
-    var phi_914_: bool;
-    var phi_918_: f32;
+    var phi_846_: f32;
+    var phi_849_: f32;
+    var phi_878_: f32;
+    var phi_883_: f32;
+    var phi_884_: bool;
+    var phi_885_: f32;
+    var phi_886_: bool;
+    var phi_890_: f32;
+    var phi_910_: f32;
+    var phi_915_: f32;
+    var phi_916_: bool;
+    var phi_917_: f32;
+    var phi_918_: bool;
+    var phi_922_: f32;
     var local_3: lt_math_LevelPoint;
-    var phi_967_: i32;
-    var phi_972_: i32;
-    var phi_977_: i32;
-    var phi_982_: i32;
-    var phi_991_: i32;
-    var phi_996_: i32;
-    var phi_1001_: i32;
-    var phi_1006_: i32;
-    var phi_1101_: bool;
-    var phi_1109_: bool;
-    var phi_1121_: bool;
-    var phi_1122_: bool;
-    var phi_1126_: f32;
+    var phi_971_: i32;
+    var phi_976_: i32;
+    var phi_981_: i32;
+    var phi_986_: i32;
+    var phi_995_: i32;
+    var phi_1000_: i32;
+    var phi_1005_: i32;
+    var phi_1010_: i32;
+    var phi_1107_: bool;
+    var phi_1115_: bool;
+    var phi_1127_: bool;
+    var phi_1128_: bool;
     var phi_1132_: f32;
-    var phi_1134_: evaluate_Verdict;
-    var phi_1139_: evaluate_Verdict;
+    var phi_1138_: f32;
     var phi_1140_: evaluate_Verdict;
+    var phi_1150_: u32;
+    var phi_1159_: f32;
+    var phi_1161_: evaluate_Verdict;
+    var phi_1162_: bool;
+    var phi_1163_: evaluate_Verdict;
+    var phi_1164_: bool;
+    var phi_1169_: evaluate_Verdict;
+    var phi_1174_: evaluate_Verdict;
+    var phi_1175_: evaluate_Verdict;
 
-    let _e41 = id_1;
-    let _e48 = arrayLength((&map.member));
-    let _e54 = arrayLength((&levels.member));
-    let _e57 = p.member.size[0u];
-    let _e59 = p.member.size[1u];
-    let _e60 = lt_shaders_entry_pixel_index(_e41, _e57, _e59);
-    if (bitcast<i32>(_e60.root) != 0i) {
-        let _e66 = p.member.level_count;
-        if (_e60.first_primitive < arrayLength((&samples.member))) {
+    let _e44 = id_1;
+    let _e51 = arrayLength((&map.member));
+    let _e57 = arrayLength((&levels.member));
+    let _e60 = p.member.size[0u];
+    let _e62 = p.member.size[1u];
+    let _e63 = lt_shaders_entry_pixel_index(_e44, _e60, _e62);
+    if (bitcast<i32>(_e63.root) != 0i) {
+        let _e69 = p.member.level_count;
+        if (_e63.first_primitive < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e73 = samples.member[(0u + _e60.first_primitive)].normal[0u];
-        let _e75 = global[0u];
-        if (_e73 == _e75) {
-            let _e78 = samples.member[(0u + _e60.first_primitive)].normal[1u];
-            let _e80 = global[1u];
-            if (_e78 == _e80) {
-                let _e83 = samples.member[(0u + _e60.first_primitive)].normal[2u];
-                let _e85 = global[2u];
-                phi_301_ = (_e83 == _e85);
-                phi_302_ = false;
+        let _e76 = samples.member[(0u + _e63.first_primitive)].normal[0u];
+        let _e78 = global[0u];
+        if (_e76 == _e78) {
+            let _e81 = samples.member[(0u + _e63.first_primitive)].normal[1u];
+            let _e83 = global[1u];
+            if (_e81 == _e83) {
+                let _e86 = samples.member[(0u + _e63.first_primitive)].normal[2u];
+                let _e88 = global[2u];
+                phi_305_ = (_e86 == _e88);
+                phi_306_ = false;
             } else {
-                phi_301_ = bool();
-                phi_302_ = true;
+                phi_305_ = bool();
+                phi_306_ = true;
             }
-            let _e88 = phi_301_;
-            let _e90 = phi_302_;
-            phi_303_ = _e88;
-            phi_304_ = _e90;
+            let _e91 = phi_305_;
+            let _e93 = phi_306_;
+            phi_307_ = _e91;
+            phi_308_ = _e93;
         } else {
-            phi_303_ = bool();
-            phi_304_ = true;
+            phi_307_ = bool();
+            phi_308_ = true;
         }
-        let _e92 = phi_303_;
-        let _e94 = phi_304_;
-        if _e94 {
-            phi_308_ = false;
+        let _e95 = phi_307_;
+        let _e97 = phi_308_;
+        if _e97 {
+            phi_312_ = false;
         } else {
-            phi_308_ = _e92;
+            phi_312_ = _e95;
         }
-        let _e96 = phi_308_;
-        if !(_e96) {
-            let _e99 = samples.member[(0u + _e60.first_primitive)].position;
-            let _e101 = p.member.light.place;
-            let _e107 = p.member.light.place[3u];
-            let _e114 = (_e101.x - (_e99.x * _e107));
-            let _e115 = (_e101.y - (_e99.y * _e107));
-            let _e116 = (_e101.z - (_e99.z * _e107));
-            let _e118 = samples.member[(0u + _e60.first_primitive)].normal;
-            if ((((_e118.x * _e114) + (_e118.y * _e115)) + (_e118.z * _e116)) > 0f) {
-                let _e132 = (((_e114 * _e114) + (_e115 * _e115)) + (_e116 * _e116));
-                let _e134 = p.member.light.axis;
-                let _e146 = p.member.light.place[3u];
-                if (_e146 == 0f) {
-                    phi_379_ = true;
+        let _e99 = phi_312_;
+        if !(_e99) {
+            let _e102 = samples.member[(0u + _e63.first_primitive)].position;
+            let _e104 = p.member.light.place;
+            let _e110 = p.member.light.place[3u];
+            let _e117 = (_e104.x - (_e102.x * _e110));
+            let _e118 = (_e104.y - (_e102.y * _e110));
+            let _e119 = (_e104.z - (_e102.z * _e110));
+            let _e121 = samples.member[(0u + _e63.first_primitive)].normal;
+            if ((((_e121.x * _e117) + (_e121.y * _e118)) + (_e121.z * _e119)) > 0f) {
+                let _e135 = (((_e117 * _e117) + (_e118 * _e118)) + (_e119 * _e119));
+                let _e137 = p.member.light.axis;
+                let _e149 = p.member.light.place[3u];
+                if (_e149 == 0f) {
+                    phi_383_ = true;
                 } else {
-                    let _e149 = p.member.light.range_squared;
-                    if (_e132 <= _e149) {
-                        let _e152 = p.member.light.cos_outer;
-                        phi_378_ = (-((((_e114 * _e134.x) + (_e115 * _e134.y)) + (_e116 * _e134.z))) >= (_e152 * sqrt(_e132)));
+                    let _e152 = p.member.light.range_squared;
+                    if (_e135 <= _e152) {
+                        let _e155 = p.member.light.cos_outer;
+                        phi_382_ = (-((((_e117 * _e137.x) + (_e118 * _e137.y)) + (_e119 * _e137.z))) >= (_e155 * sqrt(_e135)));
                     } else {
-                        phi_378_ = false;
+                        phi_382_ = false;
                     }
-                    let _e157 = phi_378_;
-                    phi_379_ = _e157;
+                    let _e160 = phi_382_;
+                    phi_383_ = _e160;
                 }
-                let _e159 = phi_379_;
-                if _e159 {
-                    let _e161 = samples.member[(0u + _e60.first_primitive)].flags;
-                    let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e169.unnamed.visibility, false), _e169.unnamed_1);
-                    phi_390_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e175.unnamed, ((_e161 & 1u) == 0u));
-                    phi_391_ = false;
+                let _e162 = phi_383_;
+                if _e162 {
+                    let _e164 = samples.member[(0u + _e63.first_primitive)].flags;
+                    let _e172 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e178 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e172.unnamed.visibility, false), _e172.unnamed_1);
+                    phi_394_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e178.unnamed, ((_e164 & 1u) == 0u));
+                    phi_395_ = false;
                 } else {
-                    phi_390_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_391_ = true;
+                    phi_394_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_395_ = true;
                 }
-                let _e180 = phi_390_;
-                let _e182 = phi_391_;
-                phi_392_ = _e180;
-                phi_393_ = _e182;
+                let _e183 = phi_394_;
+                let _e185 = phi_395_;
+                phi_396_ = _e183;
+                phi_397_ = _e185;
             } else {
-                phi_392_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_393_ = true;
+                phi_396_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_397_ = true;
             }
-            let _e184 = phi_392_;
-            let _e186 = phi_393_;
-            if _e186 {
-                let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
-                phi_400_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, true);
+            let _e187 = phi_396_;
+            let _e189 = phi_397_;
+            if _e189 {
+                let _e195 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e201 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e195.unnamed.visibility, false), _e195.unnamed_1);
+                phi_404_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e201.unnamed, true);
             } else {
-                phi_400_ = _e184;
+                phi_404_ = _e187;
             }
-            let _e203 = phi_400_;
-            phi_404_ = _e203;
+            let _e206 = phi_404_;
+            phi_408_ = _e206;
         } else {
-            let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e209.unnamed.visibility, false), _e209.unnamed_1);
-            phi_404_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e215.unnamed, true);
+            let _e212 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e218 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e212.unnamed.visibility, false), _e212.unnamed_1);
+            phi_408_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e218.unnamed, true);
         }
-        let _e220 = phi_404_;
-        if _e220.unnamed_1 {
-            phi_1140_ = evaluate_Verdict(_e220.unnamed.visibility, _e220.unnamed.is_doubted);
+        let _e223 = phi_408_;
+        if _e223.unnamed_1 {
+            phi_1175_ = evaluate_Verdict(_e223.unnamed.visibility, _e223.unnamed.is_doubted);
         } else {
-            let _e228 = samples.member[(0u + _e60.first_primitive)].position;
-            let _e230 = p.member.map_size;
-            let _e232 = (0.5f / f32(_e230));
-            let _e239 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e246 = lt_math_LightPoint(vec2<f32>(_e239.uv.x, 0f), _e239.depth, _e239.is_inside);
-            let _e250 = lt_math_LightPoint(_e246.uv, 0f, _e246.is_inside);
-            phi_424_ = lt_math_LightPoint();
-            phi_427_ = 0u;
-            phi_429_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e250.uv, _e250.depth, false));
+            let _e231 = samples.member[(0u + _e63.first_primitive)].position;
+            let _e233 = p.member.map_size;
+            let _e235 = (0.5f / f32(_e233));
+            let _e242 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e249 = lt_math_LightPoint(vec2<f32>(_e242.uv.x, 0f), _e242.depth, _e242.is_inside);
+            let _e253 = lt_math_LightPoint(_e249.uv, 0f, _e249.is_inside);
+            phi_428_ = lt_math_LightPoint();
+            phi_431_ = 0u;
+            phi_433_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e253.uv, _e253.depth, false));
             loop {
-                let _e257 = phi_424_;
-                let _e259 = phi_427_;
-                let _e261 = phi_429_;
-                local_1 = _e261;
-                local_2 = _e261;
-                local_3 = _e261;
-                if (_e259 < _e66) {
-                    if _e261.point.is_inside {
-                        phi_590_ = lt_math_LightPoint();
-                        phi_591_ = u32();
-                        phi_592_ = lt_math_LevelPoint();
-                        phi_593_ = false;
+                let _e260 = phi_428_;
+                let _e262 = phi_431_;
+                let _e264 = phi_433_;
+                local_1 = _e264;
+                local_2 = _e264;
+                local_3 = _e264;
+                if (_e262 < _e69) {
+                    if _e264.point.is_inside {
+                        phi_594_ = lt_math_LightPoint();
+                        phi_595_ = u32();
+                        phi_596_ = lt_math_LevelPoint();
+                        phi_597_ = false;
                     } else {
-                        if (_e259 < _e54) {
+                        if (_e262 < _e57) {
                         } else {
                             return;
                         }
-                        let _e272 = levels.member[(0u + _e259)].row_w;
-                        let _e283 = ((((_e272.x * _e228.x) + (_e272.y * _e228.y)) + (_e272.z * _e228.z)) + (_e272.w * 1f));
-                        let _e285 = levels.member[(0u + _e259)].row_x;
-                        let _e297 = (((((_e285.x * _e228.x) + (_e285.y * _e228.y)) + (_e285.z * _e228.z)) + (_e285.w * 1f)) / _e283);
-                        let _e299 = levels.member[(0u + _e259)].row_y;
-                        let _e311 = (((((_e299.x * _e228.x) + (_e299.y * _e228.y)) + (_e299.z * _e228.z)) + (_e299.w * 1f)) / _e283);
-                        let _e313 = levels.member[(0u + _e259)].row_z;
-                        let _e324 = ((((_e313.x * _e228.x) + (_e313.y * _e228.y)) + (_e313.z * _e228.z)) + (_e313.w * 1f));
-                        if (_e283 > 0f) {
-                            if (_e297 >= 0f) {
-                                phi_515_ = (_e297 <= 1f);
+                        let _e275 = levels.member[(0u + _e262)].row_w;
+                        let _e286 = ((((_e275.x * _e231.x) + (_e275.y * _e231.y)) + (_e275.z * _e231.z)) + (_e275.w * 1f));
+                        let _e288 = levels.member[(0u + _e262)].row_x;
+                        let _e300 = (((((_e288.x * _e231.x) + (_e288.y * _e231.y)) + (_e288.z * _e231.z)) + (_e288.w * 1f)) / _e286);
+                        let _e302 = levels.member[(0u + _e262)].row_y;
+                        let _e314 = (((((_e302.x * _e231.x) + (_e302.y * _e231.y)) + (_e302.z * _e231.z)) + (_e302.w * 1f)) / _e286);
+                        let _e316 = levels.member[(0u + _e262)].row_z;
+                        let _e327 = ((((_e316.x * _e231.x) + (_e316.y * _e231.y)) + (_e316.z * _e231.z)) + (_e316.w * 1f));
+                        if (_e286 > 0f) {
+                            if (_e300 >= 0f) {
+                                phi_519_ = (_e300 <= 1f);
                             } else {
-                                phi_515_ = false;
+                                phi_519_ = false;
                             }
-                            let _e329 = phi_515_;
-                            if _e329 {
-                                if (_e311 >= 0f) {
-                                    phi_524_ = (_e311 <= 1f);
+                            let _e332 = phi_519_;
+                            if _e332 {
+                                if (_e314 >= 0f) {
+                                    phi_528_ = (_e314 <= 1f);
                                 } else {
-                                    phi_524_ = false;
+                                    phi_528_ = false;
                                 }
-                                let _e333 = phi_524_;
-                                if _e333 {
-                                    if (_e324 >= 0f) {
-                                        phi_533_ = (_e324 <= 1f);
+                                let _e336 = phi_528_;
+                                if _e336 {
+                                    if (_e327 >= 0f) {
+                                        phi_537_ = (_e327 <= 1f);
                                     } else {
-                                        phi_533_ = false;
+                                        phi_537_ = false;
                                     }
-                                    let _e337 = phi_533_;
-                                    phi_534_ = _e337;
-                                    phi_535_ = false;
+                                    let _e340 = phi_537_;
+                                    phi_538_ = _e340;
+                                    phi_539_ = false;
                                 } else {
-                                    phi_534_ = bool();
-                                    phi_535_ = true;
+                                    phi_538_ = bool();
+                                    phi_539_ = true;
                                 }
-                                let _e339 = phi_534_;
-                                let _e341 = phi_535_;
-                                phi_536_ = _e339;
-                                phi_537_ = _e341;
+                                let _e342 = phi_538_;
+                                let _e344 = phi_539_;
+                                phi_540_ = _e342;
+                                phi_541_ = _e344;
                             } else {
-                                phi_536_ = bool();
-                                phi_537_ = true;
+                                phi_540_ = bool();
+                                phi_541_ = true;
                             }
-                            let _e343 = phi_536_;
-                            let _e345 = phi_537_;
-                            phi_538_ = _e343;
-                            phi_539_ = _e345;
+                            let _e346 = phi_540_;
+                            let _e348 = phi_541_;
+                            phi_542_ = _e346;
+                            phi_543_ = _e348;
                         } else {
-                            phi_538_ = bool();
-                            phi_539_ = true;
+                            phi_542_ = bool();
+                            phi_543_ = true;
                         }
-                        let _e347 = phi_538_;
-                        let _e349 = phi_539_;
-                        if _e349 {
-                            phi_543_ = false;
+                        let _e350 = phi_542_;
+                        let _e352 = phi_543_;
+                        if _e352 {
+                            phi_547_ = false;
                         } else {
-                            phi_543_ = _e347;
+                            phi_547_ = _e350;
                         }
-                        let _e351 = phi_543_;
-                        if _e351 {
-                            if (_e297 >= _e232) {
-                                if (_e297 <= (1f - _e232)) {
-                                    if (_e311 >= _e232) {
-                                        phi_570_ = (_e311 <= (1f - _e232));
-                                        phi_571_ = false;
+                        let _e354 = phi_547_;
+                        if _e354 {
+                            if (_e300 >= _e235) {
+                                if (_e300 <= (1f - _e235)) {
+                                    if (_e314 >= _e235) {
+                                        phi_574_ = (_e314 <= (1f - _e235));
+                                        phi_575_ = false;
                                     } else {
-                                        phi_570_ = bool();
-                                        phi_571_ = true;
+                                        phi_574_ = bool();
+                                        phi_575_ = true;
                                     }
-                                    let _e359 = phi_570_;
-                                    let _e361 = phi_571_;
-                                    phi_572_ = _e359;
-                                    phi_573_ = _e361;
+                                    let _e362 = phi_574_;
+                                    let _e364 = phi_575_;
+                                    phi_576_ = _e362;
+                                    phi_577_ = _e364;
                                 } else {
-                                    phi_572_ = bool();
-                                    phi_573_ = true;
+                                    phi_576_ = bool();
+                                    phi_577_ = true;
                                 }
-                                let _e363 = phi_572_;
-                                let _e365 = phi_573_;
-                                phi_574_ = _e363;
-                                phi_575_ = _e365;
+                                let _e366 = phi_576_;
+                                let _e368 = phi_577_;
+                                phi_578_ = _e366;
+                                phi_579_ = _e368;
                             } else {
-                                phi_574_ = bool();
-                                phi_575_ = true;
+                                phi_578_ = bool();
+                                phi_579_ = true;
                             }
-                            let _e367 = phi_574_;
-                            let _e369 = phi_575_;
-                            phi_576_ = _e367;
-                            phi_577_ = _e369;
+                            let _e370 = phi_578_;
+                            let _e372 = phi_579_;
+                            phi_580_ = _e370;
+                            phi_581_ = _e372;
                         } else {
-                            phi_576_ = bool();
-                            phi_577_ = true;
+                            phi_580_ = bool();
+                            phi_581_ = true;
                         }
-                        let _e371 = phi_576_;
-                        let _e373 = phi_577_;
-                        if _e373 {
-                            phi_581_ = false;
+                        let _e374 = phi_580_;
+                        let _e376 = phi_581_;
+                        if _e376 {
+                            phi_585_ = false;
                         } else {
-                            phi_581_ = _e371;
+                            phi_585_ = _e374;
                         }
-                        let _e375 = phi_581_;
-                        let _e382 = lt_math_LightPoint(vec2<f32>(_e297, _e257.uv.y), _e257.depth, _e257.is_inside);
-                        let _e389 = lt_math_LightPoint(vec2<f32>(_e382.uv.x, _e311), _e382.depth, _e382.is_inside);
-                        let _e393 = lt_math_LightPoint(_e389.uv, _e324, _e389.is_inside);
-                        let _e397 = lt_math_LightPoint(_e393.uv, _e393.depth, _e375);
-                        phi_590_ = _e397;
-                        phi_591_ = (_e259 + 1u);
-                        phi_592_ = lt_math_LevelPoint(_e259, _e397);
-                        phi_593_ = true;
+                        let _e378 = phi_585_;
+                        let _e385 = lt_math_LightPoint(vec2<f32>(_e300, _e260.uv.y), _e260.depth, _e260.is_inside);
+                        let _e392 = lt_math_LightPoint(vec2<f32>(_e385.uv.x, _e314), _e385.depth, _e385.is_inside);
+                        let _e396 = lt_math_LightPoint(_e392.uv, _e327, _e392.is_inside);
+                        let _e400 = lt_math_LightPoint(_e396.uv, _e396.depth, _e378);
+                        phi_594_ = _e400;
+                        phi_595_ = (_e262 + 1u);
+                        phi_596_ = lt_math_LevelPoint(_e262, _e400);
+                        phi_597_ = true;
                     }
-                    let _e401 = phi_590_;
-                    let _e403 = phi_591_;
-                    let _e405 = phi_592_;
-                    let _e407 = phi_593_;
-                    phi_425_ = _e401;
-                    phi_428_ = _e403;
-                    phi_430_ = _e405;
-                    phi_594_ = _e407;
+                    let _e404 = phi_594_;
+                    let _e406 = phi_595_;
+                    let _e408 = phi_596_;
+                    let _e410 = phi_597_;
+                    phi_429_ = _e404;
+                    phi_432_ = _e406;
+                    phi_434_ = _e408;
+                    phi_598_ = _e410;
                 } else {
-                    phi_425_ = lt_math_LightPoint();
-                    phi_428_ = u32();
-                    phi_430_ = lt_math_LevelPoint();
-                    phi_594_ = false;
+                    phi_429_ = lt_math_LightPoint();
+                    phi_432_ = u32();
+                    phi_434_ = lt_math_LevelPoint();
+                    phi_598_ = false;
                 }
-                let _e409 = phi_425_;
-                let _e411 = phi_428_;
-                let _e413 = phi_430_;
-                let _e415 = phi_594_;
+                let _e412 = phi_429_;
+                let _e414 = phi_432_;
+                let _e416 = phi_434_;
+                let _e418 = phi_598_;
                 continue;
                 continuing {
-                    phi_424_ = _e409;
-                    phi_427_ = _e411;
-                    phi_429_ = _e413;
-                    break if !(_e415);
+                    phi_428_ = _e412;
+                    phi_431_ = _e414;
+                    phi_433_ = _e416;
+                    break if !(_e418);
                 }
             }
-            let _e418 = local_1;
-            if _e418.point.is_inside {
+            let _e421 = local_1;
+            if _e421.point.is_inside {
                 if (0f > 0f) {
-                    let _e424 = local_2;
-                    if (_e424.level < _e54) {
+                    let _e427 = local_2;
+                    if (_e427.level < _e57) {
                     } else {
                         return;
                     }
-                    let _e429 = levels.member[(0u + _e424.level)];
-                    let _e435 = global[0u];
-                    if (_e429.row_w.x == _e435) {
-                        let _e438 = global[1u];
-                        if (_e429.row_w.y == _e438) {
-                            let _e441 = global[2u];
-                            phi_634_ = (_e429.row_w.z == _e441);
-                            phi_635_ = false;
+                    let _e432 = levels.member[(0u + _e427.level)];
+                    let _e438 = global[0u];
+                    if (_e432.row_w.x == _e438) {
+                        let _e441 = global[1u];
+                        if (_e432.row_w.y == _e441) {
+                            let _e444 = global[2u];
+                            phi_638_ = (_e432.row_w.z == _e444);
+                            phi_639_ = false;
                         } else {
-                            phi_634_ = bool();
-                            phi_635_ = true;
+                            phi_638_ = bool();
+                            phi_639_ = true;
                         }
-                        let _e444 = phi_634_;
-                        let _e446 = phi_635_;
-                        phi_636_ = _e444;
-                        phi_637_ = _e446;
+                        let _e447 = phi_638_;
+                        let _e449 = phi_639_;
+                        phi_640_ = _e447;
+                        phi_641_ = _e449;
                     } else {
-                        phi_636_ = bool();
-                        phi_637_ = true;
+                        phi_640_ = bool();
+                        phi_641_ = true;
                     }
-                    let _e448 = phi_636_;
-                    let _e450 = phi_637_;
-                    if _e450 {
-                        phi_641_ = false;
+                    let _e451 = phi_640_;
+                    let _e453 = phi_641_;
+                    if _e453 {
+                        phi_645_ = false;
                     } else {
-                        phi_641_ = _e448;
+                        phi_645_ = _e451;
                     }
-                    let _e452 = phi_641_;
-                    if _e452 {
-                        let _e454 = samples.member[(0u + _e60.first_primitive)].normal;
-                        let _e456 = p.member.map_size;
-                        let _e526 = ((abs(((((_e429.row_x.x * _e454.x) + (_e429.row_x.y * _e454.y)) + (_e429.row_x.z * _e454.z)) / (((_e429.row_x.x * _e429.row_x.x) + (_e429.row_x.y * _e429.row_x.y)) + (_e429.row_x.z * _e429.row_x.z)))) + abs(((((_e429.row_y.x * _e454.x) + (_e429.row_y.y * _e454.y)) + (_e429.row_y.z * _e454.z)) / (((_e429.row_y.x * _e429.row_y.x) + (_e429.row_y.y * _e429.row_y.y)) + (_e429.row_y.z * _e429.row_y.z))))) / (abs(((((_e429.row_z.x * _e454.x) + (_e429.row_z.y * _e454.y)) + (_e429.row_z.z * _e454.z)) / (((_e429.row_z.x * _e429.row_z.x) + (_e429.row_z.y * _e429.row_z.y)) + (_e429.row_z.z * _e429.row_z.z)))) * f32(_e456)));
-                        if (_e526 < 0.002f) {
-                            phi_723_ = _e526;
+                    let _e455 = phi_645_;
+                    if _e455 {
+                        let _e457 = samples.member[(0u + _e63.first_primitive)].normal;
+                        let _e459 = p.member.map_size;
+                        let _e529 = ((abs(((((_e432.row_x.x * _e457.x) + (_e432.row_x.y * _e457.y)) + (_e432.row_x.z * _e457.z)) / (((_e432.row_x.x * _e432.row_x.x) + (_e432.row_x.y * _e432.row_x.y)) + (_e432.row_x.z * _e432.row_x.z)))) + abs(((((_e432.row_y.x * _e457.x) + (_e432.row_y.y * _e457.y)) + (_e432.row_y.z * _e457.z)) / (((_e432.row_y.x * _e432.row_y.x) + (_e432.row_y.y * _e432.row_y.y)) + (_e432.row_y.z * _e432.row_y.z))))) / (abs(((((_e432.row_z.x * _e457.x) + (_e432.row_z.y * _e457.y)) + (_e432.row_z.z * _e457.z)) / (((_e432.row_z.x * _e432.row_z.x) + (_e432.row_z.y * _e432.row_z.y)) + (_e432.row_z.z * _e432.row_z.z)))) * f32(_e459)));
+                        if (_e529 < 0.002f) {
+                            phi_727_ = _e529;
                         } else {
-                            phi_723_ = 0.002f;
+                            phi_727_ = 0.002f;
                         }
-                        let _e529 = phi_723_;
-                        phi_842_ = _e529;
+                        let _e532 = phi_727_;
+                        phi_846_ = _e532;
                     } else {
-                        let _e531 = p.member.map_size;
-                        let _e537 = samples.member[(0u + _e60.first_primitive)].position;
-                        let _e548 = ((((_e429.row_w.x * _e537.x) + (_e429.row_w.y * _e537.y)) + (_e429.row_w.z * _e537.z)) + _e429.row_w.w);
-                        let _e561 = ((_e429.row_x.x - (_e429.row_w.x * _e418.point.uv.x)) / _e548);
-                        let _e562 = ((_e429.row_x.y - (_e429.row_w.y * _e418.point.uv.x)) / _e548);
-                        let _e563 = ((_e429.row_x.z - (_e429.row_w.z * _e418.point.uv.x)) / _e548);
-                        let _e576 = ((_e429.row_y.x - (_e429.row_w.x * _e418.point.uv.y)) / _e548);
-                        let _e577 = ((_e429.row_y.y - (_e429.row_w.y * _e418.point.uv.y)) / _e548);
-                        let _e578 = ((_e429.row_y.z - (_e429.row_w.z * _e418.point.uv.y)) / _e548);
-                        let _e584 = samples.member[(0u + _e60.first_primitive)].normal;
-                        let _e589 = ((_e577 * _e584.z) - (_e584.y * _e578));
-                        let _e594 = ((_e578 * _e584.x) - (_e584.z * _e576));
-                        let _e599 = ((_e576 * _e584.y) - (_e584.x * _e577));
-                        let _e601 = samples.member[(0u + _e60.first_primitive)].normal;
-                        let _e606 = ((_e562 * _e601.z) - (_e601.y * _e563));
-                        let _e611 = ((_e563 * _e601.x) - (_e601.z * _e561));
-                        let _e616 = ((_e561 * _e601.y) - (_e601.x * _e562));
-                        let _e643 = ((abs(((((_e429.row_z.x * _e589) + (_e429.row_z.y * _e594)) + (_e429.row_z.z * _e599)) / (((_e561 * _e589) + (_e562 * _e594)) + (_e563 * _e599)))) + abs(((((_e429.row_z.x * _e606) + (_e429.row_z.y * _e611)) + (_e429.row_z.z * _e616)) / (((_e576 * _e606) + (_e577 * _e611)) + (_e578 * _e616))))) / f32(_e531));
-                        let _e645 = (16f / f32(_e531));
-                        if (_e643 < _e645) {
-                            phi_841_ = _e643;
+                        let _e534 = p.member.map_size;
+                        let _e540 = samples.member[(0u + _e63.first_primitive)].position;
+                        let _e551 = ((((_e432.row_w.x * _e540.x) + (_e432.row_w.y * _e540.y)) + (_e432.row_w.z * _e540.z)) + _e432.row_w.w);
+                        let _e564 = ((_e432.row_x.x - (_e432.row_w.x * _e421.point.uv.x)) / _e551);
+                        let _e565 = ((_e432.row_x.y - (_e432.row_w.y * _e421.point.uv.x)) / _e551);
+                        let _e566 = ((_e432.row_x.z - (_e432.row_w.z * _e421.point.uv.x)) / _e551);
+                        let _e579 = ((_e432.row_y.x - (_e432.row_w.x * _e421.point.uv.y)) / _e551);
+                        let _e580 = ((_e432.row_y.y - (_e432.row_w.y * _e421.point.uv.y)) / _e551);
+                        let _e581 = ((_e432.row_y.z - (_e432.row_w.z * _e421.point.uv.y)) / _e551);
+                        let _e587 = samples.member[(0u + _e63.first_primitive)].normal;
+                        let _e592 = ((_e580 * _e587.z) - (_e587.y * _e581));
+                        let _e597 = ((_e581 * _e587.x) - (_e587.z * _e579));
+                        let _e602 = ((_e579 * _e587.y) - (_e587.x * _e580));
+                        let _e604 = samples.member[(0u + _e63.first_primitive)].normal;
+                        let _e609 = ((_e565 * _e604.z) - (_e604.y * _e566));
+                        let _e614 = ((_e566 * _e604.x) - (_e604.z * _e564));
+                        let _e619 = ((_e564 * _e604.y) - (_e604.x * _e565));
+                        let _e646 = ((abs(((((_e432.row_z.x * _e592) + (_e432.row_z.y * _e597)) + (_e432.row_z.z * _e602)) / (((_e564 * _e592) + (_e565 * _e597)) + (_e566 * _e602)))) + abs(((((_e432.row_z.x * _e609) + (_e432.row_z.y * _e614)) + (_e432.row_z.z * _e619)) / (((_e579 * _e609) + (_e580 * _e614)) + (_e581 * _e619))))) / f32(_e534));
+                        let _e648 = (16f / f32(_e534));
+                        if (_e646 < _e648) {
+                            phi_845_ = _e646;
                         } else {
-                            phi_841_ = _e645;
+                            phi_845_ = _e648;
                         }
-                        let _e648 = phi_841_;
-                        phi_842_ = _e648;
+                        let _e651 = phi_845_;
+                        phi_846_ = _e651;
                     }
-                    let _e650 = phi_842_;
-                    phi_845_ = (_e418.point.depth - (0f * _e650));
+                    let _e653 = phi_846_;
+                    phi_849_ = (_e421.point.depth - (0f * _e653));
                 } else {
-                    phi_845_ = _e418.point.depth;
+                    phi_849_ = _e421.point.depth;
                 }
-                let _e654 = phi_845_;
-                let _e660 = p.member.map_size;
-                let _e661 = f32(_e660);
-                let _e664 = ((_e418.point.uv.x * _e661) - 0.5f);
-                let _e665 = ((_e418.point.uv.y * _e661) - 0.5f);
-                if (_e664 > -8388608f) {
-                    let _e677 = f32(select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < bitcast<f32>(3472883712u))), 2147483647i, (_e664 > bitcast<f32>(1325400063u))), (_e664 == _e664)));
-                    if (_e677 > _e664) {
-                        phi_874_ = 1f;
+                let _e657 = phi_849_;
+                let _e663 = p.member.map_size;
+                let _e664 = f32(_e663);
+                let _e667 = ((_e421.point.uv.x * _e664) - 0.5f);
+                let _e668 = ((_e421.point.uv.y * _e664) - 0.5f);
+                if (_e667 > -8388608f) {
+                    let _e680 = f32(select(0i, select(select(i32(_e667), i32(-2147483648), (_e667 < bitcast<f32>(3472883712u))), 2147483647i, (_e667 > bitcast<f32>(1325400063u))), (_e667 == _e667)));
+                    if (_e680 > _e667) {
+                        phi_878_ = 1f;
                     } else {
-                        phi_874_ = 0f;
+                        phi_878_ = 0f;
                     }
-                    let _e680 = phi_874_;
-                    if (_e664 < 8388608f) {
-                        phi_879_ = (_e677 - _e680);
-                        phi_880_ = false;
+                    let _e683 = phi_878_;
+                    if (_e667 < 8388608f) {
+                        phi_883_ = (_e680 - _e683);
+                        phi_884_ = false;
                     } else {
-                        phi_879_ = f32();
-                        phi_880_ = true;
+                        phi_883_ = f32();
+                        phi_884_ = true;
                     }
-                    let _e683 = phi_879_;
-                    let _e685 = phi_880_;
-                    phi_881_ = _e683;
-                    phi_882_ = _e685;
+                    let _e686 = phi_883_;
+                    let _e688 = phi_884_;
+                    phi_885_ = _e686;
+                    phi_886_ = _e688;
                 } else {
-                    phi_881_ = f32();
-                    phi_882_ = true;
+                    phi_885_ = f32();
+                    phi_886_ = true;
                 }
-                let _e687 = phi_881_;
-                let _e689 = phi_882_;
-                if _e689 {
-                    phi_886_ = _e664;
+                let _e690 = phi_885_;
+                let _e692 = phi_886_;
+                if _e692 {
+                    phi_890_ = _e667;
                 } else {
-                    phi_886_ = _e687;
+                    phi_890_ = _e690;
                 }
-                let _e691 = phi_886_;
-                if (_e665 > -8388608f) {
-                    let _e703 = f32(select(0i, select(select(i32(_e665), i32(-2147483648), (_e665 < bitcast<f32>(3472883712u))), 2147483647i, (_e665 > bitcast<f32>(1325400063u))), (_e665 == _e665)));
-                    if (_e703 > _e665) {
-                        phi_906_ = 1f;
+                let _e694 = phi_890_;
+                if (_e668 > -8388608f) {
+                    let _e706 = f32(select(0i, select(select(i32(_e668), i32(-2147483648), (_e668 < bitcast<f32>(3472883712u))), 2147483647i, (_e668 > bitcast<f32>(1325400063u))), (_e668 == _e668)));
+                    if (_e706 > _e668) {
+                        phi_910_ = 1f;
                     } else {
-                        phi_906_ = 0f;
+                        phi_910_ = 0f;
                     }
-                    let _e706 = phi_906_;
-                    if (_e665 < 8388608f) {
-                        phi_911_ = (_e703 - _e706);
-                        phi_912_ = false;
+                    let _e709 = phi_910_;
+                    if (_e668 < 8388608f) {
+                        phi_915_ = (_e706 - _e709);
+                        phi_916_ = false;
                     } else {
-                        phi_911_ = f32();
-                        phi_912_ = true;
+                        phi_915_ = f32();
+                        phi_916_ = true;
                     }
-                    let _e709 = phi_911_;
-                    let _e711 = phi_912_;
-                    phi_913_ = _e709;
-                    phi_914_ = _e711;
+                    let _e712 = phi_915_;
+                    let _e714 = phi_916_;
+                    phi_917_ = _e712;
+                    phi_918_ = _e714;
                 } else {
-                    phi_913_ = f32();
-                    phi_914_ = true;
+                    phi_917_ = f32();
+                    phi_918_ = true;
                 }
-                let _e713 = phi_913_;
-                let _e715 = phi_914_;
-                if _e715 {
-                    phi_918_ = _e665;
+                let _e716 = phi_917_;
+                let _e718 = phi_918_;
+                if _e718 {
+                    phi_922_ = _e668;
                 } else {
-                    phi_918_ = _e713;
+                    phi_922_ = _e716;
                 }
-                let _e717 = phi_918_;
-                let _e718 = (_e664 - _e691);
-                let _e719 = (_e665 - _e717);
-                let _e728 = select(0i, select(select(i32(_e691), i32(-2147483648), (_e691 < bitcast<f32>(3472883712u))), 2147483647i, (_e691 > bitcast<f32>(1325400063u))), (_e691 == _e691));
-                let _e737 = select(0i, select(select(i32(_e717), i32(-2147483648), (_e717 < bitcast<f32>(3472883712u))), 2147483647i, (_e717 > bitcast<f32>(1325400063u))), (_e717 == _e717));
-                let _e740 = ((1f - _e718) * (1f - _e719));
-                let _e742 = (_e718 * (1f - _e719));
-                let _e744 = ((1f - _e718) * _e719);
-                let _e745 = (_e718 * _e719);
-                let _e747 = p.member.test;
-                let _e748 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e747);
-                let _e750 = p.member.map_size;
-                let _e752 = local_3;
-                local = _e748;
-                let _e755 = ((_e752.level * _e750) * _e750);
-                let _e757 = (bitcast<i32>(_e750) - 1i);
-                if (_e728 > 0i) {
-                    phi_967_ = _e728;
+                let _e720 = phi_922_;
+                let _e721 = (_e667 - _e694);
+                let _e722 = (_e668 - _e720);
+                let _e731 = select(0i, select(select(i32(_e694), i32(-2147483648), (_e694 < bitcast<f32>(3472883712u))), 2147483647i, (_e694 > bitcast<f32>(1325400063u))), (_e694 == _e694));
+                let _e740 = select(0i, select(select(i32(_e720), i32(-2147483648), (_e720 < bitcast<f32>(3472883712u))), 2147483647i, (_e720 > bitcast<f32>(1325400063u))), (_e720 == _e720));
+                let _e743 = ((1f - _e721) * (1f - _e722));
+                let _e745 = (_e721 * (1f - _e722));
+                let _e747 = ((1f - _e721) * _e722);
+                let _e748 = (_e721 * _e722);
+                let _e750 = p.member.test;
+                let _e751 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e750);
+                let _e753 = p.member.map_size;
+                let _e755 = local_3;
+                local = _e751;
+                let _e758 = ((_e755.level * _e753) * _e753);
+                let _e760 = (bitcast<i32>(_e753) - 1i);
+                if (_e731 > 0i) {
+                    phi_971_ = _e731;
                 } else {
-                    phi_967_ = 0i;
+                    phi_971_ = 0i;
                 }
-                let _e760 = phi_967_;
-                if (_e737 > 0i) {
-                    phi_972_ = _e737;
+                let _e763 = phi_971_;
+                if (_e740 > 0i) {
+                    phi_976_ = _e740;
                 } else {
-                    phi_972_ = 0i;
+                    phi_976_ = 0i;
                 }
-                let _e763 = phi_972_;
-                if (_e760 < _e757) {
-                    phi_977_ = _e760;
+                let _e766 = phi_976_;
+                if (_e763 < _e760) {
+                    phi_981_ = _e763;
                 } else {
-                    phi_977_ = _e757;
+                    phi_981_ = _e760;
                 }
-                let _e766 = phi_977_;
-                if (_e763 < _e757) {
-                    phi_982_ = _e763;
+                let _e769 = phi_981_;
+                if (_e766 < _e760) {
+                    phi_986_ = _e766;
                 } else {
-                    phi_982_ = _e757;
+                    phi_986_ = _e760;
                 }
-                let _e769 = phi_982_;
-                let _e770 = bitcast<u32>(_e766);
-                let _e772 = (_e728 + 1i);
-                let _e773 = (_e737 + 1i);
-                if (_e772 > 0i) {
-                    phi_991_ = _e772;
+                let _e772 = phi_986_;
+                let _e773 = bitcast<u32>(_e769);
+                let _e775 = (_e731 + 1i);
+                let _e776 = (_e740 + 1i);
+                if (_e775 > 0i) {
+                    phi_995_ = _e775;
                 } else {
-                    phi_991_ = 0i;
+                    phi_995_ = 0i;
                 }
-                let _e776 = phi_991_;
-                if (_e773 > 0i) {
-                    phi_996_ = _e773;
+                let _e779 = phi_995_;
+                if (_e776 > 0i) {
+                    phi_1000_ = _e776;
                 } else {
-                    phi_996_ = 0i;
+                    phi_1000_ = 0i;
                 }
-                let _e779 = phi_996_;
-                if (_e776 < _e757) {
-                    phi_1001_ = _e776;
+                let _e782 = phi_1000_;
+                if (_e779 < _e760) {
+                    phi_1005_ = _e779;
                 } else {
-                    phi_1001_ = _e757;
+                    phi_1005_ = _e760;
                 }
-                let _e782 = phi_1001_;
-                if (_e779 < _e757) {
-                    phi_1006_ = _e779;
+                let _e785 = phi_1005_;
+                if (_e782 < _e760) {
+                    phi_1010_ = _e782;
                 } else {
-                    phi_1006_ = _e757;
+                    phi_1010_ = _e760;
                 }
-                let _e785 = phi_1006_;
-                let _e786 = bitcast<u32>(_e782);
-                let _e788 = (bitcast<u32>(_e769) * _e750);
-                let _e789 = (bitcast<u32>(_e785) * _e750);
-                let _e794 = ((_e788 + _e770) + _e755);
-                let _e795 = ((_e788 + _e786) + _e755);
-                let _e796 = ((_e789 + _e770) + _e755);
-                let _e797 = ((_e789 + _e786) + _e755);
-                if (_e794 < _e48) {
+                let _e788 = phi_1010_;
+                let _e789 = bitcast<u32>(_e785);
+                let _e791 = (bitcast<u32>(_e772) * _e753);
+                let _e792 = (bitcast<u32>(_e788) * _e753);
+                let _e797 = ((_e791 + _e773) + _e758);
+                let _e798 = ((_e791 + _e789) + _e758);
+                let _e799 = ((_e792 + _e773) + _e758);
+                let _e800 = ((_e792 + _e789) + _e758);
+                if (_e797 < _e51) {
                 } else {
                     return;
                 }
-                let _e801 = map.member[(0u + _e794)];
-                if (_e795 < _e48) {
+                let _e804 = map.member[(0u + _e797)];
+                if (_e798 < _e51) {
                 } else {
                     return;
                 }
-                let _e813 = map.member[(0u + _e795)];
-                if (_e796 < _e48) {
+                let _e816 = map.member[(0u + _e798)];
+                if (_e799 < _e51) {
                 } else {
                     return;
                 }
-                let _e829 = map.member[(0u + _e796)];
-                if (_e797 < _e48) {
+                let _e832 = map.member[(0u + _e799)];
+                if (_e800 < _e51) {
                 } else {
                     return;
                 }
-                let _e845 = map.member[(0u + _e797)];
-                let _e859 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e801.x * _e740) + (_e813.x * _e742)) + (_e829.x * _e744)) + (_e845.x * _e745)), ((((_e801.y * _e740) + (_e813.y * _e742)) + (_e829.y * _e744)) + (_e845.y * _e745)), ((((_e801.z * _e740) + (_e813.z * _e742)) + (_e829.z * _e744)) + (_e845.z * _e745)), ((((_e801.w * _e740) + (_e813.w * _e742)) + (_e829.w * _e744)) + (_e845.w * _e745))), _e654);
-                let _e861 = p.member.epsilon;
-                if (_e859 <= _e861) {
-                    phi_1101_ = true;
+                let _e848 = map.member[(0u + _e800)];
+                let _e862 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local), vec4<f32>(((((_e804.x * _e743) + (_e816.x * _e745)) + (_e832.x * _e747)) + (_e848.x * _e748)), ((((_e804.y * _e743) + (_e816.y * _e745)) + (_e832.y * _e747)) + (_e848.y * _e748)), ((((_e804.z * _e743) + (_e816.z * _e745)) + (_e832.z * _e747)) + (_e848.z * _e748)), ((((_e804.w * _e743) + (_e816.w * _e745)) + (_e832.w * _e747)) + (_e848.w * _e748))), _e657);
+                let _e866 = p.member.epsilon;
+                if (_e862 <= _e866) {
+                    phi_1107_ = true;
                 } else {
-                    phi_1101_ = (_e859 >= (1f - _e861));
+                    phi_1107_ = (_e862 >= (1f - _e866));
                 }
-                let _e866 = phi_1101_;
-                if ((bitcast<u32>(_e859) & 2147483647u) > 2139095040u) {
-                    phi_1109_ = true;
+                let _e871 = phi_1107_;
+                if ((bitcast<u32>(_e862) & 2147483647u) > 2139095040u) {
+                    phi_1115_ = true;
                 } else {
-                    phi_1109_ = !(_e866);
+                    phi_1115_ = !(_e871);
                 }
-                let _e872 = phi_1109_;
-                if _e872 {
-                    if (_e859 > 0f) {
-                        if (_e859 < 1f) {
-                            phi_1121_ = false;
+                let _e877 = phi_1115_;
+                if _e877 {
+                    if (_e862 > 0f) {
+                        if (_e862 < 1f) {
+                            phi_1127_ = false;
                         } else {
-                            phi_1121_ = true;
+                            phi_1127_ = true;
                         }
-                        let _e876 = phi_1121_;
-                        phi_1122_ = _e876;
+                        let _e881 = phi_1127_;
+                        phi_1128_ = _e881;
                     } else {
-                        phi_1122_ = true;
+                        phi_1128_ = true;
                     }
-                    let _e878 = phi_1122_;
-                    if _e878 {
-                        phi_1126_ = 0.5f;
+                    let _e883 = phi_1128_;
+                    if _e883 {
+                        phi_1132_ = 0.5f;
                     } else {
-                        phi_1126_ = _e859;
+                        phi_1132_ = _e862;
                     }
-                    let _e880 = phi_1126_;
-                    phi_1134_ = evaluate_Verdict(_e880, true);
+                    let _e885 = phi_1132_;
+                    phi_1140_ = evaluate_Verdict(_e885, true);
                 } else {
-                    if (_e859 > 0.5f) {
-                        phi_1132_ = 1f;
+                    if (_e862 > 0.5f) {
+                        phi_1138_ = 1f;
                     } else {
-                        phi_1132_ = 0f;
+                        phi_1138_ = 0f;
                     }
-                    let _e884 = phi_1132_;
-                    phi_1134_ = evaluate_Verdict(_e884, false);
+                    let _e889 = phi_1138_;
+                    phi_1140_ = evaluate_Verdict(_e889, false);
                 }
-                let _e887 = phi_1134_;
-                phi_1139_ = evaluate_Verdict(_e887.visibility, _e887.is_doubted);
+                let _e892 = phi_1140_;
+                let _e895 = (_e892.visibility < 0.5f);
+                if _e892.is_doubted {
+                    phi_1163_ = evaluate_Verdict();
+                    phi_1164_ = true;
+                } else {
+                    if _e895 {
+                        phi_1150_ = 2u;
+                    } else {
+                        phi_1150_ = 1u;
+                    }
+                    let _e897 = phi_1150_;
+                    if ((0u & _e897) != 0u) {
+                        if _e895 {
+                            phi_1159_ = 0.000000059604645f;
+                        } else {
+                            phi_1159_ = 0.99999994f;
+                        }
+                        let _e901 = phi_1159_;
+                        phi_1161_ = evaluate_Verdict(_e901, true);
+                        phi_1162_ = false;
+                    } else {
+                        phi_1161_ = evaluate_Verdict();
+                        phi_1162_ = true;
+                    }
+                    let _e904 = phi_1161_;
+                    let _e906 = phi_1162_;
+                    phi_1163_ = _e904;
+                    phi_1164_ = _e906;
+                }
+                let _e908 = phi_1163_;
+                let _e910 = phi_1164_;
+                if _e910 {
+                    phi_1169_ = evaluate_Verdict(_e892.visibility, _e892.is_doubted);
+                } else {
+                    phi_1169_ = _e908;
+                }
+                let _e913 = phi_1169_;
+                phi_1174_ = evaluate_Verdict(_e913.visibility, _e913.is_doubted);
             } else {
-                phi_1139_ = evaluate_Verdict(0.5f, true);
+                phi_1174_ = evaluate_Verdict(0.5f, true);
             }
-            let _e893 = phi_1139_;
-            phi_1140_ = _e893;
+            let _e919 = phi_1174_;
+            phi_1175_ = _e919;
         }
-        let _e895 = phi_1140_;
-        if (_e60.first_primitive < arrayLength((&visibility.member))) {
+        let _e921 = phi_1175_;
+        if (_e63.first_primitive < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e60.first_primitive)] = _e895.visibility;
+        visibility.member[(0u + _e63.first_primitive)] = _e921.visibility;
     }
     return;
 }

@@ -92,37 +92,37 @@ var<storage, read_write> visibility: type_24;
 var<storage, read_write> list: type_45;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_158_: lt_bvh_traverse_Tree;
-    var phi_159_: bool;
-    var phi_160_: lt_bvh_traverse_Tree;
-    var phi_161_: bool;
+    var phi_164_: lt_bvh_traverse_Tree;
+    var phi_165_: bool;
     var phi_166_: lt_bvh_traverse_Tree;
+    var phi_167_: bool;
+    var phi_172_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_158_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_159_ = false;
+            phi_164_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_165_ = false;
         } else {
-            phi_158_ = lt_bvh_traverse_Tree();
-            phi_159_ = true;
+            phi_164_ = lt_bvh_traverse_Tree();
+            phi_165_ = true;
         }
-        let _e63 = phi_158_;
-        let _e65 = phi_159_;
-        phi_160_ = _e63;
-        phi_161_ = _e65;
-    } else {
-        phi_160_ = lt_bvh_traverse_Tree();
-        phi_161_ = true;
-    }
-    let _e67 = phi_160_;
-    let _e69 = phi_161_;
-    if _e69 {
-        phi_166_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
+        let _e67 = phi_164_;
+        let _e69 = phi_165_;
         phi_166_ = _e67;
+        phi_167_ = _e69;
+    } else {
+        phi_166_ = lt_bvh_traverse_Tree();
+        phi_167_ = true;
     }
-    let _e74 = phi_166_;
-    return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
+    let _e71 = phi_166_;
+    let _e73 = phi_167_;
+    if _e73 {
+        phi_172_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_172_ = _e71;
+    }
+    let _e78 = phi_172_;
+    return lt_bvh_traverse_Tree(_e78.root, _e78.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -130,870 +130,921 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_189_: bool;
-    var phi_193_: f32;
-    var phi_208_: f32;
-    var phi_209_: f32;
-    var phi_210_: f32;
-    var phi_226_: f32;
-    var phi_227_: f32;
-    var phi_228_: f32;
-    var phi_244_: f32;
-    var phi_245_: f32;
-    var phi_246_: f32;
-    var phi_262_: f32;
-    var phi_263_: f32;
-    var phi_264_: f32;
-    var phi_280_: f32;
-    var phi_281_: f32;
-    var phi_282_: f32;
-    var phi_301_: f32;
-    var phi_306_: f32;
-    var phi_328_: f32;
-    var phi_333_: f32;
-    var phi_334_: bool;
-    var phi_335_: f32;
-    var phi_336_: bool;
-    var phi_340_: f32;
-    var phi_378_: f32;
-    var phi_389_: f32;
-    var phi_394_: f32;
-    var phi_416_: f32;
-    var phi_421_: f32;
-    var phi_422_: bool;
-    var phi_423_: f32;
-    var phi_424_: bool;
-    var phi_428_: f32;
-    var phi_466_: f32;
-    var phi_477_: f32;
-    var phi_482_: f32;
-    var phi_504_: f32;
-    var phi_509_: f32;
-    var phi_510_: bool;
-    var phi_511_: f32;
-    var phi_512_: bool;
-    var phi_516_: f32;
-    var phi_554_: f32;
-    var phi_565_: f32;
-    var phi_570_: f32;
-    var phi_592_: f32;
-    var phi_597_: f32;
-    var phi_598_: bool;
-    var phi_599_: f32;
-    var phi_600_: bool;
-    var phi_604_: f32;
-    var phi_642_: f32;
-    var phi_668_: f32;
-    var phi_669_: f32;
-    var phi_670_: f32;
+    var phi_195_: bool;
+    var phi_199_: f32;
+    var phi_214_: f32;
+    var phi_215_: f32;
+    var phi_216_: f32;
+    var phi_232_: f32;
+    var phi_233_: f32;
+    var phi_234_: f32;
+    var phi_250_: f32;
+    var phi_251_: f32;
+    var phi_252_: f32;
+    var phi_268_: f32;
+    var phi_269_: f32;
+    var phi_270_: f32;
+    var phi_286_: f32;
+    var phi_287_: f32;
+    var phi_288_: f32;
+    var phi_307_: f32;
+    var phi_312_: f32;
+    var phi_334_: f32;
+    var phi_339_: f32;
+    var phi_340_: bool;
+    var phi_341_: f32;
+    var phi_342_: bool;
+    var phi_346_: f32;
+    var phi_384_: f32;
+    var phi_395_: f32;
+    var phi_400_: f32;
+    var phi_422_: f32;
+    var phi_427_: f32;
+    var phi_428_: bool;
+    var phi_429_: f32;
+    var phi_430_: bool;
+    var phi_434_: f32;
+    var phi_472_: f32;
+    var phi_483_: f32;
+    var phi_488_: f32;
+    var phi_510_: f32;
+    var phi_515_: f32;
+    var phi_516_: bool;
+    var phi_517_: f32;
+    var phi_518_: bool;
+    var phi_522_: f32;
+    var phi_560_: f32;
+    var phi_571_: f32;
+    var phi_576_: f32;
+    var phi_598_: f32;
+    var phi_603_: f32;
+    var phi_604_: bool;
+    var phi_605_: f32;
+    var phi_606_: bool;
+    var phi_610_: f32;
+    var phi_648_: f32;
+    var phi_674_: f32;
+    var phi_675_: f32;
+    var phi_676_: f32;
 
-    let _e54 = (*param_4);
+    let _e58 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_189_ = true;
+        phi_195_ = true;
     } else {
-        let _e58 = (84f < _e54);
-        if _e58 {
+        let _e62 = (84f < _e58);
+        if _e62 {
         }
-        phi_189_ = _e58;
+        phi_195_ = _e62;
     }
-    let _e60 = phi_189_;
-    if _e60 {
-        phi_193_ = 84f;
+    let _e64 = phi_195_;
+    if _e64 {
+        phi_199_ = 84f;
     } else {
-        phi_193_ = _e54;
+        phi_199_ = _e58;
     }
-    let _e62 = phi_193_;
+    let _e66 = phi_199_;
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_210_ = param_7;
+        phi_216_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_209_ = 0f;
+            phi_215_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_208_ = 1f;
+                phi_214_ = 1f;
             } else {
-                phi_208_ = param_7;
+                phi_214_ = param_7;
             }
-            let _e69 = phi_208_;
-            phi_209_ = _e69;
+            let _e73 = phi_214_;
+            phi_215_ = _e73;
         }
-        let _e71 = phi_209_;
-        phi_210_ = _e71;
+        let _e75 = phi_215_;
+        phi_216_ = _e75;
     }
-    let _e73 = phi_210_;
+    let _e77 = phi_216_;
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_228_ = param_5.x;
+        phi_234_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_227_ = 0f;
+            phi_233_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_226_ = 1f;
+                phi_232_ = 1f;
             } else {
-                phi_226_ = param_5.x;
+                phi_232_ = param_5.x;
             }
-            let _e81 = phi_226_;
-            phi_227_ = _e81;
+            let _e85 = phi_232_;
+            phi_233_ = _e85;
         }
-        let _e83 = phi_227_;
-        phi_228_ = _e83;
+        let _e87 = phi_233_;
+        phi_234_ = _e87;
     }
-    let _e85 = phi_228_;
+    let _e89 = phi_234_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_246_ = param_5.y;
+        phi_252_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_245_ = 0f;
+            phi_251_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_244_ = 1f;
+                phi_250_ = 1f;
             } else {
-                phi_244_ = param_5.y;
+                phi_250_ = param_5.y;
             }
-            let _e93 = phi_244_;
-            phi_245_ = _e93;
+            let _e97 = phi_250_;
+            phi_251_ = _e97;
         }
-        let _e95 = phi_245_;
-        phi_246_ = _e95;
+        let _e99 = phi_251_;
+        phi_252_ = _e99;
     }
-    let _e97 = phi_246_;
+    let _e101 = phi_252_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_264_ = param_5.z;
+        phi_270_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_263_ = 0f;
+            phi_269_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_262_ = 1f;
+                phi_268_ = 1f;
             } else {
-                phi_262_ = param_5.z;
+                phi_268_ = param_5.z;
             }
-            let _e105 = phi_262_;
-            phi_263_ = _e105;
+            let _e109 = phi_268_;
+            phi_269_ = _e109;
         }
-        let _e107 = phi_263_;
-        phi_264_ = _e107;
+        let _e111 = phi_269_;
+        phi_270_ = _e111;
     }
-    let _e109 = phi_264_;
+    let _e113 = phi_270_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_282_ = param_5.w;
+        phi_288_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_281_ = 0f;
+            phi_287_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_280_ = 1f;
+                phi_286_ = 1f;
             } else {
-                phi_280_ = param_5.w;
+                phi_286_ = param_5.w;
             }
-            let _e117 = phi_280_;
-            phi_281_ = _e117;
+            let _e121 = phi_286_;
+            phi_287_ = _e121;
         }
-        let _e119 = phi_281_;
-        phi_282_ = _e119;
+        let _e123 = phi_287_;
+        phi_288_ = _e123;
     }
-    let _e121 = phi_282_;
-    let _e126 = (_e62 * (_e85 - _e73));
-    let _e127 = (_e62 * (_e97 - _e73));
-    let _e128 = (_e62 * (_e109 - _e73));
-    let _e129 = (_e62 * (_e121 - _e73));
-    if ((bitcast<u32>(_e126) & 2147483647u) > 2139095040u) {
-        phi_378_ = _e126;
+    let _e125 = phi_288_;
+    let _e130 = (_e66 * (_e89 - _e77));
+    let _e131 = (_e66 * (_e101 - _e77));
+    let _e132 = (_e66 * (_e113 - _e77));
+    let _e133 = (_e66 * (_e125 - _e77));
+    if ((bitcast<u32>(_e130) & 2147483647u) > 2139095040u) {
+        phi_384_ = _e130;
     } else {
-        if (_e126 < -87f) {
-            phi_301_ = -87f;
+        if (_e130 < -87f) {
+            phi_307_ = -87f;
         } else {
-            phi_301_ = _e126;
+            phi_307_ = _e130;
         }
-        let _e135 = phi_301_;
-        if (_e135 > 88f) {
-            phi_306_ = 88f;
+        let _e139 = phi_307_;
+        if (_e139 > 88f) {
+            phi_312_ = 88f;
         } else {
-            phi_306_ = _e135;
+            phi_312_ = _e139;
         }
-        let _e138 = phi_306_;
-        let _e140 = ((_e138 * 1.442695f) + 0.5f);
-        if (_e140 > -8388608f) {
-            let _e152 = f32(select(0i, select(select(i32(_e140), i32(-2147483648), (_e140 < bitcast<f32>(3472883712u))), 2147483647i, (_e140 > bitcast<f32>(1325400063u))), (_e140 == _e140)));
-            if (_e152 > _e140) {
-                phi_328_ = 1f;
+        let _e142 = phi_312_;
+        let _e144 = ((_e142 * 1.442695f) + 0.5f);
+        if (_e144 > -8388608f) {
+            let _e156 = f32(select(0i, select(select(i32(_e144), i32(-2147483648), (_e144 < bitcast<f32>(3472883712u))), 2147483647i, (_e144 > bitcast<f32>(1325400063u))), (_e144 == _e144)));
+            if (_e156 > _e144) {
+                phi_334_ = 1f;
             } else {
-                phi_328_ = 0f;
+                phi_334_ = 0f;
             }
-            let _e155 = phi_328_;
-            if (_e140 < 8388608f) {
-                phi_333_ = (_e152 - _e155);
-                phi_334_ = false;
+            let _e159 = phi_334_;
+            if (_e144 < 8388608f) {
+                phi_339_ = (_e156 - _e159);
+                phi_340_ = false;
             } else {
-                phi_333_ = f32();
-                phi_334_ = true;
+                phi_339_ = f32();
+                phi_340_ = true;
             }
-            let _e158 = phi_333_;
-            let _e160 = phi_334_;
-            phi_335_ = _e158;
-            phi_336_ = _e160;
+            let _e162 = phi_339_;
+            let _e164 = phi_340_;
+            phi_341_ = _e162;
+            phi_342_ = _e164;
         } else {
-            phi_335_ = f32();
-            phi_336_ = true;
+            phi_341_ = f32();
+            phi_342_ = true;
         }
-        let _e162 = phi_335_;
-        let _e164 = phi_336_;
-        if _e164 {
-            phi_340_ = _e140;
+        let _e166 = phi_341_;
+        let _e168 = phi_342_;
+        if _e168 {
+            phi_346_ = _e144;
         } else {
-            phi_340_ = _e162;
+            phi_346_ = _e166;
         }
-        let _e166 = phi_340_;
-        let _e170 = ((_e138 - (_e166 * 0.69314575f)) - (_e166 * 0.0000014286068f));
-        phi_378_ = ((((((((((((((((1f / 5040f) * _e170) + (1f / 720f)) * _e170) + (1f / 120f)) * _e170) + (1f / 24f)) * _e170) + (1f / 6f)) * _e170) + 0.5f) * _e170) + 1f) * _e170) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e166), i32(-2147483648), (_e166 < bitcast<f32>(3472883712u))), 2147483647i, (_e166 > bitcast<f32>(1325400063u))), (_e166 == _e166)) + 127i)) << bitcast<u32>(23i))));
+        let _e170 = phi_346_;
+        let _e174 = ((_e142 - (_e170 * 0.69314575f)) - (_e170 * 0.0000014286068f));
+        phi_384_ = ((((((((((((((((1f / 5040f) * _e174) + (1f / 720f)) * _e174) + (1f / 120f)) * _e174) + (1f / 24f)) * _e174) + (1f / 6f)) * _e174) + 0.5f) * _e174) + 1f) * _e174) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e170), i32(-2147483648), (_e170 < bitcast<f32>(3472883712u))), 2147483647i, (_e170 > bitcast<f32>(1325400063u))), (_e170 == _e170)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e206 = phi_378_;
-    if ((bitcast<u32>(_e127) & 2147483647u) > 2139095040u) {
-        phi_466_ = _e127;
+    let _e210 = phi_384_;
+    if ((bitcast<u32>(_e131) & 2147483647u) > 2139095040u) {
+        phi_472_ = _e131;
     } else {
-        if (_e127 < -87f) {
-            phi_389_ = -87f;
+        if (_e131 < -87f) {
+            phi_395_ = -87f;
         } else {
-            phi_389_ = _e127;
+            phi_395_ = _e131;
         }
-        let _e212 = phi_389_;
-        if (_e212 > 88f) {
-            phi_394_ = 88f;
+        let _e216 = phi_395_;
+        if (_e216 > 88f) {
+            phi_400_ = 88f;
         } else {
-            phi_394_ = _e212;
+            phi_400_ = _e216;
         }
-        let _e215 = phi_394_;
-        let _e217 = ((_e215 * 1.442695f) + 0.5f);
-        if (_e217 > -8388608f) {
-            let _e229 = f32(select(0i, select(select(i32(_e217), i32(-2147483648), (_e217 < bitcast<f32>(3472883712u))), 2147483647i, (_e217 > bitcast<f32>(1325400063u))), (_e217 == _e217)));
-            if (_e229 > _e217) {
-                phi_416_ = 1f;
+        let _e219 = phi_400_;
+        let _e221 = ((_e219 * 1.442695f) + 0.5f);
+        if (_e221 > -8388608f) {
+            let _e233 = f32(select(0i, select(select(i32(_e221), i32(-2147483648), (_e221 < bitcast<f32>(3472883712u))), 2147483647i, (_e221 > bitcast<f32>(1325400063u))), (_e221 == _e221)));
+            if (_e233 > _e221) {
+                phi_422_ = 1f;
             } else {
-                phi_416_ = 0f;
+                phi_422_ = 0f;
             }
-            let _e232 = phi_416_;
-            if (_e217 < 8388608f) {
-                phi_421_ = (_e229 - _e232);
-                phi_422_ = false;
+            let _e236 = phi_422_;
+            if (_e221 < 8388608f) {
+                phi_427_ = (_e233 - _e236);
+                phi_428_ = false;
             } else {
-                phi_421_ = f32();
-                phi_422_ = true;
+                phi_427_ = f32();
+                phi_428_ = true;
             }
-            let _e235 = phi_421_;
-            let _e237 = phi_422_;
-            phi_423_ = _e235;
-            phi_424_ = _e237;
+            let _e239 = phi_427_;
+            let _e241 = phi_428_;
+            phi_429_ = _e239;
+            phi_430_ = _e241;
         } else {
-            phi_423_ = f32();
-            phi_424_ = true;
+            phi_429_ = f32();
+            phi_430_ = true;
         }
-        let _e239 = phi_423_;
-        let _e241 = phi_424_;
-        if _e241 {
-            phi_428_ = _e217;
+        let _e243 = phi_429_;
+        let _e245 = phi_430_;
+        if _e245 {
+            phi_434_ = _e221;
         } else {
-            phi_428_ = _e239;
+            phi_434_ = _e243;
         }
-        let _e243 = phi_428_;
-        let _e247 = ((_e215 - (_e243 * 0.69314575f)) - (_e243 * 0.0000014286068f));
-        phi_466_ = ((((((((((((((((1f / 5040f) * _e247) + (1f / 720f)) * _e247) + (1f / 120f)) * _e247) + (1f / 24f)) * _e247) + (1f / 6f)) * _e247) + 0.5f) * _e247) + 1f) * _e247) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e243), i32(-2147483648), (_e243 < bitcast<f32>(3472883712u))), 2147483647i, (_e243 > bitcast<f32>(1325400063u))), (_e243 == _e243)) + 127i)) << bitcast<u32>(23i))));
+        let _e247 = phi_434_;
+        let _e251 = ((_e219 - (_e247 * 0.69314575f)) - (_e247 * 0.0000014286068f));
+        phi_472_ = ((((((((((((((((1f / 5040f) * _e251) + (1f / 720f)) * _e251) + (1f / 120f)) * _e251) + (1f / 24f)) * _e251) + (1f / 6f)) * _e251) + 0.5f) * _e251) + 1f) * _e251) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e247), i32(-2147483648), (_e247 < bitcast<f32>(3472883712u))), 2147483647i, (_e247 > bitcast<f32>(1325400063u))), (_e247 == _e247)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e283 = phi_466_;
-    if ((bitcast<u32>(_e128) & 2147483647u) > 2139095040u) {
-        phi_554_ = _e128;
+    let _e287 = phi_472_;
+    if ((bitcast<u32>(_e132) & 2147483647u) > 2139095040u) {
+        phi_560_ = _e132;
     } else {
-        if (_e128 < -87f) {
-            phi_477_ = -87f;
+        if (_e132 < -87f) {
+            phi_483_ = -87f;
         } else {
-            phi_477_ = _e128;
+            phi_483_ = _e132;
         }
-        let _e289 = phi_477_;
-        if (_e289 > 88f) {
-            phi_482_ = 88f;
+        let _e293 = phi_483_;
+        if (_e293 > 88f) {
+            phi_488_ = 88f;
         } else {
-            phi_482_ = _e289;
+            phi_488_ = _e293;
         }
-        let _e292 = phi_482_;
-        let _e294 = ((_e292 * 1.442695f) + 0.5f);
-        if (_e294 > -8388608f) {
-            let _e306 = f32(select(0i, select(select(i32(_e294), i32(-2147483648), (_e294 < bitcast<f32>(3472883712u))), 2147483647i, (_e294 > bitcast<f32>(1325400063u))), (_e294 == _e294)));
-            if (_e306 > _e294) {
-                phi_504_ = 1f;
+        let _e296 = phi_488_;
+        let _e298 = ((_e296 * 1.442695f) + 0.5f);
+        if (_e298 > -8388608f) {
+            let _e310 = f32(select(0i, select(select(i32(_e298), i32(-2147483648), (_e298 < bitcast<f32>(3472883712u))), 2147483647i, (_e298 > bitcast<f32>(1325400063u))), (_e298 == _e298)));
+            if (_e310 > _e298) {
+                phi_510_ = 1f;
             } else {
-                phi_504_ = 0f;
+                phi_510_ = 0f;
             }
-            let _e309 = phi_504_;
-            if (_e294 < 8388608f) {
-                phi_509_ = (_e306 - _e309);
-                phi_510_ = false;
+            let _e313 = phi_510_;
+            if (_e298 < 8388608f) {
+                phi_515_ = (_e310 - _e313);
+                phi_516_ = false;
             } else {
-                phi_509_ = f32();
-                phi_510_ = true;
+                phi_515_ = f32();
+                phi_516_ = true;
             }
-            let _e312 = phi_509_;
-            let _e314 = phi_510_;
-            phi_511_ = _e312;
-            phi_512_ = _e314;
+            let _e316 = phi_515_;
+            let _e318 = phi_516_;
+            phi_517_ = _e316;
+            phi_518_ = _e318;
         } else {
-            phi_511_ = f32();
-            phi_512_ = true;
+            phi_517_ = f32();
+            phi_518_ = true;
         }
-        let _e316 = phi_511_;
-        let _e318 = phi_512_;
-        if _e318 {
-            phi_516_ = _e294;
+        let _e320 = phi_517_;
+        let _e322 = phi_518_;
+        if _e322 {
+            phi_522_ = _e298;
         } else {
-            phi_516_ = _e316;
+            phi_522_ = _e320;
         }
-        let _e320 = phi_516_;
-        let _e324 = ((_e292 - (_e320 * 0.69314575f)) - (_e320 * 0.0000014286068f));
-        phi_554_ = ((((((((((((((((1f / 5040f) * _e324) + (1f / 720f)) * _e324) + (1f / 120f)) * _e324) + (1f / 24f)) * _e324) + (1f / 6f)) * _e324) + 0.5f) * _e324) + 1f) * _e324) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e320), i32(-2147483648), (_e320 < bitcast<f32>(3472883712u))), 2147483647i, (_e320 > bitcast<f32>(1325400063u))), (_e320 == _e320)) + 127i)) << bitcast<u32>(23i))));
+        let _e324 = phi_522_;
+        let _e328 = ((_e296 - (_e324 * 0.69314575f)) - (_e324 * 0.0000014286068f));
+        phi_560_ = ((((((((((((((((1f / 5040f) * _e328) + (1f / 720f)) * _e328) + (1f / 120f)) * _e328) + (1f / 24f)) * _e328) + (1f / 6f)) * _e328) + 0.5f) * _e328) + 1f) * _e328) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e324), i32(-2147483648), (_e324 < bitcast<f32>(3472883712u))), 2147483647i, (_e324 > bitcast<f32>(1325400063u))), (_e324 == _e324)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e360 = phi_554_;
-    if ((bitcast<u32>(_e129) & 2147483647u) > 2139095040u) {
-        phi_642_ = _e129;
+    let _e364 = phi_560_;
+    if ((bitcast<u32>(_e133) & 2147483647u) > 2139095040u) {
+        phi_648_ = _e133;
     } else {
-        if (_e129 < -87f) {
-            phi_565_ = -87f;
+        if (_e133 < -87f) {
+            phi_571_ = -87f;
         } else {
-            phi_565_ = _e129;
+            phi_571_ = _e133;
         }
-        let _e366 = phi_565_;
-        if (_e366 > 88f) {
-            phi_570_ = 88f;
+        let _e370 = phi_571_;
+        if (_e370 > 88f) {
+            phi_576_ = 88f;
         } else {
-            phi_570_ = _e366;
+            phi_576_ = _e370;
         }
-        let _e369 = phi_570_;
-        let _e371 = ((_e369 * 1.442695f) + 0.5f);
-        if (_e371 > -8388608f) {
-            let _e383 = f32(select(0i, select(select(i32(_e371), i32(-2147483648), (_e371 < bitcast<f32>(3472883712u))), 2147483647i, (_e371 > bitcast<f32>(1325400063u))), (_e371 == _e371)));
-            if (_e383 > _e371) {
-                phi_592_ = 1f;
+        let _e373 = phi_576_;
+        let _e375 = ((_e373 * 1.442695f) + 0.5f);
+        if (_e375 > -8388608f) {
+            let _e387 = f32(select(0i, select(select(i32(_e375), i32(-2147483648), (_e375 < bitcast<f32>(3472883712u))), 2147483647i, (_e375 > bitcast<f32>(1325400063u))), (_e375 == _e375)));
+            if (_e387 > _e375) {
+                phi_598_ = 1f;
             } else {
-                phi_592_ = 0f;
+                phi_598_ = 0f;
             }
-            let _e386 = phi_592_;
-            if (_e371 < 8388608f) {
-                phi_597_ = (_e383 - _e386);
-                phi_598_ = false;
+            let _e390 = phi_598_;
+            if (_e375 < 8388608f) {
+                phi_603_ = (_e387 - _e390);
+                phi_604_ = false;
             } else {
-                phi_597_ = f32();
-                phi_598_ = true;
+                phi_603_ = f32();
+                phi_604_ = true;
             }
-            let _e389 = phi_597_;
-            let _e391 = phi_598_;
-            phi_599_ = _e389;
-            phi_600_ = _e391;
+            let _e393 = phi_603_;
+            let _e395 = phi_604_;
+            phi_605_ = _e393;
+            phi_606_ = _e395;
         } else {
-            phi_599_ = f32();
-            phi_600_ = true;
+            phi_605_ = f32();
+            phi_606_ = true;
         }
-        let _e393 = phi_599_;
-        let _e395 = phi_600_;
-        if _e395 {
-            phi_604_ = _e371;
+        let _e397 = phi_605_;
+        let _e399 = phi_606_;
+        if _e399 {
+            phi_610_ = _e375;
         } else {
-            phi_604_ = _e393;
+            phi_610_ = _e397;
         }
-        let _e397 = phi_604_;
-        let _e401 = ((_e369 - (_e397 * 0.69314575f)) - (_e397 * 0.0000014286068f));
-        phi_642_ = ((((((((((((((((1f / 5040f) * _e401) + (1f / 720f)) * _e401) + (1f / 120f)) * _e401) + (1f / 24f)) * _e401) + (1f / 6f)) * _e401) + 0.5f) * _e401) + 1f) * _e401) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e397), i32(-2147483648), (_e397 < bitcast<f32>(3472883712u))), 2147483647i, (_e397 > bitcast<f32>(1325400063u))), (_e397 == _e397)) + 127i)) << bitcast<u32>(23i))));
+        let _e401 = phi_610_;
+        let _e405 = ((_e373 - (_e401 * 0.69314575f)) - (_e401 * 0.0000014286068f));
+        phi_648_ = ((((((((((((((((1f / 5040f) * _e405) + (1f / 720f)) * _e405) + (1f / 120f)) * _e405) + (1f / 24f)) * _e405) + (1f / 6f)) * _e405) + 0.5f) * _e405) + 1f) * _e405) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e401), i32(-2147483648), (_e401 < bitcast<f32>(3472883712u))), 2147483647i, (_e401 > bitcast<f32>(1325400063u))), (_e401 == _e401)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e437 = phi_642_;
-    let _e448 = ((((_e206 * param_6.x) + (_e283 * param_6.y)) + (_e360 * param_6.z)) + (_e437 * param_6.w));
-    if ((bitcast<u32>(_e448) & 2147483647u) > 2139095040u) {
-        phi_670_ = _e448;
+    let _e441 = phi_648_;
+    let _e452 = ((((_e210 * param_6.x) + (_e287 * param_6.y)) + (_e364 * param_6.z)) + (_e441 * param_6.w));
+    if ((bitcast<u32>(_e452) & 2147483647u) > 2139095040u) {
+        phi_676_ = _e452;
     } else {
-        if (_e448 < 0f) {
-            phi_669_ = 0f;
+        if (_e452 < 0f) {
+            phi_675_ = 0f;
         } else {
-            if (_e448 > 1f) {
-                phi_668_ = 1f;
+            if (_e452 > 1f) {
+                phi_674_ = 1f;
             } else {
-                phi_668_ = _e448;
+                phi_674_ = _e452;
             }
-            let _e455 = phi_668_;
-            phi_669_ = _e455;
+            let _e459 = phi_674_;
+            phi_675_ = _e459;
         }
-        let _e457 = phi_669_;
-        phi_670_ = _e457;
+        let _e461 = phi_675_;
+        phi_676_ = _e461;
     }
-    let _e459 = phi_670_;
-    return _e459;
+    let _e463 = phi_676_;
+    return _e463;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_721_: bool;
-    var phi_722_: bool;
-    var phi_723_: bool;
-    var phi_724_: bool;
+    var phi_727_: bool;
     var phi_728_: bool;
-    var phi_798_: bool;
-    var phi_799_: bool;
-    var phi_810_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_811_: bool;
-    var phi_812_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_813_: bool;
-    var phi_820_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_824_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_898_: bool;
-    var phi_907_: bool;
-    var phi_916_: bool;
-    var phi_917_: bool;
-    var phi_918_: bool;
-    var phi_919_: bool;
-    var phi_920_: bool;
-    var phi_921_: bool;
+    var phi_729_: bool;
+    var phi_730_: bool;
+    var phi_734_: bool;
+    var phi_804_: bool;
+    var phi_805_: bool;
+    var phi_816_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_817_: bool;
+    var phi_818_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_819_: bool;
+    var phi_826_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_830_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_904_: bool;
+    var phi_913_: bool;
     var phi_922_: bool;
+    var phi_923_: bool;
+    var phi_924_: bool;
+    var phi_925_: bool;
     var phi_926_: bool;
-    var phi_1016_: f32;
-    var phi_1019_: f32;
-    var phi_1048_: f32;
-    var phi_1053_: f32;
-    var phi_1054_: bool;
-    var phi_1055_: f32;
-    var phi_1056_: bool;
-    var phi_1060_: f32;
-    var phi_1080_: f32;
-    var phi_1085_: f32;
-    var phi_1086_: bool;
-    var phi_1087_: f32;
-    var phi_1088_: bool;
-    var phi_1092_: f32;
-    var phi_1140_: i32;
-    var phi_1145_: i32;
-    var phi_1150_: i32;
-    var phi_1155_: i32;
-    var phi_1164_: i32;
-    var phi_1169_: i32;
-    var phi_1174_: i32;
-    var phi_1179_: i32;
-    var phi_1230_: bool;
+    var phi_927_: bool;
+    var phi_928_: bool;
+    var phi_932_: bool;
+    var phi_1022_: f32;
+    var phi_1025_: f32;
+    var phi_1054_: f32;
+    var phi_1059_: f32;
+    var phi_1060_: bool;
+    var phi_1061_: f32;
+    var phi_1062_: bool;
+    var phi_1066_: f32;
+    var phi_1086_: f32;
+    var phi_1091_: f32;
+    var phi_1092_: bool;
+    var phi_1093_: f32;
+    var phi_1094_: bool;
+    var phi_1098_: f32;
+    var phi_1146_: i32;
+    var phi_1151_: i32;
+    var phi_1156_: i32;
+    var phi_1161_: i32;
+    var phi_1170_: i32;
+    var phi_1175_: i32;
+    var phi_1180_: i32;
+    var phi_1185_: i32;
     var phi_1238_: bool;
-    var phi_1250_: bool;
-    var phi_1251_: bool;
-    var phi_1255_: f32;
-    var phi_1261_: f32;
-    var phi_1263_: evaluate_Verdict;
-    var phi_1268_: evaluate_Verdict;
-    var phi_1269_: evaluate_Verdict;
-    var phi_1273_: bool;
-    var phi_1274_: u32;
-    var phi_1285_: u32;
+    var phi_1246_: bool;
+    var phi_1258_: bool;
+    var phi_1259_: bool;
+    var phi_1263_: f32;
+    var phi_1269_: f32;
+    var phi_1271_: evaluate_Verdict;
+    var phi_1281_: u32;
+    var phi_1290_: f32;
+    var phi_1292_: evaluate_Verdict;
+    var phi_1293_: bool;
+    var phi_1294_: evaluate_Verdict;
+    var phi_1295_: bool;
+    var phi_1300_: evaluate_Verdict;
+    var phi_1305_: evaluate_Verdict;
+    var phi_1306_: evaluate_Verdict;
+    var phi_1310_: bool;
+    var phi_1311_: u32;
+    var phi_1322_: u32;
+    var phi_1339_: u32;
 
-    let _e51 = id_1;
-    let _e52 = local_2;
-    let _e57 = arrayLength((&map.member));
-    let _e62 = p.member.size[0u];
-    let _e64 = p.member.size[1u];
-    let _e65 = lt_shaders_entry_pixel_index(_e51, _e62, _e64);
-    if (bitcast<i32>(_e65.root) != 0i) {
-        let _e72 = p.member.projection;
-        let _e73 = lt_math_OneLevel(_e72);
-        let _e77 = samples.member[_e65.first_primitive].normal[0u];
-        let _e79 = global[0u];
-        if (_e77 == _e79) {
-            let _e82 = samples.member[_e65.first_primitive].normal[1u];
-            let _e84 = global[1u];
-            if (_e82 == _e84) {
-                let _e87 = samples.member[_e65.first_primitive].normal[2u];
-                let _e89 = global[2u];
-                phi_721_ = (_e87 == _e89);
-                phi_722_ = false;
+    let _e55 = id_1;
+    let _e56 = local_2;
+    let _e61 = arrayLength((&map.member));
+    let _e66 = p.member.size[0u];
+    let _e68 = p.member.size[1u];
+    let _e69 = lt_shaders_entry_pixel_index(_e55, _e66, _e68);
+    if (bitcast<i32>(_e69.root) != 0i) {
+        let _e76 = p.member.projection;
+        let _e77 = lt_math_OneLevel(_e76);
+        let _e81 = samples.member[_e69.first_primitive].normal[0u];
+        let _e83 = global[0u];
+        if (_e81 == _e83) {
+            let _e86 = samples.member[_e69.first_primitive].normal[1u];
+            let _e88 = global[1u];
+            if (_e86 == _e88) {
+                let _e91 = samples.member[_e69.first_primitive].normal[2u];
+                let _e93 = global[2u];
+                phi_727_ = (_e91 == _e93);
+                phi_728_ = false;
             } else {
-                phi_721_ = bool();
-                phi_722_ = true;
+                phi_727_ = bool();
+                phi_728_ = true;
             }
-            let _e92 = phi_721_;
-            let _e94 = phi_722_;
-            phi_723_ = _e92;
-            phi_724_ = _e94;
+            let _e96 = phi_727_;
+            let _e98 = phi_728_;
+            phi_729_ = _e96;
+            phi_730_ = _e98;
         } else {
-            phi_723_ = bool();
-            phi_724_ = true;
+            phi_729_ = bool();
+            phi_730_ = true;
         }
-        let _e96 = phi_723_;
-        let _e98 = phi_724_;
-        if _e98 {
-            phi_728_ = false;
+        let _e100 = phi_729_;
+        let _e102 = phi_730_;
+        if _e102 {
+            phi_734_ = false;
         } else {
-            phi_728_ = _e96;
+            phi_734_ = _e100;
         }
-        let _e100 = phi_728_;
-        if !(_e100) {
-            let _e103 = samples.member[_e65.first_primitive].position;
-            let _e105 = p.member.light.place;
-            let _e111 = p.member.light.place[3u];
-            let _e118 = (_e105.x - (_e103.x * _e111));
-            let _e119 = (_e105.y - (_e103.y * _e111));
-            let _e120 = (_e105.z - (_e103.z * _e111));
-            let _e122 = samples.member[_e65.first_primitive].normal;
-            if ((((_e122.x * _e118) + (_e122.y * _e119)) + (_e122.z * _e120)) > 0f) {
-                let _e136 = (((_e118 * _e118) + (_e119 * _e119)) + (_e120 * _e120));
-                let _e138 = p.member.light.axis;
-                let _e150 = p.member.light.place[3u];
-                if (_e150 == 0f) {
-                    phi_799_ = true;
+        let _e104 = phi_734_;
+        if !(_e104) {
+            let _e107 = samples.member[_e69.first_primitive].position;
+            let _e109 = p.member.light.place;
+            let _e115 = p.member.light.place[3u];
+            let _e122 = (_e109.x - (_e107.x * _e115));
+            let _e123 = (_e109.y - (_e107.y * _e115));
+            let _e124 = (_e109.z - (_e107.z * _e115));
+            let _e126 = samples.member[_e69.first_primitive].normal;
+            if ((((_e126.x * _e122) + (_e126.y * _e123)) + (_e126.z * _e124)) > 0f) {
+                let _e140 = (((_e122 * _e122) + (_e123 * _e123)) + (_e124 * _e124));
+                let _e142 = p.member.light.axis;
+                let _e154 = p.member.light.place[3u];
+                if (_e154 == 0f) {
+                    phi_805_ = true;
                 } else {
-                    let _e153 = p.member.light.range_squared;
-                    if (_e136 <= _e153) {
-                        let _e156 = p.member.light.cos_outer;
-                        phi_798_ = (-((((_e118 * _e138.x) + (_e119 * _e138.y)) + (_e120 * _e138.z))) >= (_e156 * sqrt(_e136)));
+                    let _e157 = p.member.light.range_squared;
+                    if (_e140 <= _e157) {
+                        let _e160 = p.member.light.cos_outer;
+                        phi_804_ = (-((((_e122 * _e142.x) + (_e123 * _e142.y)) + (_e124 * _e142.z))) >= (_e160 * sqrt(_e140)));
                     } else {
-                        phi_798_ = false;
+                        phi_804_ = false;
                     }
-                    let _e161 = phi_798_;
-                    phi_799_ = _e161;
+                    let _e165 = phi_804_;
+                    phi_805_ = _e165;
                 }
-                let _e163 = phi_799_;
-                if _e163 {
-                    let _e165 = samples.member[_e65.first_primitive].flags;
-                    let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
-                    phi_810_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
-                    phi_811_ = false;
+                let _e167 = phi_805_;
+                if _e167 {
+                    let _e169 = samples.member[_e69.first_primitive].flags;
+                    let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e183 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e177.unnamed.visibility, false), _e177.unnamed_1);
+                    phi_816_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e183.unnamed, ((_e169 & 1u) == 0u));
+                    phi_817_ = false;
                 } else {
-                    phi_810_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_811_ = true;
+                    phi_816_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_817_ = true;
                 }
-                let _e184 = phi_810_;
-                let _e186 = phi_811_;
-                phi_812_ = _e184;
-                phi_813_ = _e186;
+                let _e188 = phi_816_;
+                let _e190 = phi_817_;
+                phi_818_ = _e188;
+                phi_819_ = _e190;
             } else {
-                phi_812_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_813_ = true;
+                phi_818_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_819_ = true;
             }
-            let _e188 = phi_812_;
-            let _e190 = phi_813_;
-            if _e190 {
-                let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e202 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e196.unnamed.visibility, false), _e196.unnamed_1);
-                phi_820_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e202.unnamed, true);
+            let _e192 = phi_818_;
+            let _e194 = phi_819_;
+            if _e194 {
+                let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e206 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e200.unnamed.visibility, false), _e200.unnamed_1);
+                phi_826_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e206.unnamed, true);
             } else {
-                phi_820_ = _e188;
+                phi_826_ = _e192;
             }
-            let _e207 = phi_820_;
-            phi_824_ = _e207;
+            let _e211 = phi_826_;
+            phi_830_ = _e211;
         } else {
-            let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
-            phi_824_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
+            let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e223 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e217.unnamed.visibility, false), _e217.unnamed_1);
+            phi_830_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e223.unnamed, true);
         }
-        let _e224 = phi_824_;
-        if _e224.unnamed_1 {
-            phi_1269_ = evaluate_Verdict(_e224.unnamed.visibility, _e224.unnamed.is_doubted);
+        let _e228 = phi_830_;
+        if _e228.unnamed_1 {
+            phi_1306_ = evaluate_Verdict(_e228.unnamed.visibility, _e228.unnamed.is_doubted);
         } else {
-            let _e232 = samples.member[_e65.first_primitive].position;
-            let _e250 = ((((_e73.projection.row_w.x * _e232.x) + (_e73.projection.row_w.y * _e232.y)) + (_e73.projection.row_w.z * _e232.z)) + (_e73.projection.row_w.w * 1f));
-            let _e264 = (((((_e73.projection.row_x.x * _e232.x) + (_e73.projection.row_x.y * _e232.y)) + (_e73.projection.row_x.z * _e232.z)) + (_e73.projection.row_x.w * 1f)) / _e250);
-            let _e278 = (((((_e73.projection.row_y.x * _e232.x) + (_e73.projection.row_y.y * _e232.y)) + (_e73.projection.row_y.z * _e232.z)) + (_e73.projection.row_y.w * 1f)) / _e250);
-            let _e291 = ((((_e73.projection.row_z.x * _e232.x) + (_e73.projection.row_z.y * _e232.y)) + (_e73.projection.row_z.z * _e232.z)) + (_e73.projection.row_z.w * 1f));
-            if (_e250 > 0f) {
-                if (_e264 >= 0f) {
-                    phi_898_ = (_e264 <= 1f);
+            let _e236 = samples.member[_e69.first_primitive].position;
+            let _e254 = ((((_e77.projection.row_w.x * _e236.x) + (_e77.projection.row_w.y * _e236.y)) + (_e77.projection.row_w.z * _e236.z)) + (_e77.projection.row_w.w * 1f));
+            let _e268 = (((((_e77.projection.row_x.x * _e236.x) + (_e77.projection.row_x.y * _e236.y)) + (_e77.projection.row_x.z * _e236.z)) + (_e77.projection.row_x.w * 1f)) / _e254);
+            let _e282 = (((((_e77.projection.row_y.x * _e236.x) + (_e77.projection.row_y.y * _e236.y)) + (_e77.projection.row_y.z * _e236.z)) + (_e77.projection.row_y.w * 1f)) / _e254);
+            let _e295 = ((((_e77.projection.row_z.x * _e236.x) + (_e77.projection.row_z.y * _e236.y)) + (_e77.projection.row_z.z * _e236.z)) + (_e77.projection.row_z.w * 1f));
+            if (_e254 > 0f) {
+                if (_e268 >= 0f) {
+                    phi_904_ = (_e268 <= 1f);
                 } else {
-                    phi_898_ = false;
+                    phi_904_ = false;
                 }
-                let _e296 = phi_898_;
-                if _e296 {
-                    if (_e278 >= 0f) {
-                        phi_907_ = (_e278 <= 1f);
+                let _e300 = phi_904_;
+                if _e300 {
+                    if (_e282 >= 0f) {
+                        phi_913_ = (_e282 <= 1f);
                     } else {
-                        phi_907_ = false;
+                        phi_913_ = false;
                     }
-                    let _e300 = phi_907_;
-                    if _e300 {
-                        if (_e291 >= 0f) {
-                            phi_916_ = (_e291 <= 1f);
+                    let _e304 = phi_913_;
+                    if _e304 {
+                        if (_e295 >= 0f) {
+                            phi_922_ = (_e295 <= 1f);
                         } else {
-                            phi_916_ = false;
+                            phi_922_ = false;
                         }
-                        let _e304 = phi_916_;
-                        phi_917_ = _e304;
-                        phi_918_ = false;
+                        let _e308 = phi_922_;
+                        phi_923_ = _e308;
+                        phi_924_ = false;
                     } else {
-                        phi_917_ = bool();
-                        phi_918_ = true;
+                        phi_923_ = bool();
+                        phi_924_ = true;
                     }
-                    let _e306 = phi_917_;
-                    let _e308 = phi_918_;
-                    phi_919_ = _e306;
-                    phi_920_ = _e308;
+                    let _e310 = phi_923_;
+                    let _e312 = phi_924_;
+                    phi_925_ = _e310;
+                    phi_926_ = _e312;
                 } else {
-                    phi_919_ = bool();
-                    phi_920_ = true;
+                    phi_925_ = bool();
+                    phi_926_ = true;
                 }
-                let _e310 = phi_919_;
-                let _e312 = phi_920_;
-                phi_921_ = _e310;
-                phi_922_ = _e312;
+                let _e314 = phi_925_;
+                let _e316 = phi_926_;
+                phi_927_ = _e314;
+                phi_928_ = _e316;
             } else {
-                phi_921_ = bool();
-                phi_922_ = true;
+                phi_927_ = bool();
+                phi_928_ = true;
             }
-            let _e314 = phi_921_;
-            let _e316 = phi_922_;
-            if _e316 {
-                phi_926_ = false;
+            let _e318 = phi_927_;
+            let _e320 = phi_928_;
+            if _e320 {
+                phi_932_ = false;
             } else {
-                phi_926_ = _e314;
+                phi_932_ = _e318;
             }
-            let _e318 = phi_926_;
-            if _e318 {
+            let _e322 = phi_932_;
+            if _e322 {
                 if (0f > 0f) {
-                    let _e321 = samples.member[_e65.first_primitive].normal;
-                    let _e323 = p.member.map_size;
-                    let _e393 = ((abs(((((_e72.row_x.x * _e321.x) + (_e72.row_x.y * _e321.y)) + (_e72.row_x.z * _e321.z)) / (((_e72.row_x.x * _e72.row_x.x) + (_e72.row_x.y * _e72.row_x.y)) + (_e72.row_x.z * _e72.row_x.z)))) + abs(((((_e72.row_y.x * _e321.x) + (_e72.row_y.y * _e321.y)) + (_e72.row_y.z * _e321.z)) / (((_e72.row_y.x * _e72.row_y.x) + (_e72.row_y.y * _e72.row_y.y)) + (_e72.row_y.z * _e72.row_y.z))))) / (abs(((((_e72.row_z.x * _e321.x) + (_e72.row_z.y * _e321.y)) + (_e72.row_z.z * _e321.z)) / (((_e72.row_z.x * _e72.row_z.x) + (_e72.row_z.y * _e72.row_z.y)) + (_e72.row_z.z * _e72.row_z.z)))) * f32(_e323)));
-                    if (_e393 < 0.002f) {
-                        phi_1016_ = _e393;
+                    let _e325 = samples.member[_e69.first_primitive].normal;
+                    let _e327 = p.member.map_size;
+                    let _e397 = ((abs(((((_e76.row_x.x * _e325.x) + (_e76.row_x.y * _e325.y)) + (_e76.row_x.z * _e325.z)) / (((_e76.row_x.x * _e76.row_x.x) + (_e76.row_x.y * _e76.row_x.y)) + (_e76.row_x.z * _e76.row_x.z)))) + abs(((((_e76.row_y.x * _e325.x) + (_e76.row_y.y * _e325.y)) + (_e76.row_y.z * _e325.z)) / (((_e76.row_y.x * _e76.row_y.x) + (_e76.row_y.y * _e76.row_y.y)) + (_e76.row_y.z * _e76.row_y.z))))) / (abs(((((_e76.row_z.x * _e325.x) + (_e76.row_z.y * _e325.y)) + (_e76.row_z.z * _e325.z)) / (((_e76.row_z.x * _e76.row_z.x) + (_e76.row_z.y * _e76.row_z.y)) + (_e76.row_z.z * _e76.row_z.z)))) * f32(_e327)));
+                    if (_e397 < 0.002f) {
+                        phi_1022_ = _e397;
                     } else {
-                        phi_1016_ = 0.002f;
+                        phi_1022_ = 0.002f;
                     }
-                    let _e396 = phi_1016_;
-                    phi_1019_ = (_e291 - (0f * _e396));
+                    let _e400 = phi_1022_;
+                    phi_1025_ = (_e295 - (0f * _e400));
                 } else {
-                    phi_1019_ = _e291;
+                    phi_1025_ = _e295;
                 }
-                let _e400 = phi_1019_;
-                let _e402 = p.member.map_size;
-                let _e403 = f32(_e402);
-                let _e406 = ((_e264 * _e403) - 0.5f);
-                let _e407 = ((_e278 * _e403) - 0.5f);
-                if (_e406 > -8388608f) {
-                    let _e419 = f32(select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406)));
-                    if (_e419 > _e406) {
-                        phi_1048_ = 1f;
+                let _e404 = phi_1025_;
+                let _e406 = p.member.map_size;
+                let _e407 = f32(_e406);
+                let _e410 = ((_e268 * _e407) - 0.5f);
+                let _e411 = ((_e282 * _e407) - 0.5f);
+                if (_e410 > -8388608f) {
+                    let _e423 = f32(select(0i, select(select(i32(_e410), i32(-2147483648), (_e410 < bitcast<f32>(3472883712u))), 2147483647i, (_e410 > bitcast<f32>(1325400063u))), (_e410 == _e410)));
+                    if (_e423 > _e410) {
+                        phi_1054_ = 1f;
                     } else {
-                        phi_1048_ = 0f;
+                        phi_1054_ = 0f;
                     }
-                    let _e422 = phi_1048_;
-                    if (_e406 < 8388608f) {
-                        phi_1053_ = (_e419 - _e422);
-                        phi_1054_ = false;
+                    let _e426 = phi_1054_;
+                    if (_e410 < 8388608f) {
+                        phi_1059_ = (_e423 - _e426);
+                        phi_1060_ = false;
                     } else {
-                        phi_1053_ = f32();
-                        phi_1054_ = true;
+                        phi_1059_ = f32();
+                        phi_1060_ = true;
                     }
-                    let _e425 = phi_1053_;
-                    let _e427 = phi_1054_;
-                    phi_1055_ = _e425;
-                    phi_1056_ = _e427;
+                    let _e429 = phi_1059_;
+                    let _e431 = phi_1060_;
+                    phi_1061_ = _e429;
+                    phi_1062_ = _e431;
                 } else {
-                    phi_1055_ = f32();
-                    phi_1056_ = true;
+                    phi_1061_ = f32();
+                    phi_1062_ = true;
                 }
-                let _e429 = phi_1055_;
-                let _e431 = phi_1056_;
-                if _e431 {
-                    phi_1060_ = _e406;
+                let _e433 = phi_1061_;
+                let _e435 = phi_1062_;
+                if _e435 {
+                    phi_1066_ = _e410;
                 } else {
-                    phi_1060_ = _e429;
+                    phi_1066_ = _e433;
                 }
-                let _e433 = phi_1060_;
-                if (_e407 > -8388608f) {
-                    let _e445 = f32(select(0i, select(select(i32(_e407), i32(-2147483648), (_e407 < bitcast<f32>(3472883712u))), 2147483647i, (_e407 > bitcast<f32>(1325400063u))), (_e407 == _e407)));
-                    if (_e445 > _e407) {
-                        phi_1080_ = 1f;
+                let _e437 = phi_1066_;
+                if (_e411 > -8388608f) {
+                    let _e449 = f32(select(0i, select(select(i32(_e411), i32(-2147483648), (_e411 < bitcast<f32>(3472883712u))), 2147483647i, (_e411 > bitcast<f32>(1325400063u))), (_e411 == _e411)));
+                    if (_e449 > _e411) {
+                        phi_1086_ = 1f;
                     } else {
-                        phi_1080_ = 0f;
+                        phi_1086_ = 0f;
                     }
-                    let _e448 = phi_1080_;
-                    if (_e407 < 8388608f) {
-                        phi_1085_ = (_e445 - _e448);
-                        phi_1086_ = false;
+                    let _e452 = phi_1086_;
+                    if (_e411 < 8388608f) {
+                        phi_1091_ = (_e449 - _e452);
+                        phi_1092_ = false;
                     } else {
-                        phi_1085_ = f32();
-                        phi_1086_ = true;
+                        phi_1091_ = f32();
+                        phi_1092_ = true;
                     }
-                    let _e451 = phi_1085_;
-                    let _e453 = phi_1086_;
-                    phi_1087_ = _e451;
-                    phi_1088_ = _e453;
+                    let _e455 = phi_1091_;
+                    let _e457 = phi_1092_;
+                    phi_1093_ = _e455;
+                    phi_1094_ = _e457;
                 } else {
-                    phi_1087_ = f32();
-                    phi_1088_ = true;
+                    phi_1093_ = f32();
+                    phi_1094_ = true;
                 }
-                let _e455 = phi_1087_;
-                let _e457 = phi_1088_;
-                if _e457 {
-                    phi_1092_ = _e407;
+                let _e459 = phi_1093_;
+                let _e461 = phi_1094_;
+                if _e461 {
+                    phi_1098_ = _e411;
                 } else {
-                    phi_1092_ = _e455;
+                    phi_1098_ = _e459;
                 }
-                let _e459 = phi_1092_;
-                let _e460 = (_e406 - _e433);
-                let _e461 = (_e407 - _e459);
-                let _e470 = select(0i, select(select(i32(_e433), i32(-2147483648), (_e433 < bitcast<f32>(3472883712u))), 2147483647i, (_e433 > bitcast<f32>(1325400063u))), (_e433 == _e433));
-                let _e479 = select(0i, select(select(i32(_e459), i32(-2147483648), (_e459 < bitcast<f32>(3472883712u))), 2147483647i, (_e459 > bitcast<f32>(1325400063u))), (_e459 == _e459));
-                let _e490 = p.member.test;
-                let _e491 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e490);
-                let _e493 = p.member.map_size;
-                local_1 = _e491;
-                let _e495 = ((0u * _e493) * _e493);
-                let _e497 = (bitcast<i32>(_e493) - 1i);
-                if (_e470 > 0i) {
-                    phi_1140_ = _e470;
+                let _e463 = phi_1098_;
+                let _e464 = (_e410 - _e437);
+                let _e465 = (_e411 - _e463);
+                let _e474 = select(0i, select(select(i32(_e437), i32(-2147483648), (_e437 < bitcast<f32>(3472883712u))), 2147483647i, (_e437 > bitcast<f32>(1325400063u))), (_e437 == _e437));
+                let _e483 = select(0i, select(select(i32(_e463), i32(-2147483648), (_e463 < bitcast<f32>(3472883712u))), 2147483647i, (_e463 > bitcast<f32>(1325400063u))), (_e463 == _e463));
+                let _e494 = p.member.test;
+                let _e495 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e494);
+                let _e497 = p.member.map_size;
+                local_1 = _e495;
+                let _e499 = ((0u * _e497) * _e497);
+                let _e501 = (bitcast<i32>(_e497) - 1i);
+                if (_e474 > 0i) {
+                    phi_1146_ = _e474;
                 } else {
-                    phi_1140_ = 0i;
+                    phi_1146_ = 0i;
                 }
-                let _e500 = phi_1140_;
-                if (_e479 > 0i) {
-                    phi_1145_ = _e479;
+                let _e504 = phi_1146_;
+                if (_e483 > 0i) {
+                    phi_1151_ = _e483;
                 } else {
-                    phi_1145_ = 0i;
+                    phi_1151_ = 0i;
                 }
-                let _e503 = phi_1145_;
-                if (_e500 < _e497) {
-                    phi_1150_ = _e500;
+                let _e507 = phi_1151_;
+                if (_e504 < _e501) {
+                    phi_1156_ = _e504;
                 } else {
-                    phi_1150_ = _e497;
+                    phi_1156_ = _e501;
                 }
-                let _e506 = phi_1150_;
-                if (_e503 < _e497) {
-                    phi_1155_ = _e503;
+                let _e510 = phi_1156_;
+                if (_e507 < _e501) {
+                    phi_1161_ = _e507;
                 } else {
-                    phi_1155_ = _e497;
+                    phi_1161_ = _e501;
                 }
-                let _e509 = phi_1155_;
-                let _e510 = bitcast<u32>(_e506);
-                let _e512 = (_e470 + 1i);
-                let _e513 = (_e479 + 1i);
-                if (_e512 > 0i) {
-                    phi_1164_ = _e512;
+                let _e513 = phi_1161_;
+                let _e514 = bitcast<u32>(_e510);
+                let _e516 = (_e474 + 1i);
+                let _e517 = (_e483 + 1i);
+                if (_e516 > 0i) {
+                    phi_1170_ = _e516;
                 } else {
-                    phi_1164_ = 0i;
+                    phi_1170_ = 0i;
                 }
-                let _e516 = phi_1164_;
-                if (_e513 > 0i) {
-                    phi_1169_ = _e513;
+                let _e520 = phi_1170_;
+                if (_e517 > 0i) {
+                    phi_1175_ = _e517;
                 } else {
-                    phi_1169_ = 0i;
+                    phi_1175_ = 0i;
                 }
-                let _e519 = phi_1169_;
-                if (_e516 < _e497) {
-                    phi_1174_ = _e516;
+                let _e523 = phi_1175_;
+                if (_e520 < _e501) {
+                    phi_1180_ = _e520;
                 } else {
-                    phi_1174_ = _e497;
+                    phi_1180_ = _e501;
                 }
-                let _e522 = phi_1174_;
-                if (_e519 < _e497) {
-                    phi_1179_ = _e519;
+                let _e526 = phi_1180_;
+                if (_e523 < _e501) {
+                    phi_1185_ = _e523;
                 } else {
-                    phi_1179_ = _e497;
+                    phi_1185_ = _e501;
                 }
-                let _e525 = phi_1179_;
-                let _e526 = bitcast<u32>(_e522);
-                let _e528 = (bitcast<u32>(_e509) * _e493);
-                let _e529 = (bitcast<u32>(_e525) * _e493);
-                let _e534 = ((_e528 + _e510) + _e495);
-                let _e535 = ((_e528 + _e526) + _e495);
-                let _e536 = ((_e529 + _e510) + _e495);
-                let _e537 = ((_e529 + _e526) + _e495);
-                if (_e534 < _e57) {
+                let _e529 = phi_1185_;
+                let _e530 = bitcast<u32>(_e526);
+                let _e532 = (bitcast<u32>(_e513) * _e497);
+                let _e533 = (bitcast<u32>(_e529) * _e497);
+                let _e538 = ((_e532 + _e514) + _e499);
+                let _e539 = ((_e532 + _e530) + _e499);
+                let _e540 = ((_e533 + _e514) + _e499);
+                let _e541 = ((_e533 + _e530) + _e499);
+                if (_e538 < _e61) {
                 } else {
                     return;
                 }
-                let _e541 = map.member[(0u + _e534)];
-                if (_e535 < _e57) {
+                let _e545 = map.member[(0u + _e538)];
+                if (_e539 < _e61) {
                 } else {
                     return;
                 }
-                let _e545 = map.member[(0u + _e535)];
-                if (_e536 < _e57) {
+                let _e549 = map.member[(0u + _e539)];
+                if (_e540 < _e61) {
                 } else {
                     return;
                 }
-                let _e549 = map.member[(0u + _e536)];
-                if (_e537 < _e57) {
+                let _e553 = map.member[(0u + _e540)];
+                if (_e541 < _e61) {
                 } else {
                     return;
                 }
-                let _e553 = map.member[(0u + _e537)];
-                let _e555 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e541, _e545, _e549, _e553), vec4<f32>(((1f - _e460) * (1f - _e461)), (_e460 * (1f - _e461)), ((1f - _e460) * _e461), (_e460 * _e461)), _e400);
-                let _e557 = p.member.epsilon;
-                if (_e555 <= _e557) {
-                    phi_1230_ = true;
-                } else {
-                    phi_1230_ = (_e555 >= (1f - _e557));
-                }
-                let _e562 = phi_1230_;
-                if ((bitcast<u32>(_e555) & 2147483647u) > 2139095040u) {
+                let _e557 = map.member[(0u + _e541)];
+                let _e559 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e545, _e549, _e553, _e557), vec4<f32>(((1f - _e464) * (1f - _e465)), (_e464 * (1f - _e465)), ((1f - _e464) * _e465), (_e464 * _e465)), _e404);
+                let _e563 = p.member.epsilon;
+                if (_e559 <= _e563) {
                     phi_1238_ = true;
                 } else {
-                    phi_1238_ = !(_e562);
+                    phi_1238_ = (_e559 >= (1f - _e563));
                 }
                 let _e568 = phi_1238_;
-                if _e568 {
-                    if (_e555 > 0f) {
-                        if (_e555 < 1f) {
-                            phi_1250_ = false;
-                        } else {
-                            phi_1250_ = true;
-                        }
-                        let _e572 = phi_1250_;
-                        phi_1251_ = _e572;
-                    } else {
-                        phi_1251_ = true;
-                    }
-                    let _e574 = phi_1251_;
-                    if _e574 {
-                        phi_1255_ = 0.5f;
-                    } else {
-                        phi_1255_ = _e555;
-                    }
-                    let _e576 = phi_1255_;
-                    phi_1263_ = evaluate_Verdict(_e576, true);
+                if ((bitcast<u32>(_e559) & 2147483647u) > 2139095040u) {
+                    phi_1246_ = true;
                 } else {
-                    if (_e555 > 0.5f) {
-                        phi_1261_ = 1f;
-                    } else {
-                        phi_1261_ = 0f;
-                    }
-                    let _e580 = phi_1261_;
-                    phi_1263_ = evaluate_Verdict(_e580, false);
+                    phi_1246_ = !(_e568);
                 }
-                let _e583 = phi_1263_;
-                phi_1268_ = evaluate_Verdict(_e583.visibility, _e583.is_doubted);
+                let _e574 = phi_1246_;
+                if _e574 {
+                    if (_e559 > 0f) {
+                        if (_e559 < 1f) {
+                            phi_1258_ = false;
+                        } else {
+                            phi_1258_ = true;
+                        }
+                        let _e578 = phi_1258_;
+                        phi_1259_ = _e578;
+                    } else {
+                        phi_1259_ = true;
+                    }
+                    let _e580 = phi_1259_;
+                    if _e580 {
+                        phi_1263_ = 0.5f;
+                    } else {
+                        phi_1263_ = _e559;
+                    }
+                    let _e582 = phi_1263_;
+                    phi_1271_ = evaluate_Verdict(_e582, true);
+                } else {
+                    if (_e559 > 0.5f) {
+                        phi_1269_ = 1f;
+                    } else {
+                        phi_1269_ = 0f;
+                    }
+                    let _e586 = phi_1269_;
+                    phi_1271_ = evaluate_Verdict(_e586, false);
+                }
+                let _e589 = phi_1271_;
+                let _e592 = (_e589.visibility < 0.5f);
+                if _e589.is_doubted {
+                    phi_1294_ = evaluate_Verdict();
+                    phi_1295_ = true;
+                } else {
+                    if _e592 {
+                        phi_1281_ = 2u;
+                    } else {
+                        phi_1281_ = 1u;
+                    }
+                    let _e594 = phi_1281_;
+                    if ((0u & _e594) != 0u) {
+                        if _e592 {
+                            phi_1290_ = 0.000000059604645f;
+                        } else {
+                            phi_1290_ = 0.99999994f;
+                        }
+                        let _e598 = phi_1290_;
+                        phi_1292_ = evaluate_Verdict(_e598, true);
+                        phi_1293_ = false;
+                    } else {
+                        phi_1292_ = evaluate_Verdict();
+                        phi_1293_ = true;
+                    }
+                    let _e601 = phi_1292_;
+                    let _e603 = phi_1293_;
+                    phi_1294_ = _e601;
+                    phi_1295_ = _e603;
+                }
+                let _e605 = phi_1294_;
+                let _e607 = phi_1295_;
+                if _e607 {
+                    phi_1300_ = evaluate_Verdict(_e589.visibility, _e589.is_doubted);
+                } else {
+                    phi_1300_ = _e605;
+                }
+                let _e610 = phi_1300_;
+                phi_1305_ = evaluate_Verdict(_e610.visibility, _e610.is_doubted);
             } else {
-                phi_1268_ = evaluate_Verdict(0.5f, true);
+                phi_1305_ = evaluate_Verdict(0.5f, true);
             }
-            let _e589 = phi_1268_;
-            phi_1269_ = _e589;
+            let _e616 = phi_1305_;
+            phi_1306_ = _e616;
         }
-        let _e591 = phi_1269_;
-        visibility.member[_e65.first_primitive] = _e591.visibility;
-        phi_1273_ = _e591.is_doubted;
-        phi_1274_ = _e65.first_primitive;
+        let _e618 = phi_1306_;
+        visibility.member[_e69.first_primitive] = _e618.visibility;
+        phi_1310_ = _e618.is_doubted;
+        phi_1311_ = _e69.first_primitive;
     } else {
-        phi_1273_ = false;
-        phi_1274_ = 0u;
+        phi_1310_ = false;
+        phi_1311_ = 0u;
     }
-    let _e596 = phi_1273_;
-    let _e598 = phi_1274_;
-    if (_e52 == 0u) {
+    let _e623 = phi_1310_;
+    let _e625 = phi_1311_;
+    if (_e56 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e596 {
-        let _e602 = atomicAdd((&shared_[0u]), 1u);
-        phi_1285_ = _e602;
+    if _e623 {
+        let _e629 = atomicAdd((&shared_[0u]), 1u);
+        phi_1322_ = _e629;
     } else {
-        phi_1285_ = 0u;
+        phi_1322_ = 0u;
     }
-    let _e604 = phi_1285_;
+    let _e631 = phi_1322_;
     workgroupBarrier();
-    if (_e52 == 0u) {
-        let _e608 = atomicLoad((&shared_[0u]));
-        let _e609 = atomicAdd((&list.member[3u]), _e608);
-        atomicStore((&shared_[1u]), _e609);
+    if (_e56 == 0u) {
+        let _e635 = atomicLoad((&shared_[0u]));
+        let _e636 = atomicAdd((&list.member[3u]), _e635);
+        atomicStore((&shared_[1u]), _e636);
     }
     workgroupBarrier();
-    if _e596 {
-        let _e612 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e612) + _e604)]), _e598);
+    if _e623 {
+        if false {
+            phi_1339_ = (_e625 | 2147483648u);
+        } else {
+            phi_1339_ = _e625;
+        }
+        let _e640 = phi_1339_;
+        let _e642 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e642) + _e631)]), _e640);
     }
     return;
 }

@@ -68,14 +68,14 @@ struct type_39 {
     member: abi_ShadowParams,
 }
 
+struct type_43 {
+    member: array<lt_math_LightProjection>,
+}
+
 struct lt_math_LightPoint {
     uv: vec2<f32>,
     depth: f32,
     is_inside: bool,
-}
-
-struct type_45 {
-    member: array<lt_math_LightProjection>,
 }
 
 struct lt_math_LevelPoint {
@@ -102,40 +102,40 @@ var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_51;
 @group(0) @binding(5) 
-var<storage> levels: type_45;
+var<storage> levels: type_43;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_172_: lt_bvh_traverse_Tree;
-    var phi_173_: bool;
-    var phi_174_: lt_bvh_traverse_Tree;
-    var phi_175_: bool;
+    var phi_178_: lt_bvh_traverse_Tree;
+    var phi_179_: bool;
     var phi_180_: lt_bvh_traverse_Tree;
+    var phi_181_: bool;
+    var phi_186_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_172_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_173_ = false;
+            phi_178_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_179_ = false;
         } else {
-            phi_172_ = lt_bvh_traverse_Tree();
-            phi_173_ = true;
+            phi_178_ = lt_bvh_traverse_Tree();
+            phi_179_ = true;
         }
-        let _e69 = phi_172_;
-        let _e71 = phi_173_;
-        phi_174_ = _e69;
-        phi_175_ = _e71;
-    } else {
-        phi_174_ = lt_bvh_traverse_Tree();
-        phi_175_ = true;
-    }
-    let _e73 = phi_174_;
-    let _e75 = phi_175_;
-    if _e75 {
-        phi_180_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
+        let _e73 = phi_178_;
+        let _e75 = phi_179_;
         phi_180_ = _e73;
+        phi_181_ = _e75;
+    } else {
+        phi_180_ = lt_bvh_traverse_Tree();
+        phi_181_ = true;
     }
-    let _e80 = phi_180_;
-    return lt_bvh_traverse_Tree(_e80.root, _e80.first_primitive);
+    let _e77 = phi_180_;
+    let _e79 = phi_181_;
+    if _e79 {
+        phi_186_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_186_ = _e77;
+    }
+    let _e84 = phi_186_;
+    return lt_bvh_traverse_Tree(_e84.root, _e84.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -143,1073 +143,1124 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_203_: bool;
-    var phi_207_: f32;
-    var phi_222_: f32;
-    var phi_223_: f32;
-    var phi_224_: f32;
-    var phi_240_: f32;
-    var phi_241_: f32;
-    var phi_242_: f32;
-    var phi_258_: f32;
-    var phi_259_: f32;
-    var phi_260_: f32;
-    var phi_276_: f32;
-    var phi_277_: f32;
-    var phi_278_: f32;
-    var phi_294_: f32;
-    var phi_295_: f32;
-    var phi_296_: f32;
-    var phi_315_: f32;
-    var phi_320_: f32;
-    var phi_342_: f32;
-    var phi_347_: f32;
-    var phi_348_: bool;
-    var phi_349_: f32;
-    var phi_350_: bool;
-    var phi_354_: f32;
-    var phi_392_: f32;
-    var phi_403_: f32;
-    var phi_408_: f32;
-    var phi_430_: f32;
-    var phi_435_: f32;
-    var phi_436_: bool;
-    var phi_437_: f32;
-    var phi_438_: bool;
-    var phi_442_: f32;
-    var phi_480_: f32;
-    var phi_491_: f32;
-    var phi_496_: f32;
-    var phi_518_: f32;
-    var phi_523_: f32;
-    var phi_524_: bool;
-    var phi_525_: f32;
-    var phi_526_: bool;
-    var phi_530_: f32;
-    var phi_568_: f32;
-    var phi_579_: f32;
-    var phi_584_: f32;
-    var phi_606_: f32;
-    var phi_611_: f32;
-    var phi_612_: bool;
-    var phi_613_: f32;
-    var phi_614_: bool;
-    var phi_618_: f32;
-    var phi_656_: f32;
-    var phi_682_: f32;
-    var phi_683_: f32;
-    var phi_684_: f32;
+    var phi_209_: bool;
+    var phi_213_: f32;
+    var phi_228_: f32;
+    var phi_229_: f32;
+    var phi_230_: f32;
+    var phi_246_: f32;
+    var phi_247_: f32;
+    var phi_248_: f32;
+    var phi_264_: f32;
+    var phi_265_: f32;
+    var phi_266_: f32;
+    var phi_282_: f32;
+    var phi_283_: f32;
+    var phi_284_: f32;
+    var phi_300_: f32;
+    var phi_301_: f32;
+    var phi_302_: f32;
+    var phi_321_: f32;
+    var phi_326_: f32;
+    var phi_348_: f32;
+    var phi_353_: f32;
+    var phi_354_: bool;
+    var phi_355_: f32;
+    var phi_356_: bool;
+    var phi_360_: f32;
+    var phi_398_: f32;
+    var phi_409_: f32;
+    var phi_414_: f32;
+    var phi_436_: f32;
+    var phi_441_: f32;
+    var phi_442_: bool;
+    var phi_443_: f32;
+    var phi_444_: bool;
+    var phi_448_: f32;
+    var phi_486_: f32;
+    var phi_497_: f32;
+    var phi_502_: f32;
+    var phi_524_: f32;
+    var phi_529_: f32;
+    var phi_530_: bool;
+    var phi_531_: f32;
+    var phi_532_: bool;
+    var phi_536_: f32;
+    var phi_574_: f32;
+    var phi_585_: f32;
+    var phi_590_: f32;
+    var phi_612_: f32;
+    var phi_617_: f32;
+    var phi_618_: bool;
+    var phi_619_: f32;
+    var phi_620_: bool;
+    var phi_624_: f32;
+    var phi_662_: f32;
+    var phi_688_: f32;
+    var phi_689_: f32;
+    var phi_690_: f32;
 
-    let _e60 = (*param_4);
+    let _e64 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_203_ = true;
+        phi_209_ = true;
     } else {
-        let _e64 = (84f < _e60);
-        if _e64 {
+        let _e68 = (84f < _e64);
+        if _e68 {
         }
-        phi_203_ = _e64;
+        phi_209_ = _e68;
     }
-    let _e66 = phi_203_;
-    if _e66 {
-        phi_207_ = 84f;
+    let _e70 = phi_209_;
+    if _e70 {
+        phi_213_ = 84f;
     } else {
-        phi_207_ = _e60;
+        phi_213_ = _e64;
     }
-    let _e68 = phi_207_;
+    let _e72 = phi_213_;
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_224_ = param_7;
+        phi_230_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_223_ = 0f;
+            phi_229_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_222_ = 1f;
+                phi_228_ = 1f;
             } else {
-                phi_222_ = param_7;
+                phi_228_ = param_7;
             }
-            let _e75 = phi_222_;
-            phi_223_ = _e75;
+            let _e79 = phi_228_;
+            phi_229_ = _e79;
         }
-        let _e77 = phi_223_;
-        phi_224_ = _e77;
+        let _e81 = phi_229_;
+        phi_230_ = _e81;
     }
-    let _e79 = phi_224_;
+    let _e83 = phi_230_;
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_242_ = param_5.x;
+        phi_248_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_241_ = 0f;
+            phi_247_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_240_ = 1f;
+                phi_246_ = 1f;
             } else {
-                phi_240_ = param_5.x;
+                phi_246_ = param_5.x;
             }
-            let _e87 = phi_240_;
-            phi_241_ = _e87;
+            let _e91 = phi_246_;
+            phi_247_ = _e91;
         }
-        let _e89 = phi_241_;
-        phi_242_ = _e89;
+        let _e93 = phi_247_;
+        phi_248_ = _e93;
     }
-    let _e91 = phi_242_;
+    let _e95 = phi_248_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_260_ = param_5.y;
+        phi_266_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_259_ = 0f;
+            phi_265_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_258_ = 1f;
+                phi_264_ = 1f;
             } else {
-                phi_258_ = param_5.y;
+                phi_264_ = param_5.y;
             }
-            let _e99 = phi_258_;
-            phi_259_ = _e99;
+            let _e103 = phi_264_;
+            phi_265_ = _e103;
         }
-        let _e101 = phi_259_;
-        phi_260_ = _e101;
+        let _e105 = phi_265_;
+        phi_266_ = _e105;
     }
-    let _e103 = phi_260_;
+    let _e107 = phi_266_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_278_ = param_5.z;
+        phi_284_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_277_ = 0f;
+            phi_283_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_276_ = 1f;
+                phi_282_ = 1f;
             } else {
-                phi_276_ = param_5.z;
+                phi_282_ = param_5.z;
             }
-            let _e111 = phi_276_;
-            phi_277_ = _e111;
+            let _e115 = phi_282_;
+            phi_283_ = _e115;
         }
-        let _e113 = phi_277_;
-        phi_278_ = _e113;
+        let _e117 = phi_283_;
+        phi_284_ = _e117;
     }
-    let _e115 = phi_278_;
+    let _e119 = phi_284_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_296_ = param_5.w;
+        phi_302_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_295_ = 0f;
+            phi_301_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_294_ = 1f;
+                phi_300_ = 1f;
             } else {
-                phi_294_ = param_5.w;
+                phi_300_ = param_5.w;
             }
-            let _e123 = phi_294_;
-            phi_295_ = _e123;
+            let _e127 = phi_300_;
+            phi_301_ = _e127;
         }
-        let _e125 = phi_295_;
-        phi_296_ = _e125;
+        let _e129 = phi_301_;
+        phi_302_ = _e129;
     }
-    let _e127 = phi_296_;
-    let _e132 = (_e68 * (_e91 - _e79));
-    let _e133 = (_e68 * (_e103 - _e79));
-    let _e134 = (_e68 * (_e115 - _e79));
-    let _e135 = (_e68 * (_e127 - _e79));
-    if ((bitcast<u32>(_e132) & 2147483647u) > 2139095040u) {
-        phi_392_ = _e132;
+    let _e131 = phi_302_;
+    let _e136 = (_e72 * (_e95 - _e83));
+    let _e137 = (_e72 * (_e107 - _e83));
+    let _e138 = (_e72 * (_e119 - _e83));
+    let _e139 = (_e72 * (_e131 - _e83));
+    if ((bitcast<u32>(_e136) & 2147483647u) > 2139095040u) {
+        phi_398_ = _e136;
     } else {
-        if (_e132 < -87f) {
-            phi_315_ = -87f;
+        if (_e136 < -87f) {
+            phi_321_ = -87f;
         } else {
-            phi_315_ = _e132;
+            phi_321_ = _e136;
         }
-        let _e141 = phi_315_;
-        if (_e141 > 88f) {
-            phi_320_ = 88f;
+        let _e145 = phi_321_;
+        if (_e145 > 88f) {
+            phi_326_ = 88f;
         } else {
-            phi_320_ = _e141;
+            phi_326_ = _e145;
         }
-        let _e144 = phi_320_;
-        let _e146 = ((_e144 * 1.442695f) + 0.5f);
-        if (_e146 > -8388608f) {
-            let _e158 = f32(select(0i, select(select(i32(_e146), i32(-2147483648), (_e146 < bitcast<f32>(3472883712u))), 2147483647i, (_e146 > bitcast<f32>(1325400063u))), (_e146 == _e146)));
-            if (_e158 > _e146) {
-                phi_342_ = 1f;
+        let _e148 = phi_326_;
+        let _e150 = ((_e148 * 1.442695f) + 0.5f);
+        if (_e150 > -8388608f) {
+            let _e162 = f32(select(0i, select(select(i32(_e150), i32(-2147483648), (_e150 < bitcast<f32>(3472883712u))), 2147483647i, (_e150 > bitcast<f32>(1325400063u))), (_e150 == _e150)));
+            if (_e162 > _e150) {
+                phi_348_ = 1f;
             } else {
-                phi_342_ = 0f;
+                phi_348_ = 0f;
             }
-            let _e161 = phi_342_;
-            if (_e146 < 8388608f) {
-                phi_347_ = (_e158 - _e161);
-                phi_348_ = false;
+            let _e165 = phi_348_;
+            if (_e150 < 8388608f) {
+                phi_353_ = (_e162 - _e165);
+                phi_354_ = false;
             } else {
-                phi_347_ = f32();
-                phi_348_ = true;
+                phi_353_ = f32();
+                phi_354_ = true;
             }
-            let _e164 = phi_347_;
-            let _e166 = phi_348_;
-            phi_349_ = _e164;
-            phi_350_ = _e166;
+            let _e168 = phi_353_;
+            let _e170 = phi_354_;
+            phi_355_ = _e168;
+            phi_356_ = _e170;
         } else {
-            phi_349_ = f32();
-            phi_350_ = true;
+            phi_355_ = f32();
+            phi_356_ = true;
         }
-        let _e168 = phi_349_;
-        let _e170 = phi_350_;
-        if _e170 {
-            phi_354_ = _e146;
+        let _e172 = phi_355_;
+        let _e174 = phi_356_;
+        if _e174 {
+            phi_360_ = _e150;
         } else {
-            phi_354_ = _e168;
+            phi_360_ = _e172;
         }
-        let _e172 = phi_354_;
-        let _e176 = ((_e144 - (_e172 * 0.69314575f)) - (_e172 * 0.0000014286068f));
-        phi_392_ = ((((((((((((((((1f / 5040f) * _e176) + (1f / 720f)) * _e176) + (1f / 120f)) * _e176) + (1f / 24f)) * _e176) + (1f / 6f)) * _e176) + 0.5f) * _e176) + 1f) * _e176) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e172), i32(-2147483648), (_e172 < bitcast<f32>(3472883712u))), 2147483647i, (_e172 > bitcast<f32>(1325400063u))), (_e172 == _e172)) + 127i)) << bitcast<u32>(23i))));
+        let _e176 = phi_360_;
+        let _e180 = ((_e148 - (_e176 * 0.69314575f)) - (_e176 * 0.0000014286068f));
+        phi_398_ = ((((((((((((((((1f / 5040f) * _e180) + (1f / 720f)) * _e180) + (1f / 120f)) * _e180) + (1f / 24f)) * _e180) + (1f / 6f)) * _e180) + 0.5f) * _e180) + 1f) * _e180) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e176), i32(-2147483648), (_e176 < bitcast<f32>(3472883712u))), 2147483647i, (_e176 > bitcast<f32>(1325400063u))), (_e176 == _e176)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e212 = phi_392_;
-    if ((bitcast<u32>(_e133) & 2147483647u) > 2139095040u) {
-        phi_480_ = _e133;
+    let _e216 = phi_398_;
+    if ((bitcast<u32>(_e137) & 2147483647u) > 2139095040u) {
+        phi_486_ = _e137;
     } else {
-        if (_e133 < -87f) {
-            phi_403_ = -87f;
+        if (_e137 < -87f) {
+            phi_409_ = -87f;
         } else {
-            phi_403_ = _e133;
+            phi_409_ = _e137;
         }
-        let _e218 = phi_403_;
-        if (_e218 > 88f) {
-            phi_408_ = 88f;
+        let _e222 = phi_409_;
+        if (_e222 > 88f) {
+            phi_414_ = 88f;
         } else {
-            phi_408_ = _e218;
+            phi_414_ = _e222;
         }
-        let _e221 = phi_408_;
-        let _e223 = ((_e221 * 1.442695f) + 0.5f);
-        if (_e223 > -8388608f) {
-            let _e235 = f32(select(0i, select(select(i32(_e223), i32(-2147483648), (_e223 < bitcast<f32>(3472883712u))), 2147483647i, (_e223 > bitcast<f32>(1325400063u))), (_e223 == _e223)));
-            if (_e235 > _e223) {
-                phi_430_ = 1f;
+        let _e225 = phi_414_;
+        let _e227 = ((_e225 * 1.442695f) + 0.5f);
+        if (_e227 > -8388608f) {
+            let _e239 = f32(select(0i, select(select(i32(_e227), i32(-2147483648), (_e227 < bitcast<f32>(3472883712u))), 2147483647i, (_e227 > bitcast<f32>(1325400063u))), (_e227 == _e227)));
+            if (_e239 > _e227) {
+                phi_436_ = 1f;
             } else {
-                phi_430_ = 0f;
+                phi_436_ = 0f;
             }
-            let _e238 = phi_430_;
-            if (_e223 < 8388608f) {
-                phi_435_ = (_e235 - _e238);
-                phi_436_ = false;
+            let _e242 = phi_436_;
+            if (_e227 < 8388608f) {
+                phi_441_ = (_e239 - _e242);
+                phi_442_ = false;
             } else {
-                phi_435_ = f32();
-                phi_436_ = true;
+                phi_441_ = f32();
+                phi_442_ = true;
             }
-            let _e241 = phi_435_;
-            let _e243 = phi_436_;
-            phi_437_ = _e241;
-            phi_438_ = _e243;
+            let _e245 = phi_441_;
+            let _e247 = phi_442_;
+            phi_443_ = _e245;
+            phi_444_ = _e247;
         } else {
-            phi_437_ = f32();
-            phi_438_ = true;
+            phi_443_ = f32();
+            phi_444_ = true;
         }
-        let _e245 = phi_437_;
-        let _e247 = phi_438_;
-        if _e247 {
-            phi_442_ = _e223;
+        let _e249 = phi_443_;
+        let _e251 = phi_444_;
+        if _e251 {
+            phi_448_ = _e227;
         } else {
-            phi_442_ = _e245;
+            phi_448_ = _e249;
         }
-        let _e249 = phi_442_;
-        let _e253 = ((_e221 - (_e249 * 0.69314575f)) - (_e249 * 0.0000014286068f));
-        phi_480_ = ((((((((((((((((1f / 5040f) * _e253) + (1f / 720f)) * _e253) + (1f / 120f)) * _e253) + (1f / 24f)) * _e253) + (1f / 6f)) * _e253) + 0.5f) * _e253) + 1f) * _e253) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e249), i32(-2147483648), (_e249 < bitcast<f32>(3472883712u))), 2147483647i, (_e249 > bitcast<f32>(1325400063u))), (_e249 == _e249)) + 127i)) << bitcast<u32>(23i))));
+        let _e253 = phi_448_;
+        let _e257 = ((_e225 - (_e253 * 0.69314575f)) - (_e253 * 0.0000014286068f));
+        phi_486_ = ((((((((((((((((1f / 5040f) * _e257) + (1f / 720f)) * _e257) + (1f / 120f)) * _e257) + (1f / 24f)) * _e257) + (1f / 6f)) * _e257) + 0.5f) * _e257) + 1f) * _e257) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e253), i32(-2147483648), (_e253 < bitcast<f32>(3472883712u))), 2147483647i, (_e253 > bitcast<f32>(1325400063u))), (_e253 == _e253)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e289 = phi_480_;
-    if ((bitcast<u32>(_e134) & 2147483647u) > 2139095040u) {
-        phi_568_ = _e134;
+    let _e293 = phi_486_;
+    if ((bitcast<u32>(_e138) & 2147483647u) > 2139095040u) {
+        phi_574_ = _e138;
     } else {
-        if (_e134 < -87f) {
-            phi_491_ = -87f;
+        if (_e138 < -87f) {
+            phi_497_ = -87f;
         } else {
-            phi_491_ = _e134;
+            phi_497_ = _e138;
         }
-        let _e295 = phi_491_;
-        if (_e295 > 88f) {
-            phi_496_ = 88f;
+        let _e299 = phi_497_;
+        if (_e299 > 88f) {
+            phi_502_ = 88f;
         } else {
-            phi_496_ = _e295;
+            phi_502_ = _e299;
         }
-        let _e298 = phi_496_;
-        let _e300 = ((_e298 * 1.442695f) + 0.5f);
-        if (_e300 > -8388608f) {
-            let _e312 = f32(select(0i, select(select(i32(_e300), i32(-2147483648), (_e300 < bitcast<f32>(3472883712u))), 2147483647i, (_e300 > bitcast<f32>(1325400063u))), (_e300 == _e300)));
-            if (_e312 > _e300) {
-                phi_518_ = 1f;
+        let _e302 = phi_502_;
+        let _e304 = ((_e302 * 1.442695f) + 0.5f);
+        if (_e304 > -8388608f) {
+            let _e316 = f32(select(0i, select(select(i32(_e304), i32(-2147483648), (_e304 < bitcast<f32>(3472883712u))), 2147483647i, (_e304 > bitcast<f32>(1325400063u))), (_e304 == _e304)));
+            if (_e316 > _e304) {
+                phi_524_ = 1f;
             } else {
-                phi_518_ = 0f;
+                phi_524_ = 0f;
             }
-            let _e315 = phi_518_;
-            if (_e300 < 8388608f) {
-                phi_523_ = (_e312 - _e315);
-                phi_524_ = false;
+            let _e319 = phi_524_;
+            if (_e304 < 8388608f) {
+                phi_529_ = (_e316 - _e319);
+                phi_530_ = false;
             } else {
-                phi_523_ = f32();
-                phi_524_ = true;
+                phi_529_ = f32();
+                phi_530_ = true;
             }
-            let _e318 = phi_523_;
-            let _e320 = phi_524_;
-            phi_525_ = _e318;
-            phi_526_ = _e320;
+            let _e322 = phi_529_;
+            let _e324 = phi_530_;
+            phi_531_ = _e322;
+            phi_532_ = _e324;
         } else {
-            phi_525_ = f32();
-            phi_526_ = true;
+            phi_531_ = f32();
+            phi_532_ = true;
         }
-        let _e322 = phi_525_;
-        let _e324 = phi_526_;
-        if _e324 {
-            phi_530_ = _e300;
+        let _e326 = phi_531_;
+        let _e328 = phi_532_;
+        if _e328 {
+            phi_536_ = _e304;
         } else {
-            phi_530_ = _e322;
+            phi_536_ = _e326;
         }
-        let _e326 = phi_530_;
-        let _e330 = ((_e298 - (_e326 * 0.69314575f)) - (_e326 * 0.0000014286068f));
-        phi_568_ = ((((((((((((((((1f / 5040f) * _e330) + (1f / 720f)) * _e330) + (1f / 120f)) * _e330) + (1f / 24f)) * _e330) + (1f / 6f)) * _e330) + 0.5f) * _e330) + 1f) * _e330) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e326), i32(-2147483648), (_e326 < bitcast<f32>(3472883712u))), 2147483647i, (_e326 > bitcast<f32>(1325400063u))), (_e326 == _e326)) + 127i)) << bitcast<u32>(23i))));
+        let _e330 = phi_536_;
+        let _e334 = ((_e302 - (_e330 * 0.69314575f)) - (_e330 * 0.0000014286068f));
+        phi_574_ = ((((((((((((((((1f / 5040f) * _e334) + (1f / 720f)) * _e334) + (1f / 120f)) * _e334) + (1f / 24f)) * _e334) + (1f / 6f)) * _e334) + 0.5f) * _e334) + 1f) * _e334) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e330), i32(-2147483648), (_e330 < bitcast<f32>(3472883712u))), 2147483647i, (_e330 > bitcast<f32>(1325400063u))), (_e330 == _e330)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e366 = phi_568_;
-    if ((bitcast<u32>(_e135) & 2147483647u) > 2139095040u) {
-        phi_656_ = _e135;
+    let _e370 = phi_574_;
+    if ((bitcast<u32>(_e139) & 2147483647u) > 2139095040u) {
+        phi_662_ = _e139;
     } else {
-        if (_e135 < -87f) {
-            phi_579_ = -87f;
+        if (_e139 < -87f) {
+            phi_585_ = -87f;
         } else {
-            phi_579_ = _e135;
+            phi_585_ = _e139;
         }
-        let _e372 = phi_579_;
-        if (_e372 > 88f) {
-            phi_584_ = 88f;
+        let _e376 = phi_585_;
+        if (_e376 > 88f) {
+            phi_590_ = 88f;
         } else {
-            phi_584_ = _e372;
+            phi_590_ = _e376;
         }
-        let _e375 = phi_584_;
-        let _e377 = ((_e375 * 1.442695f) + 0.5f);
-        if (_e377 > -8388608f) {
-            let _e389 = f32(select(0i, select(select(i32(_e377), i32(-2147483648), (_e377 < bitcast<f32>(3472883712u))), 2147483647i, (_e377 > bitcast<f32>(1325400063u))), (_e377 == _e377)));
-            if (_e389 > _e377) {
-                phi_606_ = 1f;
+        let _e379 = phi_590_;
+        let _e381 = ((_e379 * 1.442695f) + 0.5f);
+        if (_e381 > -8388608f) {
+            let _e393 = f32(select(0i, select(select(i32(_e381), i32(-2147483648), (_e381 < bitcast<f32>(3472883712u))), 2147483647i, (_e381 > bitcast<f32>(1325400063u))), (_e381 == _e381)));
+            if (_e393 > _e381) {
+                phi_612_ = 1f;
             } else {
-                phi_606_ = 0f;
+                phi_612_ = 0f;
             }
-            let _e392 = phi_606_;
-            if (_e377 < 8388608f) {
-                phi_611_ = (_e389 - _e392);
-                phi_612_ = false;
+            let _e396 = phi_612_;
+            if (_e381 < 8388608f) {
+                phi_617_ = (_e393 - _e396);
+                phi_618_ = false;
             } else {
-                phi_611_ = f32();
-                phi_612_ = true;
+                phi_617_ = f32();
+                phi_618_ = true;
             }
-            let _e395 = phi_611_;
-            let _e397 = phi_612_;
-            phi_613_ = _e395;
-            phi_614_ = _e397;
+            let _e399 = phi_617_;
+            let _e401 = phi_618_;
+            phi_619_ = _e399;
+            phi_620_ = _e401;
         } else {
-            phi_613_ = f32();
-            phi_614_ = true;
+            phi_619_ = f32();
+            phi_620_ = true;
         }
-        let _e399 = phi_613_;
-        let _e401 = phi_614_;
-        if _e401 {
-            phi_618_ = _e377;
+        let _e403 = phi_619_;
+        let _e405 = phi_620_;
+        if _e405 {
+            phi_624_ = _e381;
         } else {
-            phi_618_ = _e399;
+            phi_624_ = _e403;
         }
-        let _e403 = phi_618_;
-        let _e407 = ((_e375 - (_e403 * 0.69314575f)) - (_e403 * 0.0000014286068f));
-        phi_656_ = ((((((((((((((((1f / 5040f) * _e407) + (1f / 720f)) * _e407) + (1f / 120f)) * _e407) + (1f / 24f)) * _e407) + (1f / 6f)) * _e407) + 0.5f) * _e407) + 1f) * _e407) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e403), i32(-2147483648), (_e403 < bitcast<f32>(3472883712u))), 2147483647i, (_e403 > bitcast<f32>(1325400063u))), (_e403 == _e403)) + 127i)) << bitcast<u32>(23i))));
+        let _e407 = phi_624_;
+        let _e411 = ((_e379 - (_e407 * 0.69314575f)) - (_e407 * 0.0000014286068f));
+        phi_662_ = ((((((((((((((((1f / 5040f) * _e411) + (1f / 720f)) * _e411) + (1f / 120f)) * _e411) + (1f / 24f)) * _e411) + (1f / 6f)) * _e411) + 0.5f) * _e411) + 1f) * _e411) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e407), i32(-2147483648), (_e407 < bitcast<f32>(3472883712u))), 2147483647i, (_e407 > bitcast<f32>(1325400063u))), (_e407 == _e407)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e443 = phi_656_;
-    let _e454 = ((((_e212 * param_6.x) + (_e289 * param_6.y)) + (_e366 * param_6.z)) + (_e443 * param_6.w));
-    if ((bitcast<u32>(_e454) & 2147483647u) > 2139095040u) {
-        phi_684_ = _e454;
+    let _e447 = phi_662_;
+    let _e458 = ((((_e216 * param_6.x) + (_e293 * param_6.y)) + (_e370 * param_6.z)) + (_e447 * param_6.w));
+    if ((bitcast<u32>(_e458) & 2147483647u) > 2139095040u) {
+        phi_690_ = _e458;
     } else {
-        if (_e454 < 0f) {
-            phi_683_ = 0f;
+        if (_e458 < 0f) {
+            phi_689_ = 0f;
         } else {
-            if (_e454 > 1f) {
-                phi_682_ = 1f;
+            if (_e458 > 1f) {
+                phi_688_ = 1f;
             } else {
-                phi_682_ = _e454;
+                phi_688_ = _e458;
             }
-            let _e461 = phi_682_;
-            phi_683_ = _e461;
+            let _e465 = phi_688_;
+            phi_689_ = _e465;
         }
-        let _e463 = phi_683_;
-        phi_684_ = _e463;
+        let _e467 = phi_689_;
+        phi_690_ = _e467;
     }
-    let _e465 = phi_684_;
-    return _e465;
+    let _e469 = phi_690_;
+    return _e469;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_739_: bool;
-    var phi_740_: bool;
-    var phi_741_: bool;
-    var phi_742_: bool;
+    var phi_745_: bool;
     var phi_746_: bool;
-    var phi_816_: bool;
-    var phi_817_: bool;
-    var phi_828_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_829_: bool;
-    var phi_830_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_831_: bool;
-    var phi_838_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_842_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_862_: lt_math_LightPoint;
-    var phi_865_: u32;
-    var phi_867_: lt_math_LevelPoint;
-    var phi_953_: bool;
-    var phi_962_: bool;
-    var phi_971_: bool;
-    var phi_972_: bool;
-    var phi_973_: bool;
-    var phi_974_: bool;
-    var phi_975_: bool;
-    var phi_976_: bool;
+    var phi_747_: bool;
+    var phi_748_: bool;
+    var phi_752_: bool;
+    var phi_822_: bool;
+    var phi_823_: bool;
+    var phi_834_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_835_: bool;
+    var phi_836_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_837_: bool;
+    var phi_844_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_848_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_868_: lt_math_LightPoint;
+    var phi_871_: u32;
+    var phi_873_: lt_math_LevelPoint;
+    var phi_959_: bool;
+    var phi_968_: bool;
     var phi_977_: bool;
+    var phi_978_: bool;
+    var phi_979_: bool;
+    var phi_980_: bool;
     var phi_981_: bool;
-    var phi_1008_: bool;
-    var phi_1009_: bool;
-    var phi_1010_: bool;
-    var phi_1011_: bool;
-    var phi_1012_: bool;
-    var phi_1013_: bool;
+    var phi_982_: bool;
+    var phi_983_: bool;
+    var phi_987_: bool;
     var phi_1014_: bool;
     var phi_1015_: bool;
+    var phi_1016_: bool;
+    var phi_1017_: bool;
+    var phi_1018_: bool;
     var phi_1019_: bool;
-    var phi_1028_: lt_math_LightPoint;
-    var phi_1029_: u32;
-    var phi_1030_: lt_math_LevelPoint;
-    var phi_1031_: bool;
-    var phi_863_: lt_math_LightPoint;
-    var phi_866_: u32;
-    var phi_868_: lt_math_LevelPoint;
-    var phi_1032_: bool;
+    var phi_1020_: bool;
+    var phi_1021_: bool;
+    var phi_1025_: bool;
+    var phi_1034_: lt_math_LightPoint;
+    var phi_1035_: u32;
+    var phi_1036_: lt_math_LevelPoint;
+    var phi_1037_: bool;
+    var phi_869_: lt_math_LightPoint;
+    var phi_872_: u32;
+    var phi_874_: lt_math_LevelPoint;
+    var phi_1038_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_1072_: bool;
-    var phi_1073_: bool;
-    var phi_1074_: bool;
-    var phi_1075_: bool;
+    var phi_1078_: bool;
     var phi_1079_: bool;
-    var phi_1161_: f32;
-    var phi_1279_: f32;
-    var phi_1280_: f32;
-    var phi_1283_: f32;
-    var phi_1312_: f32;
-    var phi_1317_: f32;
-    var phi_1318_: bool;
-    var phi_1319_: f32;
-    var phi_1320_: bool;
-    var phi_1324_: f32;
-    var phi_1344_: f32;
-    var phi_1349_: f32;
-    var phi_1350_: bool;
-    var phi_1351_: f32;
-    var phi_1352_: bool;
-    var phi_1356_: f32;
+    var phi_1080_: bool;
+    var phi_1081_: bool;
+    var phi_1085_: bool;
+    var phi_1167_: f32;
+    var phi_1285_: f32;
+    var phi_1286_: f32;
+    var phi_1289_: f32;
+    var phi_1318_: f32;
+    var phi_1323_: f32;
+    var phi_1324_: bool;
+    var phi_1325_: f32;
+    var phi_1326_: bool;
+    var phi_1330_: f32;
+    var phi_1350_: f32;
+    var phi_1355_: f32;
+    var phi_1356_: bool;
+    var phi_1357_: f32;
+    var phi_1358_: bool;
+    var phi_1362_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_1405_: i32;
-    var phi_1410_: i32;
-    var phi_1415_: i32;
-    var phi_1420_: i32;
-    var phi_1429_: i32;
-    var phi_1434_: i32;
-    var phi_1439_: i32;
-    var phi_1444_: i32;
-    var phi_1495_: bool;
+    var phi_1411_: i32;
+    var phi_1416_: i32;
+    var phi_1421_: i32;
+    var phi_1426_: i32;
+    var phi_1435_: i32;
+    var phi_1440_: i32;
+    var phi_1445_: i32;
+    var phi_1450_: i32;
     var phi_1503_: bool;
-    var phi_1515_: bool;
-    var phi_1516_: bool;
-    var phi_1520_: f32;
-    var phi_1526_: f32;
-    var phi_1528_: evaluate_Verdict;
-    var phi_1533_: evaluate_Verdict;
-    var phi_1534_: evaluate_Verdict;
-    var phi_1538_: bool;
-    var phi_1539_: u32;
-    var phi_1550_: u32;
+    var phi_1511_: bool;
+    var phi_1523_: bool;
+    var phi_1524_: bool;
+    var phi_1528_: f32;
+    var phi_1534_: f32;
+    var phi_1536_: evaluate_Verdict;
+    var phi_1546_: u32;
+    var phi_1555_: f32;
+    var phi_1557_: evaluate_Verdict;
+    var phi_1558_: bool;
+    var phi_1559_: evaluate_Verdict;
+    var phi_1560_: bool;
+    var phi_1565_: evaluate_Verdict;
+    var phi_1570_: evaluate_Verdict;
+    var phi_1571_: evaluate_Verdict;
+    var phi_1575_: bool;
+    var phi_1576_: u32;
+    var phi_1587_: u32;
+    var phi_1604_: u32;
 
-    let _e57 = id_1;
-    let _e58 = local_5;
-    let _e63 = arrayLength((&map.member));
-    let _e68 = arrayLength((&levels.member));
-    let _e71 = p.member.size[0u];
-    let _e73 = p.member.size[1u];
-    let _e74 = lt_shaders_entry_pixel_index(_e57, _e71, _e73);
-    if (bitcast<i32>(_e74.root) != 0i) {
-        let _e81 = p.member.level_count;
-        let _e85 = samples.member[_e74.first_primitive].normal[0u];
-        let _e87 = global[0u];
-        if (_e85 == _e87) {
-            let _e90 = samples.member[_e74.first_primitive].normal[1u];
-            let _e92 = global[1u];
-            if (_e90 == _e92) {
-                let _e95 = samples.member[_e74.first_primitive].normal[2u];
-                let _e97 = global[2u];
-                phi_739_ = (_e95 == _e97);
-                phi_740_ = false;
+    let _e61 = id_1;
+    let _e62 = local_5;
+    let _e67 = arrayLength((&map.member));
+    let _e72 = arrayLength((&levels.member));
+    let _e75 = p.member.size[0u];
+    let _e77 = p.member.size[1u];
+    let _e78 = lt_shaders_entry_pixel_index(_e61, _e75, _e77);
+    if (bitcast<i32>(_e78.root) != 0i) {
+        let _e85 = p.member.level_count;
+        let _e89 = samples.member[_e78.first_primitive].normal[0u];
+        let _e91 = global[0u];
+        if (_e89 == _e91) {
+            let _e94 = samples.member[_e78.first_primitive].normal[1u];
+            let _e96 = global[1u];
+            if (_e94 == _e96) {
+                let _e99 = samples.member[_e78.first_primitive].normal[2u];
+                let _e101 = global[2u];
+                phi_745_ = (_e99 == _e101);
+                phi_746_ = false;
             } else {
-                phi_739_ = bool();
-                phi_740_ = true;
+                phi_745_ = bool();
+                phi_746_ = true;
             }
-            let _e100 = phi_739_;
-            let _e102 = phi_740_;
-            phi_741_ = _e100;
-            phi_742_ = _e102;
+            let _e104 = phi_745_;
+            let _e106 = phi_746_;
+            phi_747_ = _e104;
+            phi_748_ = _e106;
         } else {
-            phi_741_ = bool();
-            phi_742_ = true;
+            phi_747_ = bool();
+            phi_748_ = true;
         }
-        let _e104 = phi_741_;
-        let _e106 = phi_742_;
-        if _e106 {
-            phi_746_ = false;
+        let _e108 = phi_747_;
+        let _e110 = phi_748_;
+        if _e110 {
+            phi_752_ = false;
         } else {
-            phi_746_ = _e104;
+            phi_752_ = _e108;
         }
-        let _e108 = phi_746_;
-        if !(_e108) {
-            let _e111 = samples.member[_e74.first_primitive].position;
-            let _e113 = p.member.light.place;
-            let _e119 = p.member.light.place[3u];
-            let _e126 = (_e113.x - (_e111.x * _e119));
-            let _e127 = (_e113.y - (_e111.y * _e119));
-            let _e128 = (_e113.z - (_e111.z * _e119));
-            let _e130 = samples.member[_e74.first_primitive].normal;
-            if ((((_e130.x * _e126) + (_e130.y * _e127)) + (_e130.z * _e128)) > 0f) {
-                let _e144 = (((_e126 * _e126) + (_e127 * _e127)) + (_e128 * _e128));
-                let _e146 = p.member.light.axis;
-                let _e158 = p.member.light.place[3u];
-                if (_e158 == 0f) {
-                    phi_817_ = true;
+        let _e112 = phi_752_;
+        if !(_e112) {
+            let _e115 = samples.member[_e78.first_primitive].position;
+            let _e117 = p.member.light.place;
+            let _e123 = p.member.light.place[3u];
+            let _e130 = (_e117.x - (_e115.x * _e123));
+            let _e131 = (_e117.y - (_e115.y * _e123));
+            let _e132 = (_e117.z - (_e115.z * _e123));
+            let _e134 = samples.member[_e78.first_primitive].normal;
+            if ((((_e134.x * _e130) + (_e134.y * _e131)) + (_e134.z * _e132)) > 0f) {
+                let _e148 = (((_e130 * _e130) + (_e131 * _e131)) + (_e132 * _e132));
+                let _e150 = p.member.light.axis;
+                let _e162 = p.member.light.place[3u];
+                if (_e162 == 0f) {
+                    phi_823_ = true;
                 } else {
-                    let _e161 = p.member.light.range_squared;
-                    if (_e144 <= _e161) {
-                        let _e164 = p.member.light.cos_outer;
-                        phi_816_ = (-((((_e126 * _e146.x) + (_e127 * _e146.y)) + (_e128 * _e146.z))) >= (_e164 * sqrt(_e144)));
+                    let _e165 = p.member.light.range_squared;
+                    if (_e148 <= _e165) {
+                        let _e168 = p.member.light.cos_outer;
+                        phi_822_ = (-((((_e130 * _e150.x) + (_e131 * _e150.y)) + (_e132 * _e150.z))) >= (_e168 * sqrt(_e148)));
                     } else {
-                        phi_816_ = false;
+                        phi_822_ = false;
                     }
-                    let _e169 = phi_816_;
-                    phi_817_ = _e169;
+                    let _e173 = phi_822_;
+                    phi_823_ = _e173;
                 }
-                let _e171 = phi_817_;
-                if _e171 {
-                    let _e173 = samples.member[_e74.first_primitive].flags;
-                    let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e181.unnamed.visibility, false), _e181.unnamed_1);
-                    phi_828_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e187.unnamed, ((_e173 & 1u) == 0u));
-                    phi_829_ = false;
+                let _e175 = phi_823_;
+                if _e175 {
+                    let _e177 = samples.member[_e78.first_primitive].flags;
+                    let _e185 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e185.unnamed.visibility, false), _e185.unnamed_1);
+                    phi_834_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e191.unnamed, ((_e177 & 1u) == 0u));
+                    phi_835_ = false;
                 } else {
-                    phi_828_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_829_ = true;
+                    phi_834_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_835_ = true;
                 }
-                let _e192 = phi_828_;
-                let _e194 = phi_829_;
-                phi_830_ = _e192;
-                phi_831_ = _e194;
+                let _e196 = phi_834_;
+                let _e198 = phi_835_;
+                phi_836_ = _e196;
+                phi_837_ = _e198;
             } else {
-                phi_830_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_831_ = true;
+                phi_836_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_837_ = true;
             }
-            let _e196 = phi_830_;
-            let _e198 = phi_831_;
-            if _e198 {
-                let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
-                phi_838_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
+            let _e200 = phi_836_;
+            let _e202 = phi_837_;
+            if _e202 {
+                let _e208 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e208.unnamed.visibility, false), _e208.unnamed_1);
+                phi_844_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e214.unnamed, true);
             } else {
-                phi_838_ = _e196;
+                phi_844_ = _e200;
             }
-            let _e215 = phi_838_;
-            phi_842_ = _e215;
+            let _e219 = phi_844_;
+            phi_848_ = _e219;
         } else {
-            let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e221.unnamed.visibility, false), _e221.unnamed_1);
-            phi_842_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e227.unnamed, true);
+            let _e225 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e231 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e225.unnamed.visibility, false), _e225.unnamed_1);
+            phi_848_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e231.unnamed, true);
         }
-        let _e232 = phi_842_;
-        if _e232.unnamed_1 {
-            phi_1534_ = evaluate_Verdict(_e232.unnamed.visibility, _e232.unnamed.is_doubted);
+        let _e236 = phi_848_;
+        if _e236.unnamed_1 {
+            phi_1571_ = evaluate_Verdict(_e236.unnamed.visibility, _e236.unnamed.is_doubted);
         } else {
-            let _e240 = samples.member[_e74.first_primitive].position;
-            let _e242 = p.member.map_size;
-            let _e244 = (0.5f / f32(_e242));
-            let _e251 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e258 = lt_math_LightPoint(vec2<f32>(_e251.uv.x, 0f), _e251.depth, _e251.is_inside);
-            let _e262 = lt_math_LightPoint(_e258.uv, 0f, _e258.is_inside);
-            phi_862_ = lt_math_LightPoint();
-            phi_865_ = 0u;
-            phi_867_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e262.uv, _e262.depth, false));
+            let _e244 = samples.member[_e78.first_primitive].position;
+            let _e246 = p.member.map_size;
+            let _e248 = (0.5f / f32(_e246));
+            let _e255 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e262 = lt_math_LightPoint(vec2<f32>(_e255.uv.x, 0f), _e255.depth, _e255.is_inside);
+            let _e266 = lt_math_LightPoint(_e262.uv, 0f, _e262.is_inside);
+            phi_868_ = lt_math_LightPoint();
+            phi_871_ = 0u;
+            phi_873_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e266.uv, _e266.depth, false));
             loop {
-                let _e269 = phi_862_;
-                let _e271 = phi_865_;
-                let _e273 = phi_867_;
-                local_2 = _e273;
-                local_3 = _e273;
-                local_4 = _e273;
-                if (_e271 < _e81) {
-                    if _e273.point.is_inside {
-                        phi_1028_ = lt_math_LightPoint();
-                        phi_1029_ = u32();
-                        phi_1030_ = lt_math_LevelPoint();
-                        phi_1031_ = false;
+                let _e273 = phi_868_;
+                let _e275 = phi_871_;
+                let _e277 = phi_873_;
+                local_2 = _e277;
+                local_3 = _e277;
+                local_4 = _e277;
+                if (_e275 < _e85) {
+                    if _e277.point.is_inside {
+                        phi_1034_ = lt_math_LightPoint();
+                        phi_1035_ = u32();
+                        phi_1036_ = lt_math_LevelPoint();
+                        phi_1037_ = false;
                     } else {
-                        if (_e271 < _e68) {
+                        if (_e275 < _e72) {
                         } else {
                             return;
                         }
-                        let _e284 = levels.member[(0u + _e271)].row_w;
-                        let _e295 = ((((_e284.x * _e240.x) + (_e284.y * _e240.y)) + (_e284.z * _e240.z)) + (_e284.w * 1f));
-                        let _e297 = levels.member[(0u + _e271)].row_x;
-                        let _e309 = (((((_e297.x * _e240.x) + (_e297.y * _e240.y)) + (_e297.z * _e240.z)) + (_e297.w * 1f)) / _e295);
-                        let _e311 = levels.member[(0u + _e271)].row_y;
-                        let _e323 = (((((_e311.x * _e240.x) + (_e311.y * _e240.y)) + (_e311.z * _e240.z)) + (_e311.w * 1f)) / _e295);
-                        let _e325 = levels.member[(0u + _e271)].row_z;
-                        let _e336 = ((((_e325.x * _e240.x) + (_e325.y * _e240.y)) + (_e325.z * _e240.z)) + (_e325.w * 1f));
-                        if (_e295 > 0f) {
-                            if (_e309 >= 0f) {
-                                phi_953_ = (_e309 <= 1f);
+                        let _e288 = levels.member[(0u + _e275)].row_w;
+                        let _e299 = ((((_e288.x * _e244.x) + (_e288.y * _e244.y)) + (_e288.z * _e244.z)) + (_e288.w * 1f));
+                        let _e301 = levels.member[(0u + _e275)].row_x;
+                        let _e313 = (((((_e301.x * _e244.x) + (_e301.y * _e244.y)) + (_e301.z * _e244.z)) + (_e301.w * 1f)) / _e299);
+                        let _e315 = levels.member[(0u + _e275)].row_y;
+                        let _e327 = (((((_e315.x * _e244.x) + (_e315.y * _e244.y)) + (_e315.z * _e244.z)) + (_e315.w * 1f)) / _e299);
+                        let _e329 = levels.member[(0u + _e275)].row_z;
+                        let _e340 = ((((_e329.x * _e244.x) + (_e329.y * _e244.y)) + (_e329.z * _e244.z)) + (_e329.w * 1f));
+                        if (_e299 > 0f) {
+                            if (_e313 >= 0f) {
+                                phi_959_ = (_e313 <= 1f);
                             } else {
-                                phi_953_ = false;
+                                phi_959_ = false;
                             }
-                            let _e341 = phi_953_;
-                            if _e341 {
-                                if (_e323 >= 0f) {
-                                    phi_962_ = (_e323 <= 1f);
+                            let _e345 = phi_959_;
+                            if _e345 {
+                                if (_e327 >= 0f) {
+                                    phi_968_ = (_e327 <= 1f);
                                 } else {
-                                    phi_962_ = false;
+                                    phi_968_ = false;
                                 }
-                                let _e345 = phi_962_;
-                                if _e345 {
-                                    if (_e336 >= 0f) {
-                                        phi_971_ = (_e336 <= 1f);
+                                let _e349 = phi_968_;
+                                if _e349 {
+                                    if (_e340 >= 0f) {
+                                        phi_977_ = (_e340 <= 1f);
                                     } else {
-                                        phi_971_ = false;
+                                        phi_977_ = false;
                                     }
-                                    let _e349 = phi_971_;
-                                    phi_972_ = _e349;
-                                    phi_973_ = false;
+                                    let _e353 = phi_977_;
+                                    phi_978_ = _e353;
+                                    phi_979_ = false;
                                 } else {
-                                    phi_972_ = bool();
-                                    phi_973_ = true;
+                                    phi_978_ = bool();
+                                    phi_979_ = true;
                                 }
-                                let _e351 = phi_972_;
-                                let _e353 = phi_973_;
-                                phi_974_ = _e351;
-                                phi_975_ = _e353;
+                                let _e355 = phi_978_;
+                                let _e357 = phi_979_;
+                                phi_980_ = _e355;
+                                phi_981_ = _e357;
                             } else {
-                                phi_974_ = bool();
-                                phi_975_ = true;
+                                phi_980_ = bool();
+                                phi_981_ = true;
                             }
-                            let _e355 = phi_974_;
-                            let _e357 = phi_975_;
-                            phi_976_ = _e355;
-                            phi_977_ = _e357;
+                            let _e359 = phi_980_;
+                            let _e361 = phi_981_;
+                            phi_982_ = _e359;
+                            phi_983_ = _e361;
                         } else {
-                            phi_976_ = bool();
-                            phi_977_ = true;
+                            phi_982_ = bool();
+                            phi_983_ = true;
                         }
-                        let _e359 = phi_976_;
-                        let _e361 = phi_977_;
-                        if _e361 {
-                            phi_981_ = false;
+                        let _e363 = phi_982_;
+                        let _e365 = phi_983_;
+                        if _e365 {
+                            phi_987_ = false;
                         } else {
-                            phi_981_ = _e359;
+                            phi_987_ = _e363;
                         }
-                        let _e363 = phi_981_;
-                        if _e363 {
-                            if (_e309 >= _e244) {
-                                if (_e309 <= (1f - _e244)) {
-                                    if (_e323 >= _e244) {
-                                        phi_1008_ = (_e323 <= (1f - _e244));
-                                        phi_1009_ = false;
+                        let _e367 = phi_987_;
+                        if _e367 {
+                            if (_e313 >= _e248) {
+                                if (_e313 <= (1f - _e248)) {
+                                    if (_e327 >= _e248) {
+                                        phi_1014_ = (_e327 <= (1f - _e248));
+                                        phi_1015_ = false;
                                     } else {
-                                        phi_1008_ = bool();
-                                        phi_1009_ = true;
+                                        phi_1014_ = bool();
+                                        phi_1015_ = true;
                                     }
-                                    let _e371 = phi_1008_;
-                                    let _e373 = phi_1009_;
-                                    phi_1010_ = _e371;
-                                    phi_1011_ = _e373;
+                                    let _e375 = phi_1014_;
+                                    let _e377 = phi_1015_;
+                                    phi_1016_ = _e375;
+                                    phi_1017_ = _e377;
                                 } else {
-                                    phi_1010_ = bool();
-                                    phi_1011_ = true;
+                                    phi_1016_ = bool();
+                                    phi_1017_ = true;
                                 }
-                                let _e375 = phi_1010_;
-                                let _e377 = phi_1011_;
-                                phi_1012_ = _e375;
-                                phi_1013_ = _e377;
+                                let _e379 = phi_1016_;
+                                let _e381 = phi_1017_;
+                                phi_1018_ = _e379;
+                                phi_1019_ = _e381;
                             } else {
-                                phi_1012_ = bool();
-                                phi_1013_ = true;
+                                phi_1018_ = bool();
+                                phi_1019_ = true;
                             }
-                            let _e379 = phi_1012_;
-                            let _e381 = phi_1013_;
-                            phi_1014_ = _e379;
-                            phi_1015_ = _e381;
+                            let _e383 = phi_1018_;
+                            let _e385 = phi_1019_;
+                            phi_1020_ = _e383;
+                            phi_1021_ = _e385;
                         } else {
-                            phi_1014_ = bool();
-                            phi_1015_ = true;
+                            phi_1020_ = bool();
+                            phi_1021_ = true;
                         }
-                        let _e383 = phi_1014_;
-                        let _e385 = phi_1015_;
-                        if _e385 {
-                            phi_1019_ = false;
+                        let _e387 = phi_1020_;
+                        let _e389 = phi_1021_;
+                        if _e389 {
+                            phi_1025_ = false;
                         } else {
-                            phi_1019_ = _e383;
+                            phi_1025_ = _e387;
                         }
-                        let _e387 = phi_1019_;
-                        let _e394 = lt_math_LightPoint(vec2<f32>(_e309, _e269.uv.y), _e269.depth, _e269.is_inside);
-                        let _e401 = lt_math_LightPoint(vec2<f32>(_e394.uv.x, _e323), _e394.depth, _e394.is_inside);
-                        let _e405 = lt_math_LightPoint(_e401.uv, _e336, _e401.is_inside);
-                        let _e409 = lt_math_LightPoint(_e405.uv, _e405.depth, _e387);
-                        phi_1028_ = _e409;
-                        phi_1029_ = (_e271 + 1u);
-                        phi_1030_ = lt_math_LevelPoint(_e271, _e409);
-                        phi_1031_ = true;
+                        let _e391 = phi_1025_;
+                        let _e398 = lt_math_LightPoint(vec2<f32>(_e313, _e273.uv.y), _e273.depth, _e273.is_inside);
+                        let _e405 = lt_math_LightPoint(vec2<f32>(_e398.uv.x, _e327), _e398.depth, _e398.is_inside);
+                        let _e409 = lt_math_LightPoint(_e405.uv, _e340, _e405.is_inside);
+                        let _e413 = lt_math_LightPoint(_e409.uv, _e409.depth, _e391);
+                        phi_1034_ = _e413;
+                        phi_1035_ = (_e275 + 1u);
+                        phi_1036_ = lt_math_LevelPoint(_e275, _e413);
+                        phi_1037_ = true;
                     }
-                    let _e413 = phi_1028_;
-                    let _e415 = phi_1029_;
-                    let _e417 = phi_1030_;
-                    let _e419 = phi_1031_;
-                    phi_863_ = _e413;
-                    phi_866_ = _e415;
-                    phi_868_ = _e417;
-                    phi_1032_ = _e419;
+                    let _e417 = phi_1034_;
+                    let _e419 = phi_1035_;
+                    let _e421 = phi_1036_;
+                    let _e423 = phi_1037_;
+                    phi_869_ = _e417;
+                    phi_872_ = _e419;
+                    phi_874_ = _e421;
+                    phi_1038_ = _e423;
                 } else {
-                    phi_863_ = lt_math_LightPoint();
-                    phi_866_ = u32();
-                    phi_868_ = lt_math_LevelPoint();
-                    phi_1032_ = false;
+                    phi_869_ = lt_math_LightPoint();
+                    phi_872_ = u32();
+                    phi_874_ = lt_math_LevelPoint();
+                    phi_1038_ = false;
                 }
-                let _e421 = phi_863_;
-                let _e423 = phi_866_;
-                let _e425 = phi_868_;
-                let _e427 = phi_1032_;
+                let _e425 = phi_869_;
+                let _e427 = phi_872_;
+                let _e429 = phi_874_;
+                let _e431 = phi_1038_;
                 continue;
                 continuing {
-                    phi_862_ = _e421;
-                    phi_865_ = _e423;
-                    phi_867_ = _e425;
-                    break if !(_e427);
+                    phi_868_ = _e425;
+                    phi_871_ = _e427;
+                    phi_873_ = _e429;
+                    break if !(_e431);
                 }
             }
-            let _e430 = local_2;
-            if _e430.point.is_inside {
+            let _e434 = local_2;
+            if _e434.point.is_inside {
                 if (0f > 0f) {
-                    let _e436 = local_3;
-                    if (_e436.level < _e68) {
+                    let _e440 = local_3;
+                    if (_e440.level < _e72) {
                     } else {
                         return;
                     }
-                    let _e441 = levels.member[(0u + _e436.level)];
-                    let _e447 = global[0u];
-                    if (_e441.row_w.x == _e447) {
-                        let _e450 = global[1u];
-                        if (_e441.row_w.y == _e450) {
-                            let _e453 = global[2u];
-                            phi_1072_ = (_e441.row_w.z == _e453);
-                            phi_1073_ = false;
+                    let _e445 = levels.member[(0u + _e440.level)];
+                    let _e451 = global[0u];
+                    if (_e445.row_w.x == _e451) {
+                        let _e454 = global[1u];
+                        if (_e445.row_w.y == _e454) {
+                            let _e457 = global[2u];
+                            phi_1078_ = (_e445.row_w.z == _e457);
+                            phi_1079_ = false;
                         } else {
-                            phi_1072_ = bool();
-                            phi_1073_ = true;
+                            phi_1078_ = bool();
+                            phi_1079_ = true;
                         }
-                        let _e456 = phi_1072_;
-                        let _e458 = phi_1073_;
-                        phi_1074_ = _e456;
-                        phi_1075_ = _e458;
+                        let _e460 = phi_1078_;
+                        let _e462 = phi_1079_;
+                        phi_1080_ = _e460;
+                        phi_1081_ = _e462;
                     } else {
-                        phi_1074_ = bool();
-                        phi_1075_ = true;
+                        phi_1080_ = bool();
+                        phi_1081_ = true;
                     }
-                    let _e460 = phi_1074_;
-                    let _e462 = phi_1075_;
-                    if _e462 {
-                        phi_1079_ = false;
+                    let _e464 = phi_1080_;
+                    let _e466 = phi_1081_;
+                    if _e466 {
+                        phi_1085_ = false;
                     } else {
-                        phi_1079_ = _e460;
+                        phi_1085_ = _e464;
                     }
-                    let _e464 = phi_1079_;
-                    if _e464 {
-                        let _e466 = samples.member[_e74.first_primitive].normal;
-                        let _e468 = p.member.map_size;
-                        let _e538 = ((abs(((((_e441.row_x.x * _e466.x) + (_e441.row_x.y * _e466.y)) + (_e441.row_x.z * _e466.z)) / (((_e441.row_x.x * _e441.row_x.x) + (_e441.row_x.y * _e441.row_x.y)) + (_e441.row_x.z * _e441.row_x.z)))) + abs(((((_e441.row_y.x * _e466.x) + (_e441.row_y.y * _e466.y)) + (_e441.row_y.z * _e466.z)) / (((_e441.row_y.x * _e441.row_y.x) + (_e441.row_y.y * _e441.row_y.y)) + (_e441.row_y.z * _e441.row_y.z))))) / (abs(((((_e441.row_z.x * _e466.x) + (_e441.row_z.y * _e466.y)) + (_e441.row_z.z * _e466.z)) / (((_e441.row_z.x * _e441.row_z.x) + (_e441.row_z.y * _e441.row_z.y)) + (_e441.row_z.z * _e441.row_z.z)))) * f32(_e468)));
-                        if (_e538 < 0.002f) {
-                            phi_1161_ = _e538;
+                    let _e468 = phi_1085_;
+                    if _e468 {
+                        let _e470 = samples.member[_e78.first_primitive].normal;
+                        let _e472 = p.member.map_size;
+                        let _e542 = ((abs(((((_e445.row_x.x * _e470.x) + (_e445.row_x.y * _e470.y)) + (_e445.row_x.z * _e470.z)) / (((_e445.row_x.x * _e445.row_x.x) + (_e445.row_x.y * _e445.row_x.y)) + (_e445.row_x.z * _e445.row_x.z)))) + abs(((((_e445.row_y.x * _e470.x) + (_e445.row_y.y * _e470.y)) + (_e445.row_y.z * _e470.z)) / (((_e445.row_y.x * _e445.row_y.x) + (_e445.row_y.y * _e445.row_y.y)) + (_e445.row_y.z * _e445.row_y.z))))) / (abs(((((_e445.row_z.x * _e470.x) + (_e445.row_z.y * _e470.y)) + (_e445.row_z.z * _e470.z)) / (((_e445.row_z.x * _e445.row_z.x) + (_e445.row_z.y * _e445.row_z.y)) + (_e445.row_z.z * _e445.row_z.z)))) * f32(_e472)));
+                        if (_e542 < 0.002f) {
+                            phi_1167_ = _e542;
                         } else {
-                            phi_1161_ = 0.002f;
+                            phi_1167_ = 0.002f;
                         }
-                        let _e541 = phi_1161_;
-                        phi_1280_ = _e541;
+                        let _e545 = phi_1167_;
+                        phi_1286_ = _e545;
                     } else {
-                        let _e543 = p.member.map_size;
-                        let _e549 = samples.member[_e74.first_primitive].position;
-                        let _e560 = ((((_e441.row_w.x * _e549.x) + (_e441.row_w.y * _e549.y)) + (_e441.row_w.z * _e549.z)) + _e441.row_w.w);
-                        let _e573 = ((_e441.row_x.x - (_e441.row_w.x * _e430.point.uv.x)) / _e560);
-                        let _e574 = ((_e441.row_x.y - (_e441.row_w.y * _e430.point.uv.x)) / _e560);
-                        let _e575 = ((_e441.row_x.z - (_e441.row_w.z * _e430.point.uv.x)) / _e560);
-                        let _e588 = ((_e441.row_y.x - (_e441.row_w.x * _e430.point.uv.y)) / _e560);
-                        let _e589 = ((_e441.row_y.y - (_e441.row_w.y * _e430.point.uv.y)) / _e560);
-                        let _e590 = ((_e441.row_y.z - (_e441.row_w.z * _e430.point.uv.y)) / _e560);
-                        let _e596 = samples.member[_e74.first_primitive].normal;
-                        let _e601 = ((_e589 * _e596.z) - (_e596.y * _e590));
-                        let _e606 = ((_e590 * _e596.x) - (_e596.z * _e588));
-                        let _e611 = ((_e588 * _e596.y) - (_e596.x * _e589));
-                        let _e613 = samples.member[_e74.first_primitive].normal;
-                        let _e618 = ((_e574 * _e613.z) - (_e613.y * _e575));
-                        let _e623 = ((_e575 * _e613.x) - (_e613.z * _e573));
-                        let _e628 = ((_e573 * _e613.y) - (_e613.x * _e574));
-                        let _e655 = ((abs(((((_e441.row_z.x * _e601) + (_e441.row_z.y * _e606)) + (_e441.row_z.z * _e611)) / (((_e573 * _e601) + (_e574 * _e606)) + (_e575 * _e611)))) + abs(((((_e441.row_z.x * _e618) + (_e441.row_z.y * _e623)) + (_e441.row_z.z * _e628)) / (((_e588 * _e618) + (_e589 * _e623)) + (_e590 * _e628))))) / f32(_e543));
-                        let _e657 = (16f / f32(_e543));
-                        if (_e655 < _e657) {
-                            phi_1279_ = _e655;
+                        let _e547 = p.member.map_size;
+                        let _e553 = samples.member[_e78.first_primitive].position;
+                        let _e564 = ((((_e445.row_w.x * _e553.x) + (_e445.row_w.y * _e553.y)) + (_e445.row_w.z * _e553.z)) + _e445.row_w.w);
+                        let _e577 = ((_e445.row_x.x - (_e445.row_w.x * _e434.point.uv.x)) / _e564);
+                        let _e578 = ((_e445.row_x.y - (_e445.row_w.y * _e434.point.uv.x)) / _e564);
+                        let _e579 = ((_e445.row_x.z - (_e445.row_w.z * _e434.point.uv.x)) / _e564);
+                        let _e592 = ((_e445.row_y.x - (_e445.row_w.x * _e434.point.uv.y)) / _e564);
+                        let _e593 = ((_e445.row_y.y - (_e445.row_w.y * _e434.point.uv.y)) / _e564);
+                        let _e594 = ((_e445.row_y.z - (_e445.row_w.z * _e434.point.uv.y)) / _e564);
+                        let _e600 = samples.member[_e78.first_primitive].normal;
+                        let _e605 = ((_e593 * _e600.z) - (_e600.y * _e594));
+                        let _e610 = ((_e594 * _e600.x) - (_e600.z * _e592));
+                        let _e615 = ((_e592 * _e600.y) - (_e600.x * _e593));
+                        let _e617 = samples.member[_e78.first_primitive].normal;
+                        let _e622 = ((_e578 * _e617.z) - (_e617.y * _e579));
+                        let _e627 = ((_e579 * _e617.x) - (_e617.z * _e577));
+                        let _e632 = ((_e577 * _e617.y) - (_e617.x * _e578));
+                        let _e659 = ((abs(((((_e445.row_z.x * _e605) + (_e445.row_z.y * _e610)) + (_e445.row_z.z * _e615)) / (((_e577 * _e605) + (_e578 * _e610)) + (_e579 * _e615)))) + abs(((((_e445.row_z.x * _e622) + (_e445.row_z.y * _e627)) + (_e445.row_z.z * _e632)) / (((_e592 * _e622) + (_e593 * _e627)) + (_e594 * _e632))))) / f32(_e547));
+                        let _e661 = (16f / f32(_e547));
+                        if (_e659 < _e661) {
+                            phi_1285_ = _e659;
                         } else {
-                            phi_1279_ = _e657;
+                            phi_1285_ = _e661;
                         }
-                        let _e660 = phi_1279_;
-                        phi_1280_ = _e660;
+                        let _e664 = phi_1285_;
+                        phi_1286_ = _e664;
                     }
-                    let _e662 = phi_1280_;
-                    phi_1283_ = (_e430.point.depth - (0f * _e662));
+                    let _e666 = phi_1286_;
+                    phi_1289_ = (_e434.point.depth - (0f * _e666));
                 } else {
-                    phi_1283_ = _e430.point.depth;
+                    phi_1289_ = _e434.point.depth;
                 }
-                let _e666 = phi_1283_;
-                let _e672 = p.member.map_size;
-                let _e673 = f32(_e672);
-                let _e676 = ((_e430.point.uv.x * _e673) - 0.5f);
-                let _e677 = ((_e430.point.uv.y * _e673) - 0.5f);
-                if (_e676 > -8388608f) {
-                    let _e689 = f32(select(0i, select(select(i32(_e676), i32(-2147483648), (_e676 < bitcast<f32>(3472883712u))), 2147483647i, (_e676 > bitcast<f32>(1325400063u))), (_e676 == _e676)));
-                    if (_e689 > _e676) {
-                        phi_1312_ = 1f;
+                let _e670 = phi_1289_;
+                let _e676 = p.member.map_size;
+                let _e677 = f32(_e676);
+                let _e680 = ((_e434.point.uv.x * _e677) - 0.5f);
+                let _e681 = ((_e434.point.uv.y * _e677) - 0.5f);
+                if (_e680 > -8388608f) {
+                    let _e693 = f32(select(0i, select(select(i32(_e680), i32(-2147483648), (_e680 < bitcast<f32>(3472883712u))), 2147483647i, (_e680 > bitcast<f32>(1325400063u))), (_e680 == _e680)));
+                    if (_e693 > _e680) {
+                        phi_1318_ = 1f;
                     } else {
-                        phi_1312_ = 0f;
+                        phi_1318_ = 0f;
                     }
-                    let _e692 = phi_1312_;
-                    if (_e676 < 8388608f) {
-                        phi_1317_ = (_e689 - _e692);
-                        phi_1318_ = false;
+                    let _e696 = phi_1318_;
+                    if (_e680 < 8388608f) {
+                        phi_1323_ = (_e693 - _e696);
+                        phi_1324_ = false;
                     } else {
-                        phi_1317_ = f32();
-                        phi_1318_ = true;
+                        phi_1323_ = f32();
+                        phi_1324_ = true;
                     }
-                    let _e695 = phi_1317_;
-                    let _e697 = phi_1318_;
-                    phi_1319_ = _e695;
-                    phi_1320_ = _e697;
+                    let _e699 = phi_1323_;
+                    let _e701 = phi_1324_;
+                    phi_1325_ = _e699;
+                    phi_1326_ = _e701;
                 } else {
-                    phi_1319_ = f32();
-                    phi_1320_ = true;
+                    phi_1325_ = f32();
+                    phi_1326_ = true;
                 }
-                let _e699 = phi_1319_;
-                let _e701 = phi_1320_;
-                if _e701 {
-                    phi_1324_ = _e676;
+                let _e703 = phi_1325_;
+                let _e705 = phi_1326_;
+                if _e705 {
+                    phi_1330_ = _e680;
                 } else {
-                    phi_1324_ = _e699;
+                    phi_1330_ = _e703;
                 }
-                let _e703 = phi_1324_;
-                if (_e677 > -8388608f) {
-                    let _e715 = f32(select(0i, select(select(i32(_e677), i32(-2147483648), (_e677 < bitcast<f32>(3472883712u))), 2147483647i, (_e677 > bitcast<f32>(1325400063u))), (_e677 == _e677)));
-                    if (_e715 > _e677) {
-                        phi_1344_ = 1f;
+                let _e707 = phi_1330_;
+                if (_e681 > -8388608f) {
+                    let _e719 = f32(select(0i, select(select(i32(_e681), i32(-2147483648), (_e681 < bitcast<f32>(3472883712u))), 2147483647i, (_e681 > bitcast<f32>(1325400063u))), (_e681 == _e681)));
+                    if (_e719 > _e681) {
+                        phi_1350_ = 1f;
                     } else {
-                        phi_1344_ = 0f;
+                        phi_1350_ = 0f;
                     }
-                    let _e718 = phi_1344_;
-                    if (_e677 < 8388608f) {
-                        phi_1349_ = (_e715 - _e718);
-                        phi_1350_ = false;
+                    let _e722 = phi_1350_;
+                    if (_e681 < 8388608f) {
+                        phi_1355_ = (_e719 - _e722);
+                        phi_1356_ = false;
                     } else {
-                        phi_1349_ = f32();
-                        phi_1350_ = true;
+                        phi_1355_ = f32();
+                        phi_1356_ = true;
                     }
-                    let _e721 = phi_1349_;
-                    let _e723 = phi_1350_;
-                    phi_1351_ = _e721;
-                    phi_1352_ = _e723;
+                    let _e725 = phi_1355_;
+                    let _e727 = phi_1356_;
+                    phi_1357_ = _e725;
+                    phi_1358_ = _e727;
                 } else {
-                    phi_1351_ = f32();
-                    phi_1352_ = true;
+                    phi_1357_ = f32();
+                    phi_1358_ = true;
                 }
-                let _e725 = phi_1351_;
-                let _e727 = phi_1352_;
-                if _e727 {
-                    phi_1356_ = _e677;
+                let _e729 = phi_1357_;
+                let _e731 = phi_1358_;
+                if _e731 {
+                    phi_1362_ = _e681;
                 } else {
-                    phi_1356_ = _e725;
+                    phi_1362_ = _e729;
                 }
-                let _e729 = phi_1356_;
-                let _e730 = (_e676 - _e703);
-                let _e731 = (_e677 - _e729);
-                let _e740 = select(0i, select(select(i32(_e703), i32(-2147483648), (_e703 < bitcast<f32>(3472883712u))), 2147483647i, (_e703 > bitcast<f32>(1325400063u))), (_e703 == _e703));
-                let _e749 = select(0i, select(select(i32(_e729), i32(-2147483648), (_e729 < bitcast<f32>(3472883712u))), 2147483647i, (_e729 > bitcast<f32>(1325400063u))), (_e729 == _e729));
-                let _e760 = p.member.test;
-                let _e761 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e760);
-                let _e763 = p.member.map_size;
-                let _e765 = local_4;
-                local_1 = _e761;
-                let _e768 = ((_e765.level * _e763) * _e763);
-                let _e770 = (bitcast<i32>(_e763) - 1i);
-                if (_e740 > 0i) {
-                    phi_1405_ = _e740;
+                let _e733 = phi_1362_;
+                let _e734 = (_e680 - _e707);
+                let _e735 = (_e681 - _e733);
+                let _e744 = select(0i, select(select(i32(_e707), i32(-2147483648), (_e707 < bitcast<f32>(3472883712u))), 2147483647i, (_e707 > bitcast<f32>(1325400063u))), (_e707 == _e707));
+                let _e753 = select(0i, select(select(i32(_e733), i32(-2147483648), (_e733 < bitcast<f32>(3472883712u))), 2147483647i, (_e733 > bitcast<f32>(1325400063u))), (_e733 == _e733));
+                let _e764 = p.member.test;
+                let _e765 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e764);
+                let _e767 = p.member.map_size;
+                let _e769 = local_4;
+                local_1 = _e765;
+                let _e772 = ((_e769.level * _e767) * _e767);
+                let _e774 = (bitcast<i32>(_e767) - 1i);
+                if (_e744 > 0i) {
+                    phi_1411_ = _e744;
                 } else {
-                    phi_1405_ = 0i;
+                    phi_1411_ = 0i;
                 }
-                let _e773 = phi_1405_;
-                if (_e749 > 0i) {
-                    phi_1410_ = _e749;
+                let _e777 = phi_1411_;
+                if (_e753 > 0i) {
+                    phi_1416_ = _e753;
                 } else {
-                    phi_1410_ = 0i;
+                    phi_1416_ = 0i;
                 }
-                let _e776 = phi_1410_;
-                if (_e773 < _e770) {
-                    phi_1415_ = _e773;
+                let _e780 = phi_1416_;
+                if (_e777 < _e774) {
+                    phi_1421_ = _e777;
                 } else {
-                    phi_1415_ = _e770;
+                    phi_1421_ = _e774;
                 }
-                let _e779 = phi_1415_;
-                if (_e776 < _e770) {
-                    phi_1420_ = _e776;
+                let _e783 = phi_1421_;
+                if (_e780 < _e774) {
+                    phi_1426_ = _e780;
                 } else {
-                    phi_1420_ = _e770;
+                    phi_1426_ = _e774;
                 }
-                let _e782 = phi_1420_;
-                let _e783 = bitcast<u32>(_e779);
-                let _e785 = (_e740 + 1i);
-                let _e786 = (_e749 + 1i);
-                if (_e785 > 0i) {
-                    phi_1429_ = _e785;
+                let _e786 = phi_1426_;
+                let _e787 = bitcast<u32>(_e783);
+                let _e789 = (_e744 + 1i);
+                let _e790 = (_e753 + 1i);
+                if (_e789 > 0i) {
+                    phi_1435_ = _e789;
                 } else {
-                    phi_1429_ = 0i;
+                    phi_1435_ = 0i;
                 }
-                let _e789 = phi_1429_;
-                if (_e786 > 0i) {
-                    phi_1434_ = _e786;
+                let _e793 = phi_1435_;
+                if (_e790 > 0i) {
+                    phi_1440_ = _e790;
                 } else {
-                    phi_1434_ = 0i;
+                    phi_1440_ = 0i;
                 }
-                let _e792 = phi_1434_;
-                if (_e789 < _e770) {
-                    phi_1439_ = _e789;
+                let _e796 = phi_1440_;
+                if (_e793 < _e774) {
+                    phi_1445_ = _e793;
                 } else {
-                    phi_1439_ = _e770;
+                    phi_1445_ = _e774;
                 }
-                let _e795 = phi_1439_;
-                if (_e792 < _e770) {
-                    phi_1444_ = _e792;
+                let _e799 = phi_1445_;
+                if (_e796 < _e774) {
+                    phi_1450_ = _e796;
                 } else {
-                    phi_1444_ = _e770;
+                    phi_1450_ = _e774;
                 }
-                let _e798 = phi_1444_;
-                let _e799 = bitcast<u32>(_e795);
-                let _e801 = (bitcast<u32>(_e782) * _e763);
-                let _e802 = (bitcast<u32>(_e798) * _e763);
-                let _e807 = ((_e801 + _e783) + _e768);
-                let _e808 = ((_e801 + _e799) + _e768);
-                let _e809 = ((_e802 + _e783) + _e768);
-                let _e810 = ((_e802 + _e799) + _e768);
-                if (_e807 < _e63) {
+                let _e802 = phi_1450_;
+                let _e803 = bitcast<u32>(_e799);
+                let _e805 = (bitcast<u32>(_e786) * _e767);
+                let _e806 = (bitcast<u32>(_e802) * _e767);
+                let _e811 = ((_e805 + _e787) + _e772);
+                let _e812 = ((_e805 + _e803) + _e772);
+                let _e813 = ((_e806 + _e787) + _e772);
+                let _e814 = ((_e806 + _e803) + _e772);
+                if (_e811 < _e67) {
                 } else {
                     return;
                 }
-                let _e814 = map.member[(0u + _e807)];
-                if (_e808 < _e63) {
+                let _e818 = map.member[(0u + _e811)];
+                if (_e812 < _e67) {
                 } else {
                     return;
                 }
-                let _e818 = map.member[(0u + _e808)];
-                if (_e809 < _e63) {
+                let _e822 = map.member[(0u + _e812)];
+                if (_e813 < _e67) {
                 } else {
                     return;
                 }
-                let _e822 = map.member[(0u + _e809)];
-                if (_e810 < _e63) {
+                let _e826 = map.member[(0u + _e813)];
+                if (_e814 < _e67) {
                 } else {
                     return;
                 }
-                let _e826 = map.member[(0u + _e810)];
-                let _e828 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e814, _e818, _e822, _e826), vec4<f32>(((1f - _e730) * (1f - _e731)), (_e730 * (1f - _e731)), ((1f - _e730) * _e731), (_e730 * _e731)), _e666);
-                let _e830 = p.member.epsilon;
-                if (_e828 <= _e830) {
-                    phi_1495_ = true;
-                } else {
-                    phi_1495_ = (_e828 >= (1f - _e830));
-                }
-                let _e835 = phi_1495_;
-                if ((bitcast<u32>(_e828) & 2147483647u) > 2139095040u) {
+                let _e830 = map.member[(0u + _e814)];
+                let _e832 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e818, _e822, _e826, _e830), vec4<f32>(((1f - _e734) * (1f - _e735)), (_e734 * (1f - _e735)), ((1f - _e734) * _e735), (_e734 * _e735)), _e670);
+                let _e836 = p.member.epsilon;
+                if (_e832 <= _e836) {
                     phi_1503_ = true;
                 } else {
-                    phi_1503_ = !(_e835);
+                    phi_1503_ = (_e832 >= (1f - _e836));
                 }
                 let _e841 = phi_1503_;
-                if _e841 {
-                    if (_e828 > 0f) {
-                        if (_e828 < 1f) {
-                            phi_1515_ = false;
-                        } else {
-                            phi_1515_ = true;
-                        }
-                        let _e845 = phi_1515_;
-                        phi_1516_ = _e845;
-                    } else {
-                        phi_1516_ = true;
-                    }
-                    let _e847 = phi_1516_;
-                    if _e847 {
-                        phi_1520_ = 0.5f;
-                    } else {
-                        phi_1520_ = _e828;
-                    }
-                    let _e849 = phi_1520_;
-                    phi_1528_ = evaluate_Verdict(_e849, true);
+                if ((bitcast<u32>(_e832) & 2147483647u) > 2139095040u) {
+                    phi_1511_ = true;
                 } else {
-                    if (_e828 > 0.5f) {
-                        phi_1526_ = 1f;
-                    } else {
-                        phi_1526_ = 0f;
-                    }
-                    let _e853 = phi_1526_;
-                    phi_1528_ = evaluate_Verdict(_e853, false);
+                    phi_1511_ = !(_e841);
                 }
-                let _e856 = phi_1528_;
-                phi_1533_ = evaluate_Verdict(_e856.visibility, _e856.is_doubted);
+                let _e847 = phi_1511_;
+                if _e847 {
+                    if (_e832 > 0f) {
+                        if (_e832 < 1f) {
+                            phi_1523_ = false;
+                        } else {
+                            phi_1523_ = true;
+                        }
+                        let _e851 = phi_1523_;
+                        phi_1524_ = _e851;
+                    } else {
+                        phi_1524_ = true;
+                    }
+                    let _e853 = phi_1524_;
+                    if _e853 {
+                        phi_1528_ = 0.5f;
+                    } else {
+                        phi_1528_ = _e832;
+                    }
+                    let _e855 = phi_1528_;
+                    phi_1536_ = evaluate_Verdict(_e855, true);
+                } else {
+                    if (_e832 > 0.5f) {
+                        phi_1534_ = 1f;
+                    } else {
+                        phi_1534_ = 0f;
+                    }
+                    let _e859 = phi_1534_;
+                    phi_1536_ = evaluate_Verdict(_e859, false);
+                }
+                let _e862 = phi_1536_;
+                let _e865 = (_e862.visibility < 0.5f);
+                if _e862.is_doubted {
+                    phi_1559_ = evaluate_Verdict();
+                    phi_1560_ = true;
+                } else {
+                    if _e865 {
+                        phi_1546_ = 2u;
+                    } else {
+                        phi_1546_ = 1u;
+                    }
+                    let _e867 = phi_1546_;
+                    if ((0u & _e867) != 0u) {
+                        if _e865 {
+                            phi_1555_ = 0.000000059604645f;
+                        } else {
+                            phi_1555_ = 0.99999994f;
+                        }
+                        let _e871 = phi_1555_;
+                        phi_1557_ = evaluate_Verdict(_e871, true);
+                        phi_1558_ = false;
+                    } else {
+                        phi_1557_ = evaluate_Verdict();
+                        phi_1558_ = true;
+                    }
+                    let _e874 = phi_1557_;
+                    let _e876 = phi_1558_;
+                    phi_1559_ = _e874;
+                    phi_1560_ = _e876;
+                }
+                let _e878 = phi_1559_;
+                let _e880 = phi_1560_;
+                if _e880 {
+                    phi_1565_ = evaluate_Verdict(_e862.visibility, _e862.is_doubted);
+                } else {
+                    phi_1565_ = _e878;
+                }
+                let _e883 = phi_1565_;
+                phi_1570_ = evaluate_Verdict(_e883.visibility, _e883.is_doubted);
             } else {
-                phi_1533_ = evaluate_Verdict(0.5f, true);
+                phi_1570_ = evaluate_Verdict(0.5f, true);
             }
-            let _e862 = phi_1533_;
-            phi_1534_ = _e862;
+            let _e889 = phi_1570_;
+            phi_1571_ = _e889;
         }
-        let _e864 = phi_1534_;
-        visibility.member[_e74.first_primitive] = _e864.visibility;
-        phi_1538_ = _e864.is_doubted;
-        phi_1539_ = _e74.first_primitive;
+        let _e891 = phi_1571_;
+        visibility.member[_e78.first_primitive] = _e891.visibility;
+        phi_1575_ = _e891.is_doubted;
+        phi_1576_ = _e78.first_primitive;
     } else {
-        phi_1538_ = false;
-        phi_1539_ = 0u;
+        phi_1575_ = false;
+        phi_1576_ = 0u;
     }
-    let _e869 = phi_1538_;
-    let _e871 = phi_1539_;
-    if (_e58 == 0u) {
+    let _e896 = phi_1575_;
+    let _e898 = phi_1576_;
+    if (_e62 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e869 {
-        let _e875 = atomicAdd((&shared_[0u]), 1u);
-        phi_1550_ = _e875;
+    if _e896 {
+        let _e902 = atomicAdd((&shared_[0u]), 1u);
+        phi_1587_ = _e902;
     } else {
-        phi_1550_ = 0u;
+        phi_1587_ = 0u;
     }
-    let _e877 = phi_1550_;
+    let _e904 = phi_1587_;
     workgroupBarrier();
-    if (_e58 == 0u) {
-        let _e881 = atomicLoad((&shared_[0u]));
-        let _e882 = atomicAdd((&list.member[3u]), _e881);
-        atomicStore((&shared_[1u]), _e882);
+    if (_e62 == 0u) {
+        let _e908 = atomicLoad((&shared_[0u]));
+        let _e909 = atomicAdd((&list.member[3u]), _e908);
+        atomicStore((&shared_[1u]), _e909);
     }
     workgroupBarrier();
-    if _e869 {
-        let _e885 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e885) + _e877)]), _e871);
+    if _e896 {
+        if false {
+            phi_1604_ = (_e898 | 2147483648u);
+        } else {
+            phi_1604_ = _e898;
+        }
+        let _e913 = phi_1604_;
+        let _e915 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e915) + _e904)]), _e913);
     }
     return;
 }

@@ -96,37 +96,37 @@ var<storage, read_write> list: type_50;
 var<storage> map: type_39;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_162_: lt_bvh_traverse_Tree;
-    var phi_163_: bool;
-    var phi_164_: lt_bvh_traverse_Tree;
-    var phi_165_: bool;
+    var phi_168_: lt_bvh_traverse_Tree;
+    var phi_169_: bool;
     var phi_170_: lt_bvh_traverse_Tree;
+    var phi_171_: bool;
+    var phi_176_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_162_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_163_ = false;
+            phi_168_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_169_ = false;
         } else {
-            phi_162_ = lt_bvh_traverse_Tree();
-            phi_163_ = true;
+            phi_168_ = lt_bvh_traverse_Tree();
+            phi_169_ = true;
         }
-        let _e63 = phi_162_;
-        let _e65 = phi_163_;
-        phi_164_ = _e63;
-        phi_165_ = _e65;
-    } else {
-        phi_164_ = lt_bvh_traverse_Tree();
-        phi_165_ = true;
-    }
-    let _e67 = phi_164_;
-    let _e69 = phi_165_;
-    if _e69 {
-        phi_170_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
+        let _e67 = phi_168_;
+        let _e69 = phi_169_;
         phi_170_ = _e67;
+        phi_171_ = _e69;
+    } else {
+        phi_170_ = lt_bvh_traverse_Tree();
+        phi_171_ = true;
     }
-    let _e74 = phi_170_;
-    return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
+    let _e71 = phi_170_;
+    let _e73 = phi_171_;
+    if _e73 {
+        phi_176_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_176_ = _e71;
+    }
+    let _e78 = phi_176_;
+    return lt_bvh_traverse_Tree(_e78.root, _e78.first_primitive);
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -134,607 +134,658 @@ fn _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_195_: f32;
-    var phi_196_: f32;
-    var phi_197_: f32;
-    var phi_210_: bool;
-    var phi_214_: f32;
-    var phi_227_: f32;
-    var phi_232_: f32;
-    var phi_254_: f32;
-    var phi_259_: f32;
-    var phi_260_: bool;
-    var phi_261_: f32;
-    var phi_262_: bool;
-    var phi_266_: f32;
-    var phi_304_: f32;
-    var phi_320_: f32;
-    var phi_321_: f32;
-    var phi_322_: f32;
+    var phi_201_: f32;
+    var phi_202_: f32;
+    var phi_203_: f32;
+    var phi_216_: bool;
+    var phi_220_: f32;
+    var phi_233_: f32;
+    var phi_238_: f32;
+    var phi_260_: f32;
+    var phi_265_: f32;
+    var phi_266_: bool;
+    var phi_267_: f32;
+    var phi_268_: bool;
+    var phi_272_: f32;
+    var phi_310_: f32;
+    var phi_326_: f32;
+    var phi_327_: f32;
+    var phi_328_: f32;
 
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_197_ = param_6;
+        phi_203_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_196_ = 0f;
+            phi_202_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_195_ = 1f;
+                phi_201_ = 1f;
             } else {
-                phi_195_ = param_6;
+                phi_201_ = param_6;
             }
-            let _e59 = phi_195_;
-            phi_196_ = _e59;
+            let _e63 = phi_201_;
+            phi_202_ = _e63;
         }
-        let _e61 = phi_196_;
-        phi_197_ = _e61;
+        let _e65 = phi_202_;
+        phi_203_ = _e65;
     }
-    let _e63 = phi_197_;
-    let _e65 = (*param_4);
+    let _e67 = phi_203_;
+    let _e69 = (*param_4);
     if ((bitcast<u32>(84f) & 2147483647u) > 2139095040u) {
-        phi_210_ = true;
+        phi_216_ = true;
     } else {
-        let _e69 = (84f < _e65);
-        if _e69 {
+        let _e73 = (84f < _e69);
+        if _e73 {
         }
-        phi_210_ = _e69;
+        phi_216_ = _e73;
     }
-    let _e71 = phi_210_;
-    if _e71 {
-        phi_214_ = 84f;
+    let _e75 = phi_216_;
+    if _e75 {
+        phi_220_ = 84f;
     } else {
-        phi_214_ = _e65;
+        phi_220_ = _e69;
     }
-    let _e73 = phi_214_;
-    let _e75 = (_e73 * (1f - _e63));
-    if ((bitcast<u32>(_e75) & 2147483647u) > 2139095040u) {
-        phi_304_ = _e75;
+    let _e77 = phi_220_;
+    let _e79 = (_e77 * (1f - _e67));
+    if ((bitcast<u32>(_e79) & 2147483647u) > 2139095040u) {
+        phi_310_ = _e79;
     } else {
-        if (_e75 < -87f) {
-            phi_227_ = -87f;
+        if (_e79 < -87f) {
+            phi_233_ = -87f;
         } else {
-            phi_227_ = _e75;
+            phi_233_ = _e79;
         }
-        let _e81 = phi_227_;
-        if (_e81 > 88f) {
-            phi_232_ = 88f;
+        let _e85 = phi_233_;
+        if (_e85 > 88f) {
+            phi_238_ = 88f;
         } else {
-            phi_232_ = _e81;
+            phi_238_ = _e85;
         }
-        let _e84 = phi_232_;
-        let _e86 = ((_e84 * 1.442695f) + 0.5f);
-        if (_e86 > -8388608f) {
-            let _e98 = f32(select(0i, select(select(i32(_e86), i32(-2147483648), (_e86 < bitcast<f32>(3472883712u))), 2147483647i, (_e86 > bitcast<f32>(1325400063u))), (_e86 == _e86)));
-            if (_e98 > _e86) {
-                phi_254_ = 1f;
+        let _e88 = phi_238_;
+        let _e90 = ((_e88 * 1.442695f) + 0.5f);
+        if (_e90 > -8388608f) {
+            let _e102 = f32(select(0i, select(select(i32(_e90), i32(-2147483648), (_e90 < bitcast<f32>(3472883712u))), 2147483647i, (_e90 > bitcast<f32>(1325400063u))), (_e90 == _e90)));
+            if (_e102 > _e90) {
+                phi_260_ = 1f;
             } else {
-                phi_254_ = 0f;
+                phi_260_ = 0f;
             }
-            let _e101 = phi_254_;
-            if (_e86 < 8388608f) {
-                phi_259_ = (_e98 - _e101);
-                phi_260_ = false;
+            let _e105 = phi_260_;
+            if (_e90 < 8388608f) {
+                phi_265_ = (_e102 - _e105);
+                phi_266_ = false;
             } else {
-                phi_259_ = f32();
-                phi_260_ = true;
+                phi_265_ = f32();
+                phi_266_ = true;
             }
-            let _e104 = phi_259_;
-            let _e106 = phi_260_;
-            phi_261_ = _e104;
-            phi_262_ = _e106;
+            let _e108 = phi_265_;
+            let _e110 = phi_266_;
+            phi_267_ = _e108;
+            phi_268_ = _e110;
         } else {
-            phi_261_ = f32();
-            phi_262_ = true;
+            phi_267_ = f32();
+            phi_268_ = true;
         }
-        let _e108 = phi_261_;
-        let _e110 = phi_262_;
-        if _e110 {
-            phi_266_ = _e86;
+        let _e112 = phi_267_;
+        let _e114 = phi_268_;
+        if _e114 {
+            phi_272_ = _e90;
         } else {
-            phi_266_ = _e108;
+            phi_272_ = _e112;
         }
-        let _e112 = phi_266_;
-        let _e116 = ((_e84 - (_e112 * 0.69314575f)) - (_e112 * 0.0000014286068f));
-        phi_304_ = ((((((((((((((((1f / 5040f) * _e116) + (1f / 720f)) * _e116) + (1f / 120f)) * _e116) + (1f / 24f)) * _e116) + (1f / 6f)) * _e116) + 0.5f) * _e116) + 1f) * _e116) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e112), i32(-2147483648), (_e112 < bitcast<f32>(3472883712u))), 2147483647i, (_e112 > bitcast<f32>(1325400063u))), (_e112 == _e112)) + 127i)) << bitcast<u32>(23i))));
+        let _e116 = phi_272_;
+        let _e120 = ((_e88 - (_e116 * 0.69314575f)) - (_e116 * 0.0000014286068f));
+        phi_310_ = ((((((((((((((((1f / 5040f) * _e120) + (1f / 720f)) * _e120) + (1f / 120f)) * _e120) + (1f / 24f)) * _e120) + (1f / 6f)) * _e120) + 0.5f) * _e120) + 1f) * _e120) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e116), i32(-2147483648), (_e116 < bitcast<f32>(3472883712u))), 2147483647i, (_e116 > bitcast<f32>(1325400063u))), (_e116 == _e116)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e152 = phi_304_;
-    let _e153 = (param_5.x * _e152);
-    if ((bitcast<u32>(_e153) & 2147483647u) > 2139095040u) {
-        phi_322_ = _e153;
+    let _e156 = phi_310_;
+    let _e157 = (param_5.x * _e156);
+    if ((bitcast<u32>(_e157) & 2147483647u) > 2139095040u) {
+        phi_328_ = _e157;
     } else {
-        if (_e153 < 0f) {
-            phi_321_ = 0f;
+        if (_e157 < 0f) {
+            phi_327_ = 0f;
         } else {
-            if (_e153 > 1f) {
-                phi_320_ = 1f;
+            if (_e157 > 1f) {
+                phi_326_ = 1f;
             } else {
-                phi_320_ = _e153;
+                phi_326_ = _e157;
             }
-            let _e160 = phi_320_;
-            phi_321_ = _e160;
+            let _e164 = phi_326_;
+            phi_327_ = _e164;
         }
-        let _e162 = phi_321_;
-        phi_322_ = _e162;
+        let _e166 = phi_327_;
+        phi_328_ = _e166;
     }
-    let _e164 = phi_322_;
-    return _e164;
+    let _e168 = phi_328_;
+    return _e168;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_373_: bool;
-    var phi_374_: bool;
-    var phi_375_: bool;
-    var phi_376_: bool;
+    var phi_379_: bool;
     var phi_380_: bool;
-    var phi_450_: bool;
-    var phi_451_: bool;
-    var phi_462_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_463_: bool;
-    var phi_464_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_465_: bool;
-    var phi_472_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_476_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_550_: bool;
-    var phi_559_: bool;
-    var phi_568_: bool;
-    var phi_569_: bool;
-    var phi_570_: bool;
-    var phi_571_: bool;
-    var phi_572_: bool;
-    var phi_573_: bool;
+    var phi_381_: bool;
+    var phi_382_: bool;
+    var phi_386_: bool;
+    var phi_456_: bool;
+    var phi_457_: bool;
+    var phi_468_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_469_: bool;
+    var phi_470_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_471_: bool;
+    var phi_478_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_482_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_556_: bool;
+    var phi_565_: bool;
     var phi_574_: bool;
+    var phi_575_: bool;
+    var phi_576_: bool;
+    var phi_577_: bool;
     var phi_578_: bool;
-    var phi_668_: f32;
-    var phi_671_: f32;
-    var phi_700_: f32;
-    var phi_705_: f32;
-    var phi_706_: bool;
-    var phi_707_: f32;
-    var phi_708_: bool;
-    var phi_712_: f32;
-    var phi_732_: f32;
-    var phi_737_: f32;
-    var phi_738_: bool;
-    var phi_739_: f32;
-    var phi_740_: bool;
-    var phi_744_: f32;
-    var phi_792_: i32;
-    var phi_797_: i32;
-    var phi_802_: i32;
-    var phi_807_: i32;
-    var phi_816_: i32;
-    var phi_821_: i32;
-    var phi_826_: i32;
-    var phi_831_: i32;
-    var phi_926_: bool;
+    var phi_579_: bool;
+    var phi_580_: bool;
+    var phi_584_: bool;
+    var phi_674_: f32;
+    var phi_677_: f32;
+    var phi_706_: f32;
+    var phi_711_: f32;
+    var phi_712_: bool;
+    var phi_713_: f32;
+    var phi_714_: bool;
+    var phi_718_: f32;
+    var phi_738_: f32;
+    var phi_743_: f32;
+    var phi_744_: bool;
+    var phi_745_: f32;
+    var phi_746_: bool;
+    var phi_750_: f32;
+    var phi_798_: i32;
+    var phi_803_: i32;
+    var phi_808_: i32;
+    var phi_813_: i32;
+    var phi_822_: i32;
+    var phi_827_: i32;
+    var phi_832_: i32;
+    var phi_837_: i32;
     var phi_934_: bool;
-    var phi_946_: bool;
-    var phi_947_: bool;
-    var phi_951_: f32;
-    var phi_957_: f32;
-    var phi_959_: evaluate_Verdict;
-    var phi_964_: evaluate_Verdict;
-    var phi_965_: evaluate_Verdict;
-    var phi_969_: bool;
-    var phi_970_: u32;
-    var phi_981_: u32;
+    var phi_942_: bool;
+    var phi_954_: bool;
+    var phi_955_: bool;
+    var phi_959_: f32;
+    var phi_965_: f32;
+    var phi_967_: evaluate_Verdict;
+    var phi_977_: u32;
+    var phi_986_: f32;
+    var phi_988_: evaluate_Verdict;
+    var phi_989_: bool;
+    var phi_990_: evaluate_Verdict;
+    var phi_991_: bool;
+    var phi_996_: evaluate_Verdict;
+    var phi_1001_: evaluate_Verdict;
+    var phi_1002_: evaluate_Verdict;
+    var phi_1006_: bool;
+    var phi_1007_: u32;
+    var phi_1018_: u32;
+    var phi_1035_: u32;
 
-    let _e51 = id_1;
-    let _e52 = local_2;
-    let _e57 = arrayLength((&map.member));
-    let _e62 = p.member.size[0u];
-    let _e64 = p.member.size[1u];
-    let _e65 = lt_shaders_entry_pixel_index(_e51, _e62, _e64);
-    if (bitcast<i32>(_e65.root) != 0i) {
-        let _e72 = p.member.projection;
-        let _e73 = lt_math_OneLevel(_e72);
-        let _e77 = samples.member[_e65.first_primitive].normal[0u];
-        let _e79 = global[0u];
-        if (_e77 == _e79) {
-            let _e82 = samples.member[_e65.first_primitive].normal[1u];
-            let _e84 = global[1u];
-            if (_e82 == _e84) {
-                let _e87 = samples.member[_e65.first_primitive].normal[2u];
-                let _e89 = global[2u];
-                phi_373_ = (_e87 == _e89);
-                phi_374_ = false;
+    let _e55 = id_1;
+    let _e56 = local_2;
+    let _e61 = arrayLength((&map.member));
+    let _e66 = p.member.size[0u];
+    let _e68 = p.member.size[1u];
+    let _e69 = lt_shaders_entry_pixel_index(_e55, _e66, _e68);
+    if (bitcast<i32>(_e69.root) != 0i) {
+        let _e76 = p.member.projection;
+        let _e77 = lt_math_OneLevel(_e76);
+        let _e81 = samples.member[_e69.first_primitive].normal[0u];
+        let _e83 = global[0u];
+        if (_e81 == _e83) {
+            let _e86 = samples.member[_e69.first_primitive].normal[1u];
+            let _e88 = global[1u];
+            if (_e86 == _e88) {
+                let _e91 = samples.member[_e69.first_primitive].normal[2u];
+                let _e93 = global[2u];
+                phi_379_ = (_e91 == _e93);
+                phi_380_ = false;
             } else {
-                phi_373_ = bool();
-                phi_374_ = true;
+                phi_379_ = bool();
+                phi_380_ = true;
             }
-            let _e92 = phi_373_;
-            let _e94 = phi_374_;
-            phi_375_ = _e92;
-            phi_376_ = _e94;
+            let _e96 = phi_379_;
+            let _e98 = phi_380_;
+            phi_381_ = _e96;
+            phi_382_ = _e98;
         } else {
-            phi_375_ = bool();
-            phi_376_ = true;
+            phi_381_ = bool();
+            phi_382_ = true;
         }
-        let _e96 = phi_375_;
-        let _e98 = phi_376_;
-        if _e98 {
-            phi_380_ = false;
+        let _e100 = phi_381_;
+        let _e102 = phi_382_;
+        if _e102 {
+            phi_386_ = false;
         } else {
-            phi_380_ = _e96;
+            phi_386_ = _e100;
         }
-        let _e100 = phi_380_;
-        if !(_e100) {
-            let _e103 = samples.member[_e65.first_primitive].position;
-            let _e105 = p.member.light.place;
-            let _e111 = p.member.light.place[3u];
-            let _e118 = (_e105.x - (_e103.x * _e111));
-            let _e119 = (_e105.y - (_e103.y * _e111));
-            let _e120 = (_e105.z - (_e103.z * _e111));
-            let _e122 = samples.member[_e65.first_primitive].normal;
-            if ((((_e122.x * _e118) + (_e122.y * _e119)) + (_e122.z * _e120)) > 0f) {
-                let _e136 = (((_e118 * _e118) + (_e119 * _e119)) + (_e120 * _e120));
-                let _e138 = p.member.light.axis;
-                let _e150 = p.member.light.place[3u];
-                if (_e150 == 0f) {
-                    phi_451_ = true;
+        let _e104 = phi_386_;
+        if !(_e104) {
+            let _e107 = samples.member[_e69.first_primitive].position;
+            let _e109 = p.member.light.place;
+            let _e115 = p.member.light.place[3u];
+            let _e122 = (_e109.x - (_e107.x * _e115));
+            let _e123 = (_e109.y - (_e107.y * _e115));
+            let _e124 = (_e109.z - (_e107.z * _e115));
+            let _e126 = samples.member[_e69.first_primitive].normal;
+            if ((((_e126.x * _e122) + (_e126.y * _e123)) + (_e126.z * _e124)) > 0f) {
+                let _e140 = (((_e122 * _e122) + (_e123 * _e123)) + (_e124 * _e124));
+                let _e142 = p.member.light.axis;
+                let _e154 = p.member.light.place[3u];
+                if (_e154 == 0f) {
+                    phi_457_ = true;
                 } else {
-                    let _e153 = p.member.light.range_squared;
-                    if (_e136 <= _e153) {
-                        let _e156 = p.member.light.cos_outer;
-                        phi_450_ = (-((((_e118 * _e138.x) + (_e119 * _e138.y)) + (_e120 * _e138.z))) >= (_e156 * sqrt(_e136)));
+                    let _e157 = p.member.light.range_squared;
+                    if (_e140 <= _e157) {
+                        let _e160 = p.member.light.cos_outer;
+                        phi_456_ = (-((((_e122 * _e142.x) + (_e123 * _e142.y)) + (_e124 * _e142.z))) >= (_e160 * sqrt(_e140)));
                     } else {
-                        phi_450_ = false;
+                        phi_456_ = false;
                     }
-                    let _e161 = phi_450_;
-                    phi_451_ = _e161;
+                    let _e165 = phi_456_;
+                    phi_457_ = _e165;
                 }
-                let _e163 = phi_451_;
-                if _e163 {
-                    let _e165 = samples.member[_e65.first_primitive].flags;
-                    let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
-                    phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
-                    phi_463_ = false;
+                let _e167 = phi_457_;
+                if _e167 {
+                    let _e169 = samples.member[_e69.first_primitive].flags;
+                    let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e183 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e177.unnamed.visibility, false), _e177.unnamed_1);
+                    phi_468_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e183.unnamed, ((_e169 & 1u) == 0u));
+                    phi_469_ = false;
                 } else {
-                    phi_462_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_463_ = true;
+                    phi_468_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_469_ = true;
                 }
-                let _e184 = phi_462_;
-                let _e186 = phi_463_;
-                phi_464_ = _e184;
-                phi_465_ = _e186;
+                let _e188 = phi_468_;
+                let _e190 = phi_469_;
+                phi_470_ = _e188;
+                phi_471_ = _e190;
             } else {
-                phi_464_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_465_ = true;
+                phi_470_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_471_ = true;
             }
-            let _e188 = phi_464_;
-            let _e190 = phi_465_;
-            if _e190 {
-                let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e202 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e196.unnamed.visibility, false), _e196.unnamed_1);
-                phi_472_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e202.unnamed, true);
+            let _e192 = phi_470_;
+            let _e194 = phi_471_;
+            if _e194 {
+                let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e206 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e200.unnamed.visibility, false), _e200.unnamed_1);
+                phi_478_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e206.unnamed, true);
             } else {
-                phi_472_ = _e188;
+                phi_478_ = _e192;
             }
-            let _e207 = phi_472_;
-            phi_476_ = _e207;
+            let _e211 = phi_478_;
+            phi_482_ = _e211;
         } else {
-            let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
-            phi_476_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
+            let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e223 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e217.unnamed.visibility, false), _e217.unnamed_1);
+            phi_482_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e223.unnamed, true);
         }
-        let _e224 = phi_476_;
-        if _e224.unnamed_1 {
-            phi_965_ = evaluate_Verdict(_e224.unnamed.visibility, _e224.unnamed.is_doubted);
+        let _e228 = phi_482_;
+        if _e228.unnamed_1 {
+            phi_1002_ = evaluate_Verdict(_e228.unnamed.visibility, _e228.unnamed.is_doubted);
         } else {
-            let _e232 = samples.member[_e65.first_primitive].position;
-            let _e250 = ((((_e73.projection.row_w.x * _e232.x) + (_e73.projection.row_w.y * _e232.y)) + (_e73.projection.row_w.z * _e232.z)) + (_e73.projection.row_w.w * 1f));
-            let _e264 = (((((_e73.projection.row_x.x * _e232.x) + (_e73.projection.row_x.y * _e232.y)) + (_e73.projection.row_x.z * _e232.z)) + (_e73.projection.row_x.w * 1f)) / _e250);
-            let _e278 = (((((_e73.projection.row_y.x * _e232.x) + (_e73.projection.row_y.y * _e232.y)) + (_e73.projection.row_y.z * _e232.z)) + (_e73.projection.row_y.w * 1f)) / _e250);
-            let _e291 = ((((_e73.projection.row_z.x * _e232.x) + (_e73.projection.row_z.y * _e232.y)) + (_e73.projection.row_z.z * _e232.z)) + (_e73.projection.row_z.w * 1f));
-            if (_e250 > 0f) {
-                if (_e264 >= 0f) {
-                    phi_550_ = (_e264 <= 1f);
+            let _e236 = samples.member[_e69.first_primitive].position;
+            let _e254 = ((((_e77.projection.row_w.x * _e236.x) + (_e77.projection.row_w.y * _e236.y)) + (_e77.projection.row_w.z * _e236.z)) + (_e77.projection.row_w.w * 1f));
+            let _e268 = (((((_e77.projection.row_x.x * _e236.x) + (_e77.projection.row_x.y * _e236.y)) + (_e77.projection.row_x.z * _e236.z)) + (_e77.projection.row_x.w * 1f)) / _e254);
+            let _e282 = (((((_e77.projection.row_y.x * _e236.x) + (_e77.projection.row_y.y * _e236.y)) + (_e77.projection.row_y.z * _e236.z)) + (_e77.projection.row_y.w * 1f)) / _e254);
+            let _e295 = ((((_e77.projection.row_z.x * _e236.x) + (_e77.projection.row_z.y * _e236.y)) + (_e77.projection.row_z.z * _e236.z)) + (_e77.projection.row_z.w * 1f));
+            if (_e254 > 0f) {
+                if (_e268 >= 0f) {
+                    phi_556_ = (_e268 <= 1f);
                 } else {
-                    phi_550_ = false;
+                    phi_556_ = false;
                 }
-                let _e296 = phi_550_;
-                if _e296 {
-                    if (_e278 >= 0f) {
-                        phi_559_ = (_e278 <= 1f);
+                let _e300 = phi_556_;
+                if _e300 {
+                    if (_e282 >= 0f) {
+                        phi_565_ = (_e282 <= 1f);
                     } else {
-                        phi_559_ = false;
+                        phi_565_ = false;
                     }
-                    let _e300 = phi_559_;
-                    if _e300 {
-                        if (_e291 >= 0f) {
-                            phi_568_ = (_e291 <= 1f);
+                    let _e304 = phi_565_;
+                    if _e304 {
+                        if (_e295 >= 0f) {
+                            phi_574_ = (_e295 <= 1f);
                         } else {
-                            phi_568_ = false;
+                            phi_574_ = false;
                         }
-                        let _e304 = phi_568_;
-                        phi_569_ = _e304;
-                        phi_570_ = false;
+                        let _e308 = phi_574_;
+                        phi_575_ = _e308;
+                        phi_576_ = false;
                     } else {
-                        phi_569_ = bool();
-                        phi_570_ = true;
+                        phi_575_ = bool();
+                        phi_576_ = true;
                     }
-                    let _e306 = phi_569_;
-                    let _e308 = phi_570_;
-                    phi_571_ = _e306;
-                    phi_572_ = _e308;
+                    let _e310 = phi_575_;
+                    let _e312 = phi_576_;
+                    phi_577_ = _e310;
+                    phi_578_ = _e312;
                 } else {
-                    phi_571_ = bool();
-                    phi_572_ = true;
+                    phi_577_ = bool();
+                    phi_578_ = true;
                 }
-                let _e310 = phi_571_;
-                let _e312 = phi_572_;
-                phi_573_ = _e310;
-                phi_574_ = _e312;
+                let _e314 = phi_577_;
+                let _e316 = phi_578_;
+                phi_579_ = _e314;
+                phi_580_ = _e316;
             } else {
-                phi_573_ = bool();
-                phi_574_ = true;
+                phi_579_ = bool();
+                phi_580_ = true;
             }
-            let _e314 = phi_573_;
-            let _e316 = phi_574_;
-            if _e316 {
-                phi_578_ = false;
+            let _e318 = phi_579_;
+            let _e320 = phi_580_;
+            if _e320 {
+                phi_584_ = false;
             } else {
-                phi_578_ = _e314;
+                phi_584_ = _e318;
             }
-            let _e318 = phi_578_;
-            if _e318 {
+            let _e322 = phi_584_;
+            if _e322 {
                 if (0f > 0f) {
-                    let _e321 = samples.member[_e65.first_primitive].normal;
-                    let _e323 = p.member.map_size;
-                    let _e393 = ((abs(((((_e72.row_x.x * _e321.x) + (_e72.row_x.y * _e321.y)) + (_e72.row_x.z * _e321.z)) / (((_e72.row_x.x * _e72.row_x.x) + (_e72.row_x.y * _e72.row_x.y)) + (_e72.row_x.z * _e72.row_x.z)))) + abs(((((_e72.row_y.x * _e321.x) + (_e72.row_y.y * _e321.y)) + (_e72.row_y.z * _e321.z)) / (((_e72.row_y.x * _e72.row_y.x) + (_e72.row_y.y * _e72.row_y.y)) + (_e72.row_y.z * _e72.row_y.z))))) / (abs(((((_e72.row_z.x * _e321.x) + (_e72.row_z.y * _e321.y)) + (_e72.row_z.z * _e321.z)) / (((_e72.row_z.x * _e72.row_z.x) + (_e72.row_z.y * _e72.row_z.y)) + (_e72.row_z.z * _e72.row_z.z)))) * f32(_e323)));
-                    if (_e393 < 0.002f) {
-                        phi_668_ = _e393;
+                    let _e325 = samples.member[_e69.first_primitive].normal;
+                    let _e327 = p.member.map_size;
+                    let _e397 = ((abs(((((_e76.row_x.x * _e325.x) + (_e76.row_x.y * _e325.y)) + (_e76.row_x.z * _e325.z)) / (((_e76.row_x.x * _e76.row_x.x) + (_e76.row_x.y * _e76.row_x.y)) + (_e76.row_x.z * _e76.row_x.z)))) + abs(((((_e76.row_y.x * _e325.x) + (_e76.row_y.y * _e325.y)) + (_e76.row_y.z * _e325.z)) / (((_e76.row_y.x * _e76.row_y.x) + (_e76.row_y.y * _e76.row_y.y)) + (_e76.row_y.z * _e76.row_y.z))))) / (abs(((((_e76.row_z.x * _e325.x) + (_e76.row_z.y * _e325.y)) + (_e76.row_z.z * _e325.z)) / (((_e76.row_z.x * _e76.row_z.x) + (_e76.row_z.y * _e76.row_z.y)) + (_e76.row_z.z * _e76.row_z.z)))) * f32(_e327)));
+                    if (_e397 < 0.002f) {
+                        phi_674_ = _e397;
                     } else {
-                        phi_668_ = 0.002f;
+                        phi_674_ = 0.002f;
                     }
-                    let _e396 = phi_668_;
-                    phi_671_ = (_e291 - (0f * _e396));
+                    let _e400 = phi_674_;
+                    phi_677_ = (_e295 - (0f * _e400));
                 } else {
-                    phi_671_ = _e291;
+                    phi_677_ = _e295;
                 }
-                let _e400 = phi_671_;
-                let _e402 = p.member.map_size;
-                let _e403 = f32(_e402);
-                let _e406 = ((_e264 * _e403) - 0.5f);
-                let _e407 = ((_e278 * _e403) - 0.5f);
-                if (_e406 > -8388608f) {
-                    let _e419 = f32(select(0i, select(select(i32(_e406), i32(-2147483648), (_e406 < bitcast<f32>(3472883712u))), 2147483647i, (_e406 > bitcast<f32>(1325400063u))), (_e406 == _e406)));
-                    if (_e419 > _e406) {
-                        phi_700_ = 1f;
+                let _e404 = phi_677_;
+                let _e406 = p.member.map_size;
+                let _e407 = f32(_e406);
+                let _e410 = ((_e268 * _e407) - 0.5f);
+                let _e411 = ((_e282 * _e407) - 0.5f);
+                if (_e410 > -8388608f) {
+                    let _e423 = f32(select(0i, select(select(i32(_e410), i32(-2147483648), (_e410 < bitcast<f32>(3472883712u))), 2147483647i, (_e410 > bitcast<f32>(1325400063u))), (_e410 == _e410)));
+                    if (_e423 > _e410) {
+                        phi_706_ = 1f;
                     } else {
-                        phi_700_ = 0f;
+                        phi_706_ = 0f;
                     }
-                    let _e422 = phi_700_;
-                    if (_e406 < 8388608f) {
-                        phi_705_ = (_e419 - _e422);
-                        phi_706_ = false;
+                    let _e426 = phi_706_;
+                    if (_e410 < 8388608f) {
+                        phi_711_ = (_e423 - _e426);
+                        phi_712_ = false;
                     } else {
-                        phi_705_ = f32();
-                        phi_706_ = true;
+                        phi_711_ = f32();
+                        phi_712_ = true;
                     }
-                    let _e425 = phi_705_;
-                    let _e427 = phi_706_;
-                    phi_707_ = _e425;
-                    phi_708_ = _e427;
+                    let _e429 = phi_711_;
+                    let _e431 = phi_712_;
+                    phi_713_ = _e429;
+                    phi_714_ = _e431;
                 } else {
-                    phi_707_ = f32();
-                    phi_708_ = true;
+                    phi_713_ = f32();
+                    phi_714_ = true;
                 }
-                let _e429 = phi_707_;
-                let _e431 = phi_708_;
-                if _e431 {
-                    phi_712_ = _e406;
+                let _e433 = phi_713_;
+                let _e435 = phi_714_;
+                if _e435 {
+                    phi_718_ = _e410;
                 } else {
-                    phi_712_ = _e429;
+                    phi_718_ = _e433;
                 }
-                let _e433 = phi_712_;
-                if (_e407 > -8388608f) {
-                    let _e445 = f32(select(0i, select(select(i32(_e407), i32(-2147483648), (_e407 < bitcast<f32>(3472883712u))), 2147483647i, (_e407 > bitcast<f32>(1325400063u))), (_e407 == _e407)));
-                    if (_e445 > _e407) {
-                        phi_732_ = 1f;
+                let _e437 = phi_718_;
+                if (_e411 > -8388608f) {
+                    let _e449 = f32(select(0i, select(select(i32(_e411), i32(-2147483648), (_e411 < bitcast<f32>(3472883712u))), 2147483647i, (_e411 > bitcast<f32>(1325400063u))), (_e411 == _e411)));
+                    if (_e449 > _e411) {
+                        phi_738_ = 1f;
                     } else {
-                        phi_732_ = 0f;
+                        phi_738_ = 0f;
                     }
-                    let _e448 = phi_732_;
-                    if (_e407 < 8388608f) {
-                        phi_737_ = (_e445 - _e448);
-                        phi_738_ = false;
+                    let _e452 = phi_738_;
+                    if (_e411 < 8388608f) {
+                        phi_743_ = (_e449 - _e452);
+                        phi_744_ = false;
                     } else {
-                        phi_737_ = f32();
-                        phi_738_ = true;
+                        phi_743_ = f32();
+                        phi_744_ = true;
                     }
-                    let _e451 = phi_737_;
-                    let _e453 = phi_738_;
-                    phi_739_ = _e451;
-                    phi_740_ = _e453;
+                    let _e455 = phi_743_;
+                    let _e457 = phi_744_;
+                    phi_745_ = _e455;
+                    phi_746_ = _e457;
                 } else {
-                    phi_739_ = f32();
-                    phi_740_ = true;
+                    phi_745_ = f32();
+                    phi_746_ = true;
                 }
-                let _e455 = phi_739_;
-                let _e457 = phi_740_;
-                if _e457 {
-                    phi_744_ = _e407;
+                let _e459 = phi_745_;
+                let _e461 = phi_746_;
+                if _e461 {
+                    phi_750_ = _e411;
                 } else {
-                    phi_744_ = _e455;
+                    phi_750_ = _e459;
                 }
-                let _e459 = phi_744_;
-                let _e460 = (_e406 - _e433);
-                let _e461 = (_e407 - _e459);
-                let _e470 = select(0i, select(select(i32(_e433), i32(-2147483648), (_e433 < bitcast<f32>(3472883712u))), 2147483647i, (_e433 > bitcast<f32>(1325400063u))), (_e433 == _e433));
-                let _e479 = select(0i, select(select(i32(_e459), i32(-2147483648), (_e459 < bitcast<f32>(3472883712u))), 2147483647i, (_e459 > bitcast<f32>(1325400063u))), (_e459 == _e459));
-                let _e482 = ((1f - _e460) * (1f - _e461));
-                let _e484 = (_e460 * (1f - _e461));
-                let _e486 = ((1f - _e460) * _e461);
-                let _e487 = (_e460 * _e461);
-                let _e489 = p.member.test;
-                let _e490 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e489);
-                let _e492 = p.member.map_size;
-                local_1 = _e490;
-                let _e494 = ((0u * _e492) * _e492);
-                let _e496 = (bitcast<i32>(_e492) - 1i);
-                if (_e470 > 0i) {
-                    phi_792_ = _e470;
+                let _e463 = phi_750_;
+                let _e464 = (_e410 - _e437);
+                let _e465 = (_e411 - _e463);
+                let _e474 = select(0i, select(select(i32(_e437), i32(-2147483648), (_e437 < bitcast<f32>(3472883712u))), 2147483647i, (_e437 > bitcast<f32>(1325400063u))), (_e437 == _e437));
+                let _e483 = select(0i, select(select(i32(_e463), i32(-2147483648), (_e463 < bitcast<f32>(3472883712u))), 2147483647i, (_e463 > bitcast<f32>(1325400063u))), (_e463 == _e463));
+                let _e486 = ((1f - _e464) * (1f - _e465));
+                let _e488 = (_e464 * (1f - _e465));
+                let _e490 = ((1f - _e464) * _e465);
+                let _e491 = (_e464 * _e465);
+                let _e493 = p.member.test;
+                let _e494 = _lt_math_esm_Esm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e493);
+                let _e496 = p.member.map_size;
+                local_1 = _e494;
+                let _e498 = ((0u * _e496) * _e496);
+                let _e500 = (bitcast<i32>(_e496) - 1i);
+                if (_e474 > 0i) {
+                    phi_798_ = _e474;
                 } else {
-                    phi_792_ = 0i;
+                    phi_798_ = 0i;
                 }
-                let _e499 = phi_792_;
-                if (_e479 > 0i) {
-                    phi_797_ = _e479;
+                let _e503 = phi_798_;
+                if (_e483 > 0i) {
+                    phi_803_ = _e483;
                 } else {
-                    phi_797_ = 0i;
+                    phi_803_ = 0i;
                 }
-                let _e502 = phi_797_;
-                if (_e499 < _e496) {
-                    phi_802_ = _e499;
+                let _e506 = phi_803_;
+                if (_e503 < _e500) {
+                    phi_808_ = _e503;
                 } else {
-                    phi_802_ = _e496;
+                    phi_808_ = _e500;
                 }
-                let _e505 = phi_802_;
-                if (_e502 < _e496) {
-                    phi_807_ = _e502;
+                let _e509 = phi_808_;
+                if (_e506 < _e500) {
+                    phi_813_ = _e506;
                 } else {
-                    phi_807_ = _e496;
+                    phi_813_ = _e500;
                 }
-                let _e508 = phi_807_;
-                let _e509 = bitcast<u32>(_e505);
-                let _e511 = (_e470 + 1i);
-                let _e512 = (_e479 + 1i);
-                if (_e511 > 0i) {
-                    phi_816_ = _e511;
+                let _e512 = phi_813_;
+                let _e513 = bitcast<u32>(_e509);
+                let _e515 = (_e474 + 1i);
+                let _e516 = (_e483 + 1i);
+                if (_e515 > 0i) {
+                    phi_822_ = _e515;
                 } else {
-                    phi_816_ = 0i;
+                    phi_822_ = 0i;
                 }
-                let _e515 = phi_816_;
-                if (_e512 > 0i) {
-                    phi_821_ = _e512;
+                let _e519 = phi_822_;
+                if (_e516 > 0i) {
+                    phi_827_ = _e516;
                 } else {
-                    phi_821_ = 0i;
+                    phi_827_ = 0i;
                 }
-                let _e518 = phi_821_;
-                if (_e515 < _e496) {
-                    phi_826_ = _e515;
+                let _e522 = phi_827_;
+                if (_e519 < _e500) {
+                    phi_832_ = _e519;
                 } else {
-                    phi_826_ = _e496;
+                    phi_832_ = _e500;
                 }
-                let _e521 = phi_826_;
-                if (_e518 < _e496) {
-                    phi_831_ = _e518;
+                let _e525 = phi_832_;
+                if (_e522 < _e500) {
+                    phi_837_ = _e522;
                 } else {
-                    phi_831_ = _e496;
+                    phi_837_ = _e500;
                 }
-                let _e524 = phi_831_;
-                let _e525 = bitcast<u32>(_e521);
-                let _e527 = (bitcast<u32>(_e508) * _e492);
-                let _e528 = (bitcast<u32>(_e524) * _e492);
-                let _e533 = ((_e527 + _e509) + _e494);
-                let _e534 = ((_e527 + _e525) + _e494);
-                let _e535 = ((_e528 + _e509) + _e494);
-                let _e536 = ((_e528 + _e525) + _e494);
-                if (_e533 < _e57) {
+                let _e528 = phi_837_;
+                let _e529 = bitcast<u32>(_e525);
+                let _e531 = (bitcast<u32>(_e512) * _e496);
+                let _e532 = (bitcast<u32>(_e528) * _e496);
+                let _e537 = ((_e531 + _e513) + _e498);
+                let _e538 = ((_e531 + _e529) + _e498);
+                let _e539 = ((_e532 + _e513) + _e498);
+                let _e540 = ((_e532 + _e529) + _e498);
+                if (_e537 < _e61) {
                 } else {
                     return;
                 }
-                let _e540 = map.member[(0u + _e533)];
-                if (_e534 < _e57) {
+                let _e544 = map.member[(0u + _e537)];
+                if (_e538 < _e61) {
                 } else {
                     return;
                 }
-                let _e552 = map.member[(0u + _e534)];
-                if (_e535 < _e57) {
+                let _e556 = map.member[(0u + _e538)];
+                if (_e539 < _e61) {
                 } else {
                     return;
                 }
-                let _e568 = map.member[(0u + _e535)];
-                if (_e536 < _e57) {
+                let _e572 = map.member[(0u + _e539)];
+                if (_e540 < _e61) {
                 } else {
                     return;
                 }
-                let _e584 = map.member[(0u + _e536)];
-                let _e598 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e540.x * _e482) + (_e552.x * _e484)) + (_e568.x * _e486)) + (_e584.x * _e487)), ((((_e540.y * _e482) + (_e552.y * _e484)) + (_e568.y * _e486)) + (_e584.y * _e487)), ((((_e540.z * _e482) + (_e552.z * _e484)) + (_e568.z * _e486)) + (_e584.z * _e487)), ((((_e540.w * _e482) + (_e552.w * _e484)) + (_e568.w * _e486)) + (_e584.w * _e487))), _e400);
-                let _e600 = p.member.epsilon;
-                if (_e598 <= _e600) {
-                    phi_926_ = true;
-                } else {
-                    phi_926_ = (_e598 >= (1f - _e600));
-                }
-                let _e605 = phi_926_;
-                if ((bitcast<u32>(_e598) & 2147483647u) > 2139095040u) {
+                let _e588 = map.member[(0u + _e540)];
+                let _e602 = _lt_math_esm_Esm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e544.x * _e486) + (_e556.x * _e488)) + (_e572.x * _e490)) + (_e588.x * _e491)), ((((_e544.y * _e486) + (_e556.y * _e488)) + (_e572.y * _e490)) + (_e588.y * _e491)), ((((_e544.z * _e486) + (_e556.z * _e488)) + (_e572.z * _e490)) + (_e588.z * _e491)), ((((_e544.w * _e486) + (_e556.w * _e488)) + (_e572.w * _e490)) + (_e588.w * _e491))), _e404);
+                let _e606 = p.member.epsilon;
+                if (_e602 <= _e606) {
                     phi_934_ = true;
                 } else {
-                    phi_934_ = !(_e605);
+                    phi_934_ = (_e602 >= (1f - _e606));
                 }
                 let _e611 = phi_934_;
-                if _e611 {
-                    if (_e598 > 0f) {
-                        if (_e598 < 1f) {
-                            phi_946_ = false;
-                        } else {
-                            phi_946_ = true;
-                        }
-                        let _e615 = phi_946_;
-                        phi_947_ = _e615;
-                    } else {
-                        phi_947_ = true;
-                    }
-                    let _e617 = phi_947_;
-                    if _e617 {
-                        phi_951_ = 0.5f;
-                    } else {
-                        phi_951_ = _e598;
-                    }
-                    let _e619 = phi_951_;
-                    phi_959_ = evaluate_Verdict(_e619, true);
+                if ((bitcast<u32>(_e602) & 2147483647u) > 2139095040u) {
+                    phi_942_ = true;
                 } else {
-                    if (_e598 > 0.5f) {
-                        phi_957_ = 1f;
-                    } else {
-                        phi_957_ = 0f;
-                    }
-                    let _e623 = phi_957_;
-                    phi_959_ = evaluate_Verdict(_e623, false);
+                    phi_942_ = !(_e611);
                 }
-                let _e626 = phi_959_;
-                phi_964_ = evaluate_Verdict(_e626.visibility, _e626.is_doubted);
+                let _e617 = phi_942_;
+                if _e617 {
+                    if (_e602 > 0f) {
+                        if (_e602 < 1f) {
+                            phi_954_ = false;
+                        } else {
+                            phi_954_ = true;
+                        }
+                        let _e621 = phi_954_;
+                        phi_955_ = _e621;
+                    } else {
+                        phi_955_ = true;
+                    }
+                    let _e623 = phi_955_;
+                    if _e623 {
+                        phi_959_ = 0.5f;
+                    } else {
+                        phi_959_ = _e602;
+                    }
+                    let _e625 = phi_959_;
+                    phi_967_ = evaluate_Verdict(_e625, true);
+                } else {
+                    if (_e602 > 0.5f) {
+                        phi_965_ = 1f;
+                    } else {
+                        phi_965_ = 0f;
+                    }
+                    let _e629 = phi_965_;
+                    phi_967_ = evaluate_Verdict(_e629, false);
+                }
+                let _e632 = phi_967_;
+                let _e635 = (_e632.visibility < 0.5f);
+                if _e632.is_doubted {
+                    phi_990_ = evaluate_Verdict();
+                    phi_991_ = true;
+                } else {
+                    if _e635 {
+                        phi_977_ = 2u;
+                    } else {
+                        phi_977_ = 1u;
+                    }
+                    let _e637 = phi_977_;
+                    if ((0u & _e637) != 0u) {
+                        if _e635 {
+                            phi_986_ = 0.000000059604645f;
+                        } else {
+                            phi_986_ = 0.99999994f;
+                        }
+                        let _e641 = phi_986_;
+                        phi_988_ = evaluate_Verdict(_e641, true);
+                        phi_989_ = false;
+                    } else {
+                        phi_988_ = evaluate_Verdict();
+                        phi_989_ = true;
+                    }
+                    let _e644 = phi_988_;
+                    let _e646 = phi_989_;
+                    phi_990_ = _e644;
+                    phi_991_ = _e646;
+                }
+                let _e648 = phi_990_;
+                let _e650 = phi_991_;
+                if _e650 {
+                    phi_996_ = evaluate_Verdict(_e632.visibility, _e632.is_doubted);
+                } else {
+                    phi_996_ = _e648;
+                }
+                let _e653 = phi_996_;
+                phi_1001_ = evaluate_Verdict(_e653.visibility, _e653.is_doubted);
             } else {
-                phi_964_ = evaluate_Verdict(0.5f, true);
+                phi_1001_ = evaluate_Verdict(0.5f, true);
             }
-            let _e632 = phi_964_;
-            phi_965_ = _e632;
+            let _e659 = phi_1001_;
+            phi_1002_ = _e659;
         }
-        let _e634 = phi_965_;
-        visibility.member[_e65.first_primitive] = _e634.visibility;
-        phi_969_ = _e634.is_doubted;
-        phi_970_ = _e65.first_primitive;
+        let _e661 = phi_1002_;
+        visibility.member[_e69.first_primitive] = _e661.visibility;
+        phi_1006_ = _e661.is_doubted;
+        phi_1007_ = _e69.first_primitive;
     } else {
-        phi_969_ = false;
-        phi_970_ = 0u;
+        phi_1006_ = false;
+        phi_1007_ = 0u;
     }
-    let _e639 = phi_969_;
-    let _e641 = phi_970_;
-    if (_e52 == 0u) {
+    let _e666 = phi_1006_;
+    let _e668 = phi_1007_;
+    if (_e56 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e639 {
-        let _e645 = atomicAdd((&shared_[0u]), 1u);
-        phi_981_ = _e645;
+    if _e666 {
+        let _e672 = atomicAdd((&shared_[0u]), 1u);
+        phi_1018_ = _e672;
     } else {
-        phi_981_ = 0u;
+        phi_1018_ = 0u;
     }
-    let _e647 = phi_981_;
+    let _e674 = phi_1018_;
     workgroupBarrier();
-    if (_e52 == 0u) {
-        let _e651 = atomicLoad((&shared_[0u]));
-        let _e652 = atomicAdd((&list.member[3u]), _e651);
-        atomicStore((&shared_[1u]), _e652);
+    if (_e56 == 0u) {
+        let _e678 = atomicLoad((&shared_[0u]));
+        let _e679 = atomicAdd((&list.member[3u]), _e678);
+        atomicStore((&shared_[1u]), _e679);
     }
     workgroupBarrier();
-    if _e639 {
-        let _e655 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e655) + _e647)]), _e641);
+    if _e666 {
+        if false {
+            phi_1035_ = (_e668 | 2147483648u);
+        } else {
+            phi_1035_ = _e668;
+        }
+        let _e683 = phi_1035_;
+        let _e685 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e685) + _e674)]), _e683);
     }
     return;
 }

@@ -72,10 +72,8 @@ struct type_43 {
     member: abi_ShadowParams,
 }
 
-struct lt_math_Evsm {
-    positive_exponent: f32,
-    negative_exponent: f32,
-    min_variance: f32,
+struct type_47 {
+    member: array<lt_math_LightProjection>,
 }
 
 struct lt_math_LightPoint {
@@ -84,13 +82,15 @@ struct lt_math_LightPoint {
     is_inside: bool,
 }
 
-struct type_50 {
-    member: array<lt_math_LightProjection>,
-}
-
 struct lt_math_LevelPoint {
     level: u32,
     point: lt_math_LightPoint,
+}
+
+struct lt_math_Evsm {
+    positive_exponent: f32,
+    negative_exponent: f32,
+    min_variance: f32,
 }
 
 struct type_56 {
@@ -110,42 +110,42 @@ var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_56;
 @group(0) @binding(5) 
-var<storage> levels: type_50;
+var<storage> levels: type_47;
 @group(0) @binding(2) 
 var<storage> map: type_39;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_182_: lt_bvh_traverse_Tree;
-    var phi_183_: bool;
-    var phi_184_: lt_bvh_traverse_Tree;
-    var phi_185_: bool;
+    var phi_188_: lt_bvh_traverse_Tree;
+    var phi_189_: bool;
     var phi_190_: lt_bvh_traverse_Tree;
+    var phi_191_: bool;
+    var phi_196_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_182_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_183_ = false;
+            phi_188_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_189_ = false;
         } else {
-            phi_182_ = lt_bvh_traverse_Tree();
-            phi_183_ = true;
+            phi_188_ = lt_bvh_traverse_Tree();
+            phi_189_ = true;
         }
-        let _e70 = phi_182_;
-        let _e72 = phi_183_;
-        phi_184_ = _e70;
-        phi_185_ = _e72;
-    } else {
-        phi_184_ = lt_bvh_traverse_Tree();
-        phi_185_ = true;
-    }
-    let _e74 = phi_184_;
-    let _e76 = phi_185_;
-    if _e76 {
-        phi_190_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
+        let _e74 = phi_188_;
+        let _e76 = phi_189_;
         phi_190_ = _e74;
+        phi_191_ = _e76;
+    } else {
+        phi_190_ = lt_bvh_traverse_Tree();
+        phi_191_ = true;
     }
-    let _e81 = phi_190_;
-    return lt_bvh_traverse_Tree(_e81.root, _e81.first_primitive);
+    let _e78 = phi_190_;
+    let _e80 = phi_191_;
+    if _e80 {
+        phi_196_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_196_ = _e78;
+    }
+    let _e85 = phi_196_;
+    return lt_bvh_traverse_Tree(_e85.root, _e85.first_primitive);
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> lt_math_Evsm {
@@ -153,1024 +153,1075 @@ fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_par
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_4: ptr<function, lt_math_Evsm>, param_5: f32) -> vec4<f32> {
-    var phi_217_: f32;
-    var phi_218_: f32;
-    var phi_219_: f32;
-    var phi_232_: bool;
-    var phi_236_: f32;
-    var phi_248_: f32;
-    var phi_253_: f32;
-    var phi_275_: f32;
-    var phi_280_: f32;
-    var phi_281_: bool;
-    var phi_282_: f32;
-    var phi_283_: bool;
-    var phi_287_: f32;
-    var phi_325_: f32;
-    var phi_338_: bool;
-    var phi_342_: f32;
-    var phi_355_: f32;
-    var phi_360_: f32;
-    var phi_382_: f32;
-    var phi_387_: f32;
-    var phi_388_: bool;
-    var phi_389_: f32;
-    var phi_390_: bool;
-    var phi_394_: f32;
-    var phi_432_: f32;
+    var phi_223_: f32;
+    var phi_224_: f32;
+    var phi_225_: f32;
+    var phi_238_: bool;
+    var phi_242_: f32;
+    var phi_254_: f32;
+    var phi_259_: f32;
+    var phi_281_: f32;
+    var phi_286_: f32;
+    var phi_287_: bool;
+    var phi_288_: f32;
+    var phi_289_: bool;
+    var phi_293_: f32;
+    var phi_331_: f32;
+    var phi_344_: bool;
+    var phi_348_: f32;
+    var phi_361_: f32;
+    var phi_366_: f32;
+    var phi_388_: f32;
+    var phi_393_: f32;
+    var phi_394_: bool;
+    var phi_395_: f32;
+    var phi_396_: bool;
+    var phi_400_: f32;
+    var phi_438_: f32;
 
     if ((bitcast<u32>(param_5) & 2147483647u) > 2139095040u) {
-        phi_219_ = param_5;
+        phi_225_ = param_5;
     } else {
         if (param_5 < 0f) {
-            phi_218_ = 0f;
+            phi_224_ = 0f;
         } else {
             if (param_5 > 1f) {
-                phi_217_ = 1f;
+                phi_223_ = 1f;
             } else {
-                phi_217_ = param_5;
+                phi_223_ = param_5;
             }
-            let _e65 = phi_217_;
-            phi_218_ = _e65;
+            let _e69 = phi_223_;
+            phi_224_ = _e69;
         }
-        let _e67 = phi_218_;
-        phi_219_ = _e67;
+        let _e71 = phi_224_;
+        phi_225_ = _e71;
     }
-    let _e69 = phi_219_;
-    let _e71 = (*param_4).positive_exponent;
+    let _e73 = phi_225_;
+    let _e75 = (*param_4).positive_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_232_ = true;
+        phi_238_ = true;
     } else {
-        let _e75 = (42f < _e71);
-        if _e75 {
+        let _e79 = (42f < _e75);
+        if _e79 {
         }
-        phi_232_ = _e75;
+        phi_238_ = _e79;
     }
-    let _e77 = phi_232_;
-    if _e77 {
-        phi_236_ = 42f;
+    let _e81 = phi_238_;
+    if _e81 {
+        phi_242_ = 42f;
     } else {
-        phi_236_ = _e71;
+        phi_242_ = _e75;
     }
-    let _e79 = phi_236_;
-    let _e80 = (_e79 * _e69);
-    if ((bitcast<u32>(_e80) & 2147483647u) > 2139095040u) {
-        phi_325_ = _e80;
+    let _e83 = phi_242_;
+    let _e84 = (_e83 * _e73);
+    if ((bitcast<u32>(_e84) & 2147483647u) > 2139095040u) {
+        phi_331_ = _e84;
     } else {
-        if (_e80 < -87f) {
-            phi_248_ = -87f;
+        if (_e84 < -87f) {
+            phi_254_ = -87f;
         } else {
-            phi_248_ = _e80;
+            phi_254_ = _e84;
         }
-        let _e86 = phi_248_;
-        if (_e86 > 88f) {
-            phi_253_ = 88f;
+        let _e90 = phi_254_;
+        if (_e90 > 88f) {
+            phi_259_ = 88f;
         } else {
-            phi_253_ = _e86;
+            phi_259_ = _e90;
         }
-        let _e89 = phi_253_;
-        let _e91 = ((_e89 * 1.442695f) + 0.5f);
-        if (_e91 > -8388608f) {
-            let _e103 = f32(select(0i, select(select(i32(_e91), i32(-2147483648), (_e91 < bitcast<f32>(3472883712u))), 2147483647i, (_e91 > bitcast<f32>(1325400063u))), (_e91 == _e91)));
-            if (_e103 > _e91) {
-                phi_275_ = 1f;
+        let _e93 = phi_259_;
+        let _e95 = ((_e93 * 1.442695f) + 0.5f);
+        if (_e95 > -8388608f) {
+            let _e107 = f32(select(0i, select(select(i32(_e95), i32(-2147483648), (_e95 < bitcast<f32>(3472883712u))), 2147483647i, (_e95 > bitcast<f32>(1325400063u))), (_e95 == _e95)));
+            if (_e107 > _e95) {
+                phi_281_ = 1f;
             } else {
-                phi_275_ = 0f;
+                phi_281_ = 0f;
             }
-            let _e106 = phi_275_;
-            if (_e91 < 8388608f) {
-                phi_280_ = (_e103 - _e106);
-                phi_281_ = false;
+            let _e110 = phi_281_;
+            if (_e95 < 8388608f) {
+                phi_286_ = (_e107 - _e110);
+                phi_287_ = false;
             } else {
-                phi_280_ = f32();
-                phi_281_ = true;
+                phi_286_ = f32();
+                phi_287_ = true;
             }
-            let _e109 = phi_280_;
-            let _e111 = phi_281_;
-            phi_282_ = _e109;
-            phi_283_ = _e111;
+            let _e113 = phi_286_;
+            let _e115 = phi_287_;
+            phi_288_ = _e113;
+            phi_289_ = _e115;
         } else {
-            phi_282_ = f32();
-            phi_283_ = true;
+            phi_288_ = f32();
+            phi_289_ = true;
         }
-        let _e113 = phi_282_;
-        let _e115 = phi_283_;
-        if _e115 {
-            phi_287_ = _e91;
+        let _e117 = phi_288_;
+        let _e119 = phi_289_;
+        if _e119 {
+            phi_293_ = _e95;
         } else {
-            phi_287_ = _e113;
+            phi_293_ = _e117;
         }
-        let _e117 = phi_287_;
-        let _e121 = ((_e89 - (_e117 * 0.69314575f)) - (_e117 * 0.0000014286068f));
-        phi_325_ = ((((((((((((((((1f / 5040f) * _e121) + (1f / 720f)) * _e121) + (1f / 120f)) * _e121) + (1f / 24f)) * _e121) + (1f / 6f)) * _e121) + 0.5f) * _e121) + 1f) * _e121) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e117), i32(-2147483648), (_e117 < bitcast<f32>(3472883712u))), 2147483647i, (_e117 > bitcast<f32>(1325400063u))), (_e117 == _e117)) + 127i)) << bitcast<u32>(23i))));
+        let _e121 = phi_293_;
+        let _e125 = ((_e93 - (_e121 * 0.69314575f)) - (_e121 * 0.0000014286068f));
+        phi_331_ = ((((((((((((((((1f / 5040f) * _e125) + (1f / 720f)) * _e125) + (1f / 120f)) * _e125) + (1f / 24f)) * _e125) + (1f / 6f)) * _e125) + 0.5f) * _e125) + 1f) * _e125) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e121), i32(-2147483648), (_e121 < bitcast<f32>(3472883712u))), 2147483647i, (_e121 > bitcast<f32>(1325400063u))), (_e121 == _e121)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e157 = phi_325_;
-    let _e159 = (*param_4).negative_exponent;
+    let _e161 = phi_331_;
+    let _e163 = (*param_4).negative_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_338_ = true;
+        phi_344_ = true;
     } else {
-        let _e163 = (42f < _e159);
-        if _e163 {
+        let _e167 = (42f < _e163);
+        if _e167 {
         }
-        phi_338_ = _e163;
+        phi_344_ = _e167;
     }
-    let _e165 = phi_338_;
-    if _e165 {
-        phi_342_ = 42f;
+    let _e169 = phi_344_;
+    if _e169 {
+        phi_348_ = 42f;
     } else {
-        phi_342_ = _e159;
+        phi_348_ = _e163;
     }
-    let _e167 = phi_342_;
-    let _e169 = (-(_e167) * _e69);
-    if ((bitcast<u32>(_e169) & 2147483647u) > 2139095040u) {
-        phi_432_ = _e169;
+    let _e171 = phi_348_;
+    let _e173 = (-(_e171) * _e73);
+    if ((bitcast<u32>(_e173) & 2147483647u) > 2139095040u) {
+        phi_438_ = _e173;
     } else {
-        if (_e169 < -87f) {
-            phi_355_ = -87f;
+        if (_e173 < -87f) {
+            phi_361_ = -87f;
         } else {
-            phi_355_ = _e169;
+            phi_361_ = _e173;
         }
-        let _e175 = phi_355_;
-        if (_e175 > 88f) {
-            phi_360_ = 88f;
+        let _e179 = phi_361_;
+        if (_e179 > 88f) {
+            phi_366_ = 88f;
         } else {
-            phi_360_ = _e175;
+            phi_366_ = _e179;
         }
-        let _e178 = phi_360_;
-        let _e180 = ((_e178 * 1.442695f) + 0.5f);
-        if (_e180 > -8388608f) {
-            let _e192 = f32(select(0i, select(select(i32(_e180), i32(-2147483648), (_e180 < bitcast<f32>(3472883712u))), 2147483647i, (_e180 > bitcast<f32>(1325400063u))), (_e180 == _e180)));
-            if (_e192 > _e180) {
-                phi_382_ = 1f;
+        let _e182 = phi_366_;
+        let _e184 = ((_e182 * 1.442695f) + 0.5f);
+        if (_e184 > -8388608f) {
+            let _e196 = f32(select(0i, select(select(i32(_e184), i32(-2147483648), (_e184 < bitcast<f32>(3472883712u))), 2147483647i, (_e184 > bitcast<f32>(1325400063u))), (_e184 == _e184)));
+            if (_e196 > _e184) {
+                phi_388_ = 1f;
             } else {
-                phi_382_ = 0f;
+                phi_388_ = 0f;
             }
-            let _e195 = phi_382_;
-            if (_e180 < 8388608f) {
-                phi_387_ = (_e192 - _e195);
-                phi_388_ = false;
+            let _e199 = phi_388_;
+            if (_e184 < 8388608f) {
+                phi_393_ = (_e196 - _e199);
+                phi_394_ = false;
             } else {
-                phi_387_ = f32();
-                phi_388_ = true;
+                phi_393_ = f32();
+                phi_394_ = true;
             }
-            let _e198 = phi_387_;
-            let _e200 = phi_388_;
-            phi_389_ = _e198;
-            phi_390_ = _e200;
+            let _e202 = phi_393_;
+            let _e204 = phi_394_;
+            phi_395_ = _e202;
+            phi_396_ = _e204;
         } else {
-            phi_389_ = f32();
-            phi_390_ = true;
+            phi_395_ = f32();
+            phi_396_ = true;
         }
-        let _e202 = phi_389_;
-        let _e204 = phi_390_;
-        if _e204 {
-            phi_394_ = _e180;
+        let _e206 = phi_395_;
+        let _e208 = phi_396_;
+        if _e208 {
+            phi_400_ = _e184;
         } else {
-            phi_394_ = _e202;
+            phi_400_ = _e206;
         }
-        let _e206 = phi_394_;
-        let _e210 = ((_e178 - (_e206 * 0.69314575f)) - (_e206 * 0.0000014286068f));
-        phi_432_ = ((((((((((((((((1f / 5040f) * _e210) + (1f / 720f)) * _e210) + (1f / 120f)) * _e210) + (1f / 24f)) * _e210) + (1f / 6f)) * _e210) + 0.5f) * _e210) + 1f) * _e210) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e206), i32(-2147483648), (_e206 < bitcast<f32>(3472883712u))), 2147483647i, (_e206 > bitcast<f32>(1325400063u))), (_e206 == _e206)) + 127i)) << bitcast<u32>(23i))));
+        let _e210 = phi_400_;
+        let _e214 = ((_e182 - (_e210 * 0.69314575f)) - (_e210 * 0.0000014286068f));
+        phi_438_ = ((((((((((((((((1f / 5040f) * _e214) + (1f / 720f)) * _e214) + (1f / 120f)) * _e214) + (1f / 24f)) * _e214) + (1f / 6f)) * _e214) + 0.5f) * _e214) + 1f) * _e214) + 1f) * bitcast<f32>((bitcast<u32>((select(0i, select(select(i32(_e210), i32(-2147483648), (_e210 < bitcast<f32>(3472883712u))), 2147483647i, (_e210 > bitcast<f32>(1325400063u))), (_e210 == _e210)) + 127i)) << bitcast<u32>(23i))));
     }
-    let _e246 = phi_432_;
-    let _e247 = -(_e246);
-    return vec4<f32>(_e157, (_e157 * _e157), _e247, (_e247 * _e247));
+    let _e250 = phi_438_;
+    let _e251 = -(_e250);
+    return vec4<f32>(_e161, (_e161 * _e161), _e251, (_e251 * _e251));
 }
 
 fn _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_6: ptr<function, lt_math_Evsm>, param_7: vec4<f32>, param_8: f32) -> f32 {
-    var phi_454_: bool;
-    var phi_458_: f32;
-    var phi_482_: bool;
-    var phi_486_: f32;
-    var phi_498_: bool;
-    var phi_505_: f32;
-    var phi_518_: bool;
-    var phi_522_: f32;
-    var phi_546_: bool;
-    var phi_550_: f32;
-    var phi_562_: bool;
-    var phi_569_: f32;
-    var phi_580_: bool;
-    var phi_584_: f32;
-    var phi_599_: f32;
-    var phi_600_: f32;
-    var phi_601_: f32;
+    var phi_460_: bool;
+    var phi_464_: f32;
+    var phi_488_: bool;
+    var phi_492_: f32;
+    var phi_504_: bool;
+    var phi_511_: f32;
+    var phi_524_: bool;
+    var phi_528_: f32;
+    var phi_552_: bool;
+    var phi_556_: f32;
+    var phi_568_: bool;
+    var phi_575_: f32;
+    var phi_586_: bool;
+    var phi_590_: f32;
+    var phi_605_: f32;
+    var phi_606_: f32;
+    var phi_607_: f32;
 
-    let _e60 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_6, param_8);
-    let _e62 = (*param_6).positive_exponent;
+    let _e64 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_depth_vector(param_6, param_8);
+    let _e66 = (*param_6).positive_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_454_ = true;
+        phi_460_ = true;
     } else {
-        let _e66 = (42f < _e62);
-        if _e66 {
+        let _e70 = (42f < _e66);
+        if _e70 {
         }
-        phi_454_ = _e66;
+        phi_460_ = _e70;
     }
-    let _e68 = phi_454_;
-    if _e68 {
-        phi_458_ = 42f;
+    let _e72 = phi_460_;
+    if _e72 {
+        phi_464_ = 42f;
     } else {
-        phi_458_ = _e62;
+        phi_464_ = _e66;
     }
-    let _e70 = phi_458_;
-    let _e72 = (*param_6).min_variance;
-    let _e76 = (((_e72 * _e70) * _e70) * _e60.y);
-    let _e83 = ((param_7.y - (param_7.x * param_7.x)) + (0.00000047683716f * param_7.y));
-    if ((bitcast<u32>(_e76) & 2147483647u) > 2139095040u) {
-        phi_482_ = true;
+    let _e74 = phi_464_;
+    let _e76 = (*param_6).min_variance;
+    let _e80 = (((_e76 * _e74) * _e74) * _e64.y);
+    let _e87 = ((param_7.y - (param_7.x * param_7.x)) + (0.00000047683716f * param_7.y));
+    if ((bitcast<u32>(_e80) & 2147483647u) > 2139095040u) {
+        phi_488_ = true;
     } else {
-        let _e87 = (_e76 > _e83);
-        if _e87 {
+        let _e91 = (_e80 > _e87);
+        if _e91 {
         }
-        phi_482_ = _e87;
+        phi_488_ = _e91;
     }
-    let _e89 = phi_482_;
-    if _e89 {
-        phi_486_ = _e76;
+    let _e93 = phi_488_;
+    if _e93 {
+        phi_492_ = _e80;
     } else {
-        phi_486_ = _e83;
+        phi_492_ = _e87;
     }
-    let _e91 = phi_486_;
-    let _e92 = (_e60.x - param_7.x);
-    if (_e92 <= 0f) {
-        let _e96 = ((bitcast<u32>(_e91) & 2147483647u) > 2139095040u);
-        if _e96 {
+    let _e95 = phi_492_;
+    let _e96 = (_e64.x - param_7.x);
+    if (_e96 <= 0f) {
+        let _e100 = ((bitcast<u32>(_e95) & 2147483647u) > 2139095040u);
+        if _e100 {
         }
-        phi_498_ = _e96;
+        phi_504_ = _e100;
     } else {
-        phi_498_ = true;
+        phi_504_ = true;
     }
-    let _e98 = phi_498_;
-    if _e98 {
-        phi_505_ = (_e91 / (_e91 + (_e92 * _e92)));
+    let _e102 = phi_504_;
+    if _e102 {
+        phi_511_ = (_e95 / (_e95 + (_e96 * _e96)));
     } else {
-        phi_505_ = 1f;
+        phi_511_ = 1f;
     }
-    let _e103 = phi_505_;
-    let _e105 = (*param_6).negative_exponent;
+    let _e107 = phi_511_;
+    let _e109 = (*param_6).negative_exponent;
     if ((bitcast<u32>(42f) & 2147483647u) > 2139095040u) {
-        phi_518_ = true;
+        phi_524_ = true;
     } else {
-        let _e109 = (42f < _e105);
-        if _e109 {
+        let _e113 = (42f < _e109);
+        if _e113 {
         }
-        phi_518_ = _e109;
+        phi_524_ = _e113;
     }
-    let _e111 = phi_518_;
-    if _e111 {
-        phi_522_ = 42f;
+    let _e115 = phi_524_;
+    if _e115 {
+        phi_528_ = 42f;
     } else {
-        phi_522_ = _e105;
+        phi_528_ = _e109;
     }
-    let _e113 = phi_522_;
-    let _e115 = (*param_6).min_variance;
-    let _e119 = (((_e115 * _e113) * _e113) * _e60.w);
-    let _e126 = ((param_7.w - (param_7.z * param_7.z)) + (0.00000047683716f * param_7.w));
-    if ((bitcast<u32>(_e119) & 2147483647u) > 2139095040u) {
-        phi_546_ = true;
+    let _e117 = phi_528_;
+    let _e119 = (*param_6).min_variance;
+    let _e123 = (((_e119 * _e117) * _e117) * _e64.w);
+    let _e130 = ((param_7.w - (param_7.z * param_7.z)) + (0.00000047683716f * param_7.w));
+    if ((bitcast<u32>(_e123) & 2147483647u) > 2139095040u) {
+        phi_552_ = true;
     } else {
-        let _e130 = (_e119 > _e126);
-        if _e130 {
+        let _e134 = (_e123 > _e130);
+        if _e134 {
         }
-        phi_546_ = _e130;
+        phi_552_ = _e134;
     }
-    let _e132 = phi_546_;
-    if _e132 {
-        phi_550_ = _e119;
+    let _e136 = phi_552_;
+    if _e136 {
+        phi_556_ = _e123;
     } else {
-        phi_550_ = _e126;
+        phi_556_ = _e130;
     }
-    let _e134 = phi_550_;
-    let _e135 = (_e60.z - param_7.z);
-    if (_e135 <= 0f) {
-        let _e139 = ((bitcast<u32>(_e134) & 2147483647u) > 2139095040u);
-        if _e139 {
+    let _e138 = phi_556_;
+    let _e139 = (_e64.z - param_7.z);
+    if (_e139 <= 0f) {
+        let _e143 = ((bitcast<u32>(_e138) & 2147483647u) > 2139095040u);
+        if _e143 {
         }
-        phi_562_ = _e139;
+        phi_568_ = _e143;
     } else {
-        phi_562_ = true;
+        phi_568_ = true;
     }
-    let _e141 = phi_562_;
-    if _e141 {
-        phi_569_ = (_e134 / (_e134 + (_e135 * _e135)));
+    let _e145 = phi_568_;
+    if _e145 {
+        phi_575_ = (_e138 / (_e138 + (_e139 * _e139)));
     } else {
-        phi_569_ = 1f;
+        phi_575_ = 1f;
     }
-    let _e146 = phi_569_;
-    if ((bitcast<u32>(_e146) & 2147483647u) > 2139095040u) {
-        phi_580_ = true;
+    let _e150 = phi_575_;
+    if ((bitcast<u32>(_e150) & 2147483647u) > 2139095040u) {
+        phi_586_ = true;
     } else {
-        let _e150 = (_e146 < _e103);
-        if _e150 {
+        let _e154 = (_e150 < _e107);
+        if _e154 {
         }
-        phi_580_ = _e150;
+        phi_586_ = _e154;
     }
-    let _e152 = phi_580_;
-    if _e152 {
-        phi_584_ = _e146;
+    let _e156 = phi_586_;
+    if _e156 {
+        phi_590_ = _e150;
     } else {
-        phi_584_ = _e103;
+        phi_590_ = _e107;
     }
-    let _e154 = phi_584_;
-    if ((bitcast<u32>(_e154) & 2147483647u) > 2139095040u) {
-        phi_601_ = _e154;
+    let _e158 = phi_590_;
+    if ((bitcast<u32>(_e158) & 2147483647u) > 2139095040u) {
+        phi_607_ = _e158;
     } else {
-        if (_e154 < 0f) {
-            phi_600_ = 0f;
+        if (_e158 < 0f) {
+            phi_606_ = 0f;
         } else {
-            if (_e154 > 1f) {
-                phi_599_ = 1f;
+            if (_e158 > 1f) {
+                phi_605_ = 1f;
             } else {
-                phi_599_ = _e154;
+                phi_605_ = _e158;
             }
-            let _e161 = phi_599_;
-            phi_600_ = _e161;
+            let _e165 = phi_605_;
+            phi_606_ = _e165;
         }
-        let _e163 = phi_600_;
-        phi_601_ = _e163;
+        let _e167 = phi_606_;
+        phi_607_ = _e167;
     }
-    let _e165 = phi_601_;
-    return _e165;
+    let _e169 = phi_607_;
+    return _e169;
 }
 
 fn function_() {
     var local_1: lt_math_Evsm;
-    var phi_656_: bool;
-    var phi_657_: bool;
-    var phi_658_: bool;
-    var phi_659_: bool;
+    var phi_662_: bool;
     var phi_663_: bool;
-    var phi_733_: bool;
-    var phi_734_: bool;
-    var phi_745_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_746_: bool;
-    var phi_747_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_748_: bool;
-    var phi_755_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_759_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_779_: lt_math_LightPoint;
-    var phi_782_: u32;
-    var phi_784_: lt_math_LevelPoint;
-    var phi_870_: bool;
-    var phi_879_: bool;
-    var phi_888_: bool;
-    var phi_889_: bool;
-    var phi_890_: bool;
-    var phi_891_: bool;
-    var phi_892_: bool;
-    var phi_893_: bool;
+    var phi_664_: bool;
+    var phi_665_: bool;
+    var phi_669_: bool;
+    var phi_739_: bool;
+    var phi_740_: bool;
+    var phi_751_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_752_: bool;
+    var phi_753_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_754_: bool;
+    var phi_761_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_765_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_785_: lt_math_LightPoint;
+    var phi_788_: u32;
+    var phi_790_: lt_math_LevelPoint;
+    var phi_876_: bool;
+    var phi_885_: bool;
     var phi_894_: bool;
+    var phi_895_: bool;
+    var phi_896_: bool;
+    var phi_897_: bool;
     var phi_898_: bool;
-    var phi_925_: bool;
-    var phi_926_: bool;
-    var phi_927_: bool;
-    var phi_928_: bool;
-    var phi_929_: bool;
-    var phi_930_: bool;
+    var phi_899_: bool;
+    var phi_900_: bool;
+    var phi_904_: bool;
     var phi_931_: bool;
     var phi_932_: bool;
+    var phi_933_: bool;
+    var phi_934_: bool;
+    var phi_935_: bool;
     var phi_936_: bool;
-    var phi_945_: lt_math_LightPoint;
-    var phi_946_: u32;
-    var phi_947_: lt_math_LevelPoint;
-    var phi_948_: bool;
-    var phi_780_: lt_math_LightPoint;
-    var phi_783_: u32;
-    var phi_785_: lt_math_LevelPoint;
-    var phi_949_: bool;
+    var phi_937_: bool;
+    var phi_938_: bool;
+    var phi_942_: bool;
+    var phi_951_: lt_math_LightPoint;
+    var phi_952_: u32;
+    var phi_953_: lt_math_LevelPoint;
+    var phi_954_: bool;
+    var phi_786_: lt_math_LightPoint;
+    var phi_789_: u32;
+    var phi_791_: lt_math_LevelPoint;
+    var phi_955_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_989_: bool;
-    var phi_990_: bool;
-    var phi_991_: bool;
-    var phi_992_: bool;
+    var phi_995_: bool;
     var phi_996_: bool;
-    var phi_1078_: f32;
-    var phi_1196_: f32;
-    var phi_1197_: f32;
-    var phi_1200_: f32;
-    var phi_1229_: f32;
-    var phi_1234_: f32;
-    var phi_1235_: bool;
-    var phi_1236_: f32;
-    var phi_1237_: bool;
-    var phi_1241_: f32;
-    var phi_1261_: f32;
-    var phi_1266_: f32;
-    var phi_1267_: bool;
-    var phi_1268_: f32;
-    var phi_1269_: bool;
-    var phi_1273_: f32;
+    var phi_997_: bool;
+    var phi_998_: bool;
+    var phi_1002_: bool;
+    var phi_1084_: f32;
+    var phi_1202_: f32;
+    var phi_1203_: f32;
+    var phi_1206_: f32;
+    var phi_1235_: f32;
+    var phi_1240_: f32;
+    var phi_1241_: bool;
+    var phi_1242_: f32;
+    var phi_1243_: bool;
+    var phi_1247_: f32;
+    var phi_1267_: f32;
+    var phi_1272_: f32;
+    var phi_1273_: bool;
+    var phi_1274_: f32;
+    var phi_1275_: bool;
+    var phi_1279_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_1326_: i32;
-    var phi_1331_: i32;
-    var phi_1336_: i32;
-    var phi_1341_: i32;
-    var phi_1350_: i32;
-    var phi_1355_: i32;
-    var phi_1360_: i32;
-    var phi_1365_: i32;
-    var phi_1460_: bool;
+    var phi_1332_: i32;
+    var phi_1337_: i32;
+    var phi_1342_: i32;
+    var phi_1347_: i32;
+    var phi_1356_: i32;
+    var phi_1361_: i32;
+    var phi_1366_: i32;
+    var phi_1371_: i32;
     var phi_1468_: bool;
-    var phi_1480_: bool;
-    var phi_1481_: bool;
-    var phi_1485_: f32;
-    var phi_1491_: f32;
-    var phi_1493_: evaluate_Verdict;
-    var phi_1498_: evaluate_Verdict;
-    var phi_1499_: evaluate_Verdict;
-    var phi_1503_: bool;
-    var phi_1504_: u32;
-    var phi_1515_: u32;
+    var phi_1476_: bool;
+    var phi_1488_: bool;
+    var phi_1489_: bool;
+    var phi_1493_: f32;
+    var phi_1499_: f32;
+    var phi_1501_: evaluate_Verdict;
+    var phi_1511_: u32;
+    var phi_1520_: f32;
+    var phi_1522_: evaluate_Verdict;
+    var phi_1523_: bool;
+    var phi_1524_: evaluate_Verdict;
+    var phi_1525_: bool;
+    var phi_1530_: evaluate_Verdict;
+    var phi_1535_: evaluate_Verdict;
+    var phi_1536_: evaluate_Verdict;
+    var phi_1540_: bool;
+    var phi_1541_: u32;
+    var phi_1552_: u32;
+    var phi_1569_: u32;
 
-    let _e58 = id_1;
-    let _e59 = local_5;
-    let _e64 = arrayLength((&map.member));
-    let _e69 = arrayLength((&levels.member));
-    let _e72 = p.member.size[0u];
-    let _e74 = p.member.size[1u];
-    let _e75 = lt_shaders_entry_pixel_index(_e58, _e72, _e74);
-    if (bitcast<i32>(_e75.root) != 0i) {
-        let _e82 = p.member.level_count;
-        let _e86 = samples.member[_e75.first_primitive].normal[0u];
-        let _e88 = global[0u];
-        if (_e86 == _e88) {
-            let _e91 = samples.member[_e75.first_primitive].normal[1u];
-            let _e93 = global[1u];
-            if (_e91 == _e93) {
-                let _e96 = samples.member[_e75.first_primitive].normal[2u];
-                let _e98 = global[2u];
-                phi_656_ = (_e96 == _e98);
-                phi_657_ = false;
+    let _e62 = id_1;
+    let _e63 = local_5;
+    let _e68 = arrayLength((&map.member));
+    let _e73 = arrayLength((&levels.member));
+    let _e76 = p.member.size[0u];
+    let _e78 = p.member.size[1u];
+    let _e79 = lt_shaders_entry_pixel_index(_e62, _e76, _e78);
+    if (bitcast<i32>(_e79.root) != 0i) {
+        let _e86 = p.member.level_count;
+        let _e90 = samples.member[_e79.first_primitive].normal[0u];
+        let _e92 = global[0u];
+        if (_e90 == _e92) {
+            let _e95 = samples.member[_e79.first_primitive].normal[1u];
+            let _e97 = global[1u];
+            if (_e95 == _e97) {
+                let _e100 = samples.member[_e79.first_primitive].normal[2u];
+                let _e102 = global[2u];
+                phi_662_ = (_e100 == _e102);
+                phi_663_ = false;
             } else {
-                phi_656_ = bool();
-                phi_657_ = true;
+                phi_662_ = bool();
+                phi_663_ = true;
             }
-            let _e101 = phi_656_;
-            let _e103 = phi_657_;
-            phi_658_ = _e101;
-            phi_659_ = _e103;
+            let _e105 = phi_662_;
+            let _e107 = phi_663_;
+            phi_664_ = _e105;
+            phi_665_ = _e107;
         } else {
-            phi_658_ = bool();
-            phi_659_ = true;
+            phi_664_ = bool();
+            phi_665_ = true;
         }
-        let _e105 = phi_658_;
-        let _e107 = phi_659_;
-        if _e107 {
-            phi_663_ = false;
+        let _e109 = phi_664_;
+        let _e111 = phi_665_;
+        if _e111 {
+            phi_669_ = false;
         } else {
-            phi_663_ = _e105;
+            phi_669_ = _e109;
         }
-        let _e109 = phi_663_;
-        if !(_e109) {
-            let _e112 = samples.member[_e75.first_primitive].position;
-            let _e114 = p.member.light.place;
-            let _e120 = p.member.light.place[3u];
-            let _e127 = (_e114.x - (_e112.x * _e120));
-            let _e128 = (_e114.y - (_e112.y * _e120));
-            let _e129 = (_e114.z - (_e112.z * _e120));
-            let _e131 = samples.member[_e75.first_primitive].normal;
-            if ((((_e131.x * _e127) + (_e131.y * _e128)) + (_e131.z * _e129)) > 0f) {
-                let _e145 = (((_e127 * _e127) + (_e128 * _e128)) + (_e129 * _e129));
-                let _e147 = p.member.light.axis;
-                let _e159 = p.member.light.place[3u];
-                if (_e159 == 0f) {
-                    phi_734_ = true;
+        let _e113 = phi_669_;
+        if !(_e113) {
+            let _e116 = samples.member[_e79.first_primitive].position;
+            let _e118 = p.member.light.place;
+            let _e124 = p.member.light.place[3u];
+            let _e131 = (_e118.x - (_e116.x * _e124));
+            let _e132 = (_e118.y - (_e116.y * _e124));
+            let _e133 = (_e118.z - (_e116.z * _e124));
+            let _e135 = samples.member[_e79.first_primitive].normal;
+            if ((((_e135.x * _e131) + (_e135.y * _e132)) + (_e135.z * _e133)) > 0f) {
+                let _e149 = (((_e131 * _e131) + (_e132 * _e132)) + (_e133 * _e133));
+                let _e151 = p.member.light.axis;
+                let _e163 = p.member.light.place[3u];
+                if (_e163 == 0f) {
+                    phi_740_ = true;
                 } else {
-                    let _e162 = p.member.light.range_squared;
-                    if (_e145 <= _e162) {
-                        let _e165 = p.member.light.cos_outer;
-                        phi_733_ = (-((((_e127 * _e147.x) + (_e128 * _e147.y)) + (_e129 * _e147.z))) >= (_e165 * sqrt(_e145)));
+                    let _e166 = p.member.light.range_squared;
+                    if (_e149 <= _e166) {
+                        let _e169 = p.member.light.cos_outer;
+                        phi_739_ = (-((((_e131 * _e151.x) + (_e132 * _e151.y)) + (_e133 * _e151.z))) >= (_e169 * sqrt(_e149)));
                     } else {
-                        phi_733_ = false;
+                        phi_739_ = false;
                     }
-                    let _e170 = phi_733_;
-                    phi_734_ = _e170;
+                    let _e174 = phi_739_;
+                    phi_740_ = _e174;
                 }
-                let _e172 = phi_734_;
-                if _e172 {
-                    let _e174 = samples.member[_e75.first_primitive].flags;
-                    let _e182 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e188 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e182.unnamed.visibility, false), _e182.unnamed_1);
-                    phi_745_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e188.unnamed, ((_e174 & 1u) == 0u));
-                    phi_746_ = false;
+                let _e176 = phi_740_;
+                if _e176 {
+                    let _e178 = samples.member[_e79.first_primitive].flags;
+                    let _e186 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e186.unnamed.visibility, false), _e186.unnamed_1);
+                    phi_751_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e192.unnamed, ((_e178 & 1u) == 0u));
+                    phi_752_ = false;
                 } else {
-                    phi_745_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_746_ = true;
+                    phi_751_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_752_ = true;
                 }
-                let _e193 = phi_745_;
-                let _e195 = phi_746_;
-                phi_747_ = _e193;
-                phi_748_ = _e195;
+                let _e197 = phi_751_;
+                let _e199 = phi_752_;
+                phi_753_ = _e197;
+                phi_754_ = _e199;
             } else {
-                phi_747_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_748_ = true;
+                phi_753_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_754_ = true;
             }
-            let _e197 = phi_747_;
-            let _e199 = phi_748_;
-            if _e199 {
-                let _e205 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e205.unnamed.visibility, false), _e205.unnamed_1);
-                phi_755_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e211.unnamed, true);
+            let _e201 = phi_753_;
+            let _e203 = phi_754_;
+            if _e203 {
+                let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e209.unnamed.visibility, false), _e209.unnamed_1);
+                phi_761_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e215.unnamed, true);
             } else {
-                phi_755_ = _e197;
+                phi_761_ = _e201;
             }
-            let _e216 = phi_755_;
-            phi_759_ = _e216;
+            let _e220 = phi_761_;
+            phi_765_ = _e220;
         } else {
-            let _e222 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e228 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e222.unnamed.visibility, false), _e222.unnamed_1);
-            phi_759_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e228.unnamed, true);
+            let _e226 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e232 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e226.unnamed.visibility, false), _e226.unnamed_1);
+            phi_765_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e232.unnamed, true);
         }
-        let _e233 = phi_759_;
-        if _e233.unnamed_1 {
-            phi_1499_ = evaluate_Verdict(_e233.unnamed.visibility, _e233.unnamed.is_doubted);
+        let _e237 = phi_765_;
+        if _e237.unnamed_1 {
+            phi_1536_ = evaluate_Verdict(_e237.unnamed.visibility, _e237.unnamed.is_doubted);
         } else {
-            let _e241 = samples.member[_e75.first_primitive].position;
-            let _e243 = p.member.map_size;
-            let _e245 = (0.5f / f32(_e243));
-            let _e252 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e259 = lt_math_LightPoint(vec2<f32>(_e252.uv.x, 0f), _e252.depth, _e252.is_inside);
-            let _e263 = lt_math_LightPoint(_e259.uv, 0f, _e259.is_inside);
-            phi_779_ = lt_math_LightPoint();
-            phi_782_ = 0u;
-            phi_784_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e263.uv, _e263.depth, false));
+            let _e245 = samples.member[_e79.first_primitive].position;
+            let _e247 = p.member.map_size;
+            let _e249 = (0.5f / f32(_e247));
+            let _e256 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e263 = lt_math_LightPoint(vec2<f32>(_e256.uv.x, 0f), _e256.depth, _e256.is_inside);
+            let _e267 = lt_math_LightPoint(_e263.uv, 0f, _e263.is_inside);
+            phi_785_ = lt_math_LightPoint();
+            phi_788_ = 0u;
+            phi_790_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e267.uv, _e267.depth, false));
             loop {
-                let _e270 = phi_779_;
-                let _e272 = phi_782_;
-                let _e274 = phi_784_;
-                local_2 = _e274;
-                local_3 = _e274;
-                local_4 = _e274;
-                if (_e272 < _e82) {
-                    if _e274.point.is_inside {
-                        phi_945_ = lt_math_LightPoint();
-                        phi_946_ = u32();
-                        phi_947_ = lt_math_LevelPoint();
-                        phi_948_ = false;
+                let _e274 = phi_785_;
+                let _e276 = phi_788_;
+                let _e278 = phi_790_;
+                local_2 = _e278;
+                local_3 = _e278;
+                local_4 = _e278;
+                if (_e276 < _e86) {
+                    if _e278.point.is_inside {
+                        phi_951_ = lt_math_LightPoint();
+                        phi_952_ = u32();
+                        phi_953_ = lt_math_LevelPoint();
+                        phi_954_ = false;
                     } else {
-                        if (_e272 < _e69) {
+                        if (_e276 < _e73) {
                         } else {
                             return;
                         }
-                        let _e285 = levels.member[(0u + _e272)].row_w;
-                        let _e296 = ((((_e285.x * _e241.x) + (_e285.y * _e241.y)) + (_e285.z * _e241.z)) + (_e285.w * 1f));
-                        let _e298 = levels.member[(0u + _e272)].row_x;
-                        let _e310 = (((((_e298.x * _e241.x) + (_e298.y * _e241.y)) + (_e298.z * _e241.z)) + (_e298.w * 1f)) / _e296);
-                        let _e312 = levels.member[(0u + _e272)].row_y;
-                        let _e324 = (((((_e312.x * _e241.x) + (_e312.y * _e241.y)) + (_e312.z * _e241.z)) + (_e312.w * 1f)) / _e296);
-                        let _e326 = levels.member[(0u + _e272)].row_z;
-                        let _e337 = ((((_e326.x * _e241.x) + (_e326.y * _e241.y)) + (_e326.z * _e241.z)) + (_e326.w * 1f));
-                        if (_e296 > 0f) {
-                            if (_e310 >= 0f) {
-                                phi_870_ = (_e310 <= 1f);
+                        let _e289 = levels.member[(0u + _e276)].row_w;
+                        let _e300 = ((((_e289.x * _e245.x) + (_e289.y * _e245.y)) + (_e289.z * _e245.z)) + (_e289.w * 1f));
+                        let _e302 = levels.member[(0u + _e276)].row_x;
+                        let _e314 = (((((_e302.x * _e245.x) + (_e302.y * _e245.y)) + (_e302.z * _e245.z)) + (_e302.w * 1f)) / _e300);
+                        let _e316 = levels.member[(0u + _e276)].row_y;
+                        let _e328 = (((((_e316.x * _e245.x) + (_e316.y * _e245.y)) + (_e316.z * _e245.z)) + (_e316.w * 1f)) / _e300);
+                        let _e330 = levels.member[(0u + _e276)].row_z;
+                        let _e341 = ((((_e330.x * _e245.x) + (_e330.y * _e245.y)) + (_e330.z * _e245.z)) + (_e330.w * 1f));
+                        if (_e300 > 0f) {
+                            if (_e314 >= 0f) {
+                                phi_876_ = (_e314 <= 1f);
                             } else {
-                                phi_870_ = false;
+                                phi_876_ = false;
                             }
-                            let _e342 = phi_870_;
-                            if _e342 {
-                                if (_e324 >= 0f) {
-                                    phi_879_ = (_e324 <= 1f);
+                            let _e346 = phi_876_;
+                            if _e346 {
+                                if (_e328 >= 0f) {
+                                    phi_885_ = (_e328 <= 1f);
                                 } else {
-                                    phi_879_ = false;
+                                    phi_885_ = false;
                                 }
-                                let _e346 = phi_879_;
-                                if _e346 {
-                                    if (_e337 >= 0f) {
-                                        phi_888_ = (_e337 <= 1f);
+                                let _e350 = phi_885_;
+                                if _e350 {
+                                    if (_e341 >= 0f) {
+                                        phi_894_ = (_e341 <= 1f);
                                     } else {
-                                        phi_888_ = false;
+                                        phi_894_ = false;
                                     }
-                                    let _e350 = phi_888_;
-                                    phi_889_ = _e350;
-                                    phi_890_ = false;
+                                    let _e354 = phi_894_;
+                                    phi_895_ = _e354;
+                                    phi_896_ = false;
                                 } else {
-                                    phi_889_ = bool();
-                                    phi_890_ = true;
+                                    phi_895_ = bool();
+                                    phi_896_ = true;
                                 }
-                                let _e352 = phi_889_;
-                                let _e354 = phi_890_;
-                                phi_891_ = _e352;
-                                phi_892_ = _e354;
+                                let _e356 = phi_895_;
+                                let _e358 = phi_896_;
+                                phi_897_ = _e356;
+                                phi_898_ = _e358;
                             } else {
-                                phi_891_ = bool();
-                                phi_892_ = true;
+                                phi_897_ = bool();
+                                phi_898_ = true;
                             }
-                            let _e356 = phi_891_;
-                            let _e358 = phi_892_;
-                            phi_893_ = _e356;
-                            phi_894_ = _e358;
+                            let _e360 = phi_897_;
+                            let _e362 = phi_898_;
+                            phi_899_ = _e360;
+                            phi_900_ = _e362;
                         } else {
-                            phi_893_ = bool();
-                            phi_894_ = true;
+                            phi_899_ = bool();
+                            phi_900_ = true;
                         }
-                        let _e360 = phi_893_;
-                        let _e362 = phi_894_;
-                        if _e362 {
-                            phi_898_ = false;
+                        let _e364 = phi_899_;
+                        let _e366 = phi_900_;
+                        if _e366 {
+                            phi_904_ = false;
                         } else {
-                            phi_898_ = _e360;
+                            phi_904_ = _e364;
                         }
-                        let _e364 = phi_898_;
-                        if _e364 {
-                            if (_e310 >= _e245) {
-                                if (_e310 <= (1f - _e245)) {
-                                    if (_e324 >= _e245) {
-                                        phi_925_ = (_e324 <= (1f - _e245));
-                                        phi_926_ = false;
+                        let _e368 = phi_904_;
+                        if _e368 {
+                            if (_e314 >= _e249) {
+                                if (_e314 <= (1f - _e249)) {
+                                    if (_e328 >= _e249) {
+                                        phi_931_ = (_e328 <= (1f - _e249));
+                                        phi_932_ = false;
                                     } else {
-                                        phi_925_ = bool();
-                                        phi_926_ = true;
+                                        phi_931_ = bool();
+                                        phi_932_ = true;
                                     }
-                                    let _e372 = phi_925_;
-                                    let _e374 = phi_926_;
-                                    phi_927_ = _e372;
-                                    phi_928_ = _e374;
+                                    let _e376 = phi_931_;
+                                    let _e378 = phi_932_;
+                                    phi_933_ = _e376;
+                                    phi_934_ = _e378;
                                 } else {
-                                    phi_927_ = bool();
-                                    phi_928_ = true;
+                                    phi_933_ = bool();
+                                    phi_934_ = true;
                                 }
-                                let _e376 = phi_927_;
-                                let _e378 = phi_928_;
-                                phi_929_ = _e376;
-                                phi_930_ = _e378;
+                                let _e380 = phi_933_;
+                                let _e382 = phi_934_;
+                                phi_935_ = _e380;
+                                phi_936_ = _e382;
                             } else {
-                                phi_929_ = bool();
-                                phi_930_ = true;
+                                phi_935_ = bool();
+                                phi_936_ = true;
                             }
-                            let _e380 = phi_929_;
-                            let _e382 = phi_930_;
-                            phi_931_ = _e380;
-                            phi_932_ = _e382;
+                            let _e384 = phi_935_;
+                            let _e386 = phi_936_;
+                            phi_937_ = _e384;
+                            phi_938_ = _e386;
                         } else {
-                            phi_931_ = bool();
-                            phi_932_ = true;
+                            phi_937_ = bool();
+                            phi_938_ = true;
                         }
-                        let _e384 = phi_931_;
-                        let _e386 = phi_932_;
-                        if _e386 {
-                            phi_936_ = false;
+                        let _e388 = phi_937_;
+                        let _e390 = phi_938_;
+                        if _e390 {
+                            phi_942_ = false;
                         } else {
-                            phi_936_ = _e384;
+                            phi_942_ = _e388;
                         }
-                        let _e388 = phi_936_;
-                        let _e395 = lt_math_LightPoint(vec2<f32>(_e310, _e270.uv.y), _e270.depth, _e270.is_inside);
-                        let _e402 = lt_math_LightPoint(vec2<f32>(_e395.uv.x, _e324), _e395.depth, _e395.is_inside);
-                        let _e406 = lt_math_LightPoint(_e402.uv, _e337, _e402.is_inside);
-                        let _e410 = lt_math_LightPoint(_e406.uv, _e406.depth, _e388);
-                        phi_945_ = _e410;
-                        phi_946_ = (_e272 + 1u);
-                        phi_947_ = lt_math_LevelPoint(_e272, _e410);
-                        phi_948_ = true;
+                        let _e392 = phi_942_;
+                        let _e399 = lt_math_LightPoint(vec2<f32>(_e314, _e274.uv.y), _e274.depth, _e274.is_inside);
+                        let _e406 = lt_math_LightPoint(vec2<f32>(_e399.uv.x, _e328), _e399.depth, _e399.is_inside);
+                        let _e410 = lt_math_LightPoint(_e406.uv, _e341, _e406.is_inside);
+                        let _e414 = lt_math_LightPoint(_e410.uv, _e410.depth, _e392);
+                        phi_951_ = _e414;
+                        phi_952_ = (_e276 + 1u);
+                        phi_953_ = lt_math_LevelPoint(_e276, _e414);
+                        phi_954_ = true;
                     }
-                    let _e414 = phi_945_;
-                    let _e416 = phi_946_;
-                    let _e418 = phi_947_;
-                    let _e420 = phi_948_;
-                    phi_780_ = _e414;
-                    phi_783_ = _e416;
-                    phi_785_ = _e418;
-                    phi_949_ = _e420;
+                    let _e418 = phi_951_;
+                    let _e420 = phi_952_;
+                    let _e422 = phi_953_;
+                    let _e424 = phi_954_;
+                    phi_786_ = _e418;
+                    phi_789_ = _e420;
+                    phi_791_ = _e422;
+                    phi_955_ = _e424;
                 } else {
-                    phi_780_ = lt_math_LightPoint();
-                    phi_783_ = u32();
-                    phi_785_ = lt_math_LevelPoint();
-                    phi_949_ = false;
+                    phi_786_ = lt_math_LightPoint();
+                    phi_789_ = u32();
+                    phi_791_ = lt_math_LevelPoint();
+                    phi_955_ = false;
                 }
-                let _e422 = phi_780_;
-                let _e424 = phi_783_;
-                let _e426 = phi_785_;
-                let _e428 = phi_949_;
+                let _e426 = phi_786_;
+                let _e428 = phi_789_;
+                let _e430 = phi_791_;
+                let _e432 = phi_955_;
                 continue;
                 continuing {
-                    phi_779_ = _e422;
-                    phi_782_ = _e424;
-                    phi_784_ = _e426;
-                    break if !(_e428);
+                    phi_785_ = _e426;
+                    phi_788_ = _e428;
+                    phi_790_ = _e430;
+                    break if !(_e432);
                 }
             }
-            let _e431 = local_2;
-            if _e431.point.is_inside {
+            let _e435 = local_2;
+            if _e435.point.is_inside {
                 if (0f > 0f) {
-                    let _e437 = local_3;
-                    if (_e437.level < _e69) {
+                    let _e441 = local_3;
+                    if (_e441.level < _e73) {
                     } else {
                         return;
                     }
-                    let _e442 = levels.member[(0u + _e437.level)];
-                    let _e448 = global[0u];
-                    if (_e442.row_w.x == _e448) {
-                        let _e451 = global[1u];
-                        if (_e442.row_w.y == _e451) {
-                            let _e454 = global[2u];
-                            phi_989_ = (_e442.row_w.z == _e454);
-                            phi_990_ = false;
+                    let _e446 = levels.member[(0u + _e441.level)];
+                    let _e452 = global[0u];
+                    if (_e446.row_w.x == _e452) {
+                        let _e455 = global[1u];
+                        if (_e446.row_w.y == _e455) {
+                            let _e458 = global[2u];
+                            phi_995_ = (_e446.row_w.z == _e458);
+                            phi_996_ = false;
                         } else {
-                            phi_989_ = bool();
-                            phi_990_ = true;
+                            phi_995_ = bool();
+                            phi_996_ = true;
                         }
-                        let _e457 = phi_989_;
-                        let _e459 = phi_990_;
-                        phi_991_ = _e457;
-                        phi_992_ = _e459;
+                        let _e461 = phi_995_;
+                        let _e463 = phi_996_;
+                        phi_997_ = _e461;
+                        phi_998_ = _e463;
                     } else {
-                        phi_991_ = bool();
-                        phi_992_ = true;
+                        phi_997_ = bool();
+                        phi_998_ = true;
                     }
-                    let _e461 = phi_991_;
-                    let _e463 = phi_992_;
-                    if _e463 {
-                        phi_996_ = false;
+                    let _e465 = phi_997_;
+                    let _e467 = phi_998_;
+                    if _e467 {
+                        phi_1002_ = false;
                     } else {
-                        phi_996_ = _e461;
+                        phi_1002_ = _e465;
                     }
-                    let _e465 = phi_996_;
-                    if _e465 {
-                        let _e467 = samples.member[_e75.first_primitive].normal;
-                        let _e469 = p.member.map_size;
-                        let _e539 = ((abs(((((_e442.row_x.x * _e467.x) + (_e442.row_x.y * _e467.y)) + (_e442.row_x.z * _e467.z)) / (((_e442.row_x.x * _e442.row_x.x) + (_e442.row_x.y * _e442.row_x.y)) + (_e442.row_x.z * _e442.row_x.z)))) + abs(((((_e442.row_y.x * _e467.x) + (_e442.row_y.y * _e467.y)) + (_e442.row_y.z * _e467.z)) / (((_e442.row_y.x * _e442.row_y.x) + (_e442.row_y.y * _e442.row_y.y)) + (_e442.row_y.z * _e442.row_y.z))))) / (abs(((((_e442.row_z.x * _e467.x) + (_e442.row_z.y * _e467.y)) + (_e442.row_z.z * _e467.z)) / (((_e442.row_z.x * _e442.row_z.x) + (_e442.row_z.y * _e442.row_z.y)) + (_e442.row_z.z * _e442.row_z.z)))) * f32(_e469)));
-                        if (_e539 < 0.002f) {
-                            phi_1078_ = _e539;
+                    let _e469 = phi_1002_;
+                    if _e469 {
+                        let _e471 = samples.member[_e79.first_primitive].normal;
+                        let _e473 = p.member.map_size;
+                        let _e543 = ((abs(((((_e446.row_x.x * _e471.x) + (_e446.row_x.y * _e471.y)) + (_e446.row_x.z * _e471.z)) / (((_e446.row_x.x * _e446.row_x.x) + (_e446.row_x.y * _e446.row_x.y)) + (_e446.row_x.z * _e446.row_x.z)))) + abs(((((_e446.row_y.x * _e471.x) + (_e446.row_y.y * _e471.y)) + (_e446.row_y.z * _e471.z)) / (((_e446.row_y.x * _e446.row_y.x) + (_e446.row_y.y * _e446.row_y.y)) + (_e446.row_y.z * _e446.row_y.z))))) / (abs(((((_e446.row_z.x * _e471.x) + (_e446.row_z.y * _e471.y)) + (_e446.row_z.z * _e471.z)) / (((_e446.row_z.x * _e446.row_z.x) + (_e446.row_z.y * _e446.row_z.y)) + (_e446.row_z.z * _e446.row_z.z)))) * f32(_e473)));
+                        if (_e543 < 0.002f) {
+                            phi_1084_ = _e543;
                         } else {
-                            phi_1078_ = 0.002f;
+                            phi_1084_ = 0.002f;
                         }
-                        let _e542 = phi_1078_;
-                        phi_1197_ = _e542;
+                        let _e546 = phi_1084_;
+                        phi_1203_ = _e546;
                     } else {
-                        let _e544 = p.member.map_size;
-                        let _e550 = samples.member[_e75.first_primitive].position;
-                        let _e561 = ((((_e442.row_w.x * _e550.x) + (_e442.row_w.y * _e550.y)) + (_e442.row_w.z * _e550.z)) + _e442.row_w.w);
-                        let _e574 = ((_e442.row_x.x - (_e442.row_w.x * _e431.point.uv.x)) / _e561);
-                        let _e575 = ((_e442.row_x.y - (_e442.row_w.y * _e431.point.uv.x)) / _e561);
-                        let _e576 = ((_e442.row_x.z - (_e442.row_w.z * _e431.point.uv.x)) / _e561);
-                        let _e589 = ((_e442.row_y.x - (_e442.row_w.x * _e431.point.uv.y)) / _e561);
-                        let _e590 = ((_e442.row_y.y - (_e442.row_w.y * _e431.point.uv.y)) / _e561);
-                        let _e591 = ((_e442.row_y.z - (_e442.row_w.z * _e431.point.uv.y)) / _e561);
-                        let _e597 = samples.member[_e75.first_primitive].normal;
-                        let _e602 = ((_e590 * _e597.z) - (_e597.y * _e591));
-                        let _e607 = ((_e591 * _e597.x) - (_e597.z * _e589));
-                        let _e612 = ((_e589 * _e597.y) - (_e597.x * _e590));
-                        let _e614 = samples.member[_e75.first_primitive].normal;
-                        let _e619 = ((_e575 * _e614.z) - (_e614.y * _e576));
-                        let _e624 = ((_e576 * _e614.x) - (_e614.z * _e574));
-                        let _e629 = ((_e574 * _e614.y) - (_e614.x * _e575));
-                        let _e656 = ((abs(((((_e442.row_z.x * _e602) + (_e442.row_z.y * _e607)) + (_e442.row_z.z * _e612)) / (((_e574 * _e602) + (_e575 * _e607)) + (_e576 * _e612)))) + abs(((((_e442.row_z.x * _e619) + (_e442.row_z.y * _e624)) + (_e442.row_z.z * _e629)) / (((_e589 * _e619) + (_e590 * _e624)) + (_e591 * _e629))))) / f32(_e544));
-                        let _e658 = (16f / f32(_e544));
-                        if (_e656 < _e658) {
-                            phi_1196_ = _e656;
+                        let _e548 = p.member.map_size;
+                        let _e554 = samples.member[_e79.first_primitive].position;
+                        let _e565 = ((((_e446.row_w.x * _e554.x) + (_e446.row_w.y * _e554.y)) + (_e446.row_w.z * _e554.z)) + _e446.row_w.w);
+                        let _e578 = ((_e446.row_x.x - (_e446.row_w.x * _e435.point.uv.x)) / _e565);
+                        let _e579 = ((_e446.row_x.y - (_e446.row_w.y * _e435.point.uv.x)) / _e565);
+                        let _e580 = ((_e446.row_x.z - (_e446.row_w.z * _e435.point.uv.x)) / _e565);
+                        let _e593 = ((_e446.row_y.x - (_e446.row_w.x * _e435.point.uv.y)) / _e565);
+                        let _e594 = ((_e446.row_y.y - (_e446.row_w.y * _e435.point.uv.y)) / _e565);
+                        let _e595 = ((_e446.row_y.z - (_e446.row_w.z * _e435.point.uv.y)) / _e565);
+                        let _e601 = samples.member[_e79.first_primitive].normal;
+                        let _e606 = ((_e594 * _e601.z) - (_e601.y * _e595));
+                        let _e611 = ((_e595 * _e601.x) - (_e601.z * _e593));
+                        let _e616 = ((_e593 * _e601.y) - (_e601.x * _e594));
+                        let _e618 = samples.member[_e79.first_primitive].normal;
+                        let _e623 = ((_e579 * _e618.z) - (_e618.y * _e580));
+                        let _e628 = ((_e580 * _e618.x) - (_e618.z * _e578));
+                        let _e633 = ((_e578 * _e618.y) - (_e618.x * _e579));
+                        let _e660 = ((abs(((((_e446.row_z.x * _e606) + (_e446.row_z.y * _e611)) + (_e446.row_z.z * _e616)) / (((_e578 * _e606) + (_e579 * _e611)) + (_e580 * _e616)))) + abs(((((_e446.row_z.x * _e623) + (_e446.row_z.y * _e628)) + (_e446.row_z.z * _e633)) / (((_e593 * _e623) + (_e594 * _e628)) + (_e595 * _e633))))) / f32(_e548));
+                        let _e662 = (16f / f32(_e548));
+                        if (_e660 < _e662) {
+                            phi_1202_ = _e660;
                         } else {
-                            phi_1196_ = _e658;
+                            phi_1202_ = _e662;
                         }
-                        let _e661 = phi_1196_;
-                        phi_1197_ = _e661;
+                        let _e665 = phi_1202_;
+                        phi_1203_ = _e665;
                     }
-                    let _e663 = phi_1197_;
-                    phi_1200_ = (_e431.point.depth - (0f * _e663));
+                    let _e667 = phi_1203_;
+                    phi_1206_ = (_e435.point.depth - (0f * _e667));
                 } else {
-                    phi_1200_ = _e431.point.depth;
+                    phi_1206_ = _e435.point.depth;
                 }
-                let _e667 = phi_1200_;
-                let _e673 = p.member.map_size;
-                let _e674 = f32(_e673);
-                let _e677 = ((_e431.point.uv.x * _e674) - 0.5f);
-                let _e678 = ((_e431.point.uv.y * _e674) - 0.5f);
-                if (_e677 > -8388608f) {
-                    let _e690 = f32(select(0i, select(select(i32(_e677), i32(-2147483648), (_e677 < bitcast<f32>(3472883712u))), 2147483647i, (_e677 > bitcast<f32>(1325400063u))), (_e677 == _e677)));
-                    if (_e690 > _e677) {
-                        phi_1229_ = 1f;
+                let _e671 = phi_1206_;
+                let _e677 = p.member.map_size;
+                let _e678 = f32(_e677);
+                let _e681 = ((_e435.point.uv.x * _e678) - 0.5f);
+                let _e682 = ((_e435.point.uv.y * _e678) - 0.5f);
+                if (_e681 > -8388608f) {
+                    let _e694 = f32(select(0i, select(select(i32(_e681), i32(-2147483648), (_e681 < bitcast<f32>(3472883712u))), 2147483647i, (_e681 > bitcast<f32>(1325400063u))), (_e681 == _e681)));
+                    if (_e694 > _e681) {
+                        phi_1235_ = 1f;
                     } else {
-                        phi_1229_ = 0f;
+                        phi_1235_ = 0f;
                     }
-                    let _e693 = phi_1229_;
-                    if (_e677 < 8388608f) {
-                        phi_1234_ = (_e690 - _e693);
-                        phi_1235_ = false;
+                    let _e697 = phi_1235_;
+                    if (_e681 < 8388608f) {
+                        phi_1240_ = (_e694 - _e697);
+                        phi_1241_ = false;
                     } else {
-                        phi_1234_ = f32();
-                        phi_1235_ = true;
+                        phi_1240_ = f32();
+                        phi_1241_ = true;
                     }
-                    let _e696 = phi_1234_;
-                    let _e698 = phi_1235_;
-                    phi_1236_ = _e696;
-                    phi_1237_ = _e698;
+                    let _e700 = phi_1240_;
+                    let _e702 = phi_1241_;
+                    phi_1242_ = _e700;
+                    phi_1243_ = _e702;
                 } else {
-                    phi_1236_ = f32();
-                    phi_1237_ = true;
+                    phi_1242_ = f32();
+                    phi_1243_ = true;
                 }
-                let _e700 = phi_1236_;
-                let _e702 = phi_1237_;
-                if _e702 {
-                    phi_1241_ = _e677;
+                let _e704 = phi_1242_;
+                let _e706 = phi_1243_;
+                if _e706 {
+                    phi_1247_ = _e681;
                 } else {
-                    phi_1241_ = _e700;
+                    phi_1247_ = _e704;
                 }
-                let _e704 = phi_1241_;
-                if (_e678 > -8388608f) {
-                    let _e716 = f32(select(0i, select(select(i32(_e678), i32(-2147483648), (_e678 < bitcast<f32>(3472883712u))), 2147483647i, (_e678 > bitcast<f32>(1325400063u))), (_e678 == _e678)));
-                    if (_e716 > _e678) {
-                        phi_1261_ = 1f;
+                let _e708 = phi_1247_;
+                if (_e682 > -8388608f) {
+                    let _e720 = f32(select(0i, select(select(i32(_e682), i32(-2147483648), (_e682 < bitcast<f32>(3472883712u))), 2147483647i, (_e682 > bitcast<f32>(1325400063u))), (_e682 == _e682)));
+                    if (_e720 > _e682) {
+                        phi_1267_ = 1f;
                     } else {
-                        phi_1261_ = 0f;
+                        phi_1267_ = 0f;
                     }
-                    let _e719 = phi_1261_;
-                    if (_e678 < 8388608f) {
-                        phi_1266_ = (_e716 - _e719);
-                        phi_1267_ = false;
+                    let _e723 = phi_1267_;
+                    if (_e682 < 8388608f) {
+                        phi_1272_ = (_e720 - _e723);
+                        phi_1273_ = false;
                     } else {
-                        phi_1266_ = f32();
-                        phi_1267_ = true;
+                        phi_1272_ = f32();
+                        phi_1273_ = true;
                     }
-                    let _e722 = phi_1266_;
-                    let _e724 = phi_1267_;
-                    phi_1268_ = _e722;
-                    phi_1269_ = _e724;
+                    let _e726 = phi_1272_;
+                    let _e728 = phi_1273_;
+                    phi_1274_ = _e726;
+                    phi_1275_ = _e728;
                 } else {
-                    phi_1268_ = f32();
-                    phi_1269_ = true;
+                    phi_1274_ = f32();
+                    phi_1275_ = true;
                 }
-                let _e726 = phi_1268_;
-                let _e728 = phi_1269_;
-                if _e728 {
-                    phi_1273_ = _e678;
+                let _e730 = phi_1274_;
+                let _e732 = phi_1275_;
+                if _e732 {
+                    phi_1279_ = _e682;
                 } else {
-                    phi_1273_ = _e726;
+                    phi_1279_ = _e730;
                 }
-                let _e730 = phi_1273_;
-                let _e731 = (_e677 - _e704);
-                let _e732 = (_e678 - _e730);
-                let _e741 = select(0i, select(select(i32(_e704), i32(-2147483648), (_e704 < bitcast<f32>(3472883712u))), 2147483647i, (_e704 > bitcast<f32>(1325400063u))), (_e704 == _e704));
-                let _e750 = select(0i, select(select(i32(_e730), i32(-2147483648), (_e730 < bitcast<f32>(3472883712u))), 2147483647i, (_e730 > bitcast<f32>(1325400063u))), (_e730 == _e730));
-                let _e753 = ((1f - _e731) * (1f - _e732));
-                let _e755 = (_e731 * (1f - _e732));
-                let _e757 = ((1f - _e731) * _e732);
-                let _e758 = (_e731 * _e732);
-                let _e760 = p.member.test;
-                let _e761 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e760);
-                let _e763 = p.member.map_size;
-                let _e765 = local_4;
-                local_1 = lt_math_Evsm(_e761.positive_exponent, _e761.negative_exponent, _e761.min_variance);
-                let _e772 = ((_e765.level * _e763) * _e763);
-                let _e774 = (bitcast<i32>(_e763) - 1i);
-                if (_e741 > 0i) {
-                    phi_1326_ = _e741;
+                let _e734 = phi_1279_;
+                let _e735 = (_e681 - _e708);
+                let _e736 = (_e682 - _e734);
+                let _e745 = select(0i, select(select(i32(_e708), i32(-2147483648), (_e708 < bitcast<f32>(3472883712u))), 2147483647i, (_e708 > bitcast<f32>(1325400063u))), (_e708 == _e708));
+                let _e754 = select(0i, select(select(i32(_e734), i32(-2147483648), (_e734 < bitcast<f32>(3472883712u))), 2147483647i, (_e734 > bitcast<f32>(1325400063u))), (_e734 == _e734));
+                let _e757 = ((1f - _e735) * (1f - _e736));
+                let _e759 = (_e735 * (1f - _e736));
+                let _e761 = ((1f - _e735) * _e736);
+                let _e762 = (_e735 * _e736);
+                let _e764 = p.member.test;
+                let _e765 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e764);
+                let _e767 = p.member.map_size;
+                let _e769 = local_4;
+                local_1 = lt_math_Evsm(_e765.positive_exponent, _e765.negative_exponent, _e765.min_variance);
+                let _e776 = ((_e769.level * _e767) * _e767);
+                let _e778 = (bitcast<i32>(_e767) - 1i);
+                if (_e745 > 0i) {
+                    phi_1332_ = _e745;
                 } else {
-                    phi_1326_ = 0i;
+                    phi_1332_ = 0i;
                 }
-                let _e777 = phi_1326_;
-                if (_e750 > 0i) {
-                    phi_1331_ = _e750;
+                let _e781 = phi_1332_;
+                if (_e754 > 0i) {
+                    phi_1337_ = _e754;
                 } else {
-                    phi_1331_ = 0i;
+                    phi_1337_ = 0i;
                 }
-                let _e780 = phi_1331_;
-                if (_e777 < _e774) {
-                    phi_1336_ = _e777;
+                let _e784 = phi_1337_;
+                if (_e781 < _e778) {
+                    phi_1342_ = _e781;
                 } else {
-                    phi_1336_ = _e774;
+                    phi_1342_ = _e778;
                 }
-                let _e783 = phi_1336_;
-                if (_e780 < _e774) {
-                    phi_1341_ = _e780;
+                let _e787 = phi_1342_;
+                if (_e784 < _e778) {
+                    phi_1347_ = _e784;
                 } else {
-                    phi_1341_ = _e774;
+                    phi_1347_ = _e778;
                 }
-                let _e786 = phi_1341_;
-                let _e787 = bitcast<u32>(_e783);
-                let _e789 = (_e741 + 1i);
-                let _e790 = (_e750 + 1i);
-                if (_e789 > 0i) {
-                    phi_1350_ = _e789;
+                let _e790 = phi_1347_;
+                let _e791 = bitcast<u32>(_e787);
+                let _e793 = (_e745 + 1i);
+                let _e794 = (_e754 + 1i);
+                if (_e793 > 0i) {
+                    phi_1356_ = _e793;
                 } else {
-                    phi_1350_ = 0i;
+                    phi_1356_ = 0i;
                 }
-                let _e793 = phi_1350_;
-                if (_e790 > 0i) {
-                    phi_1355_ = _e790;
+                let _e797 = phi_1356_;
+                if (_e794 > 0i) {
+                    phi_1361_ = _e794;
                 } else {
-                    phi_1355_ = 0i;
+                    phi_1361_ = 0i;
                 }
-                let _e796 = phi_1355_;
-                if (_e793 < _e774) {
-                    phi_1360_ = _e793;
+                let _e800 = phi_1361_;
+                if (_e797 < _e778) {
+                    phi_1366_ = _e797;
                 } else {
-                    phi_1360_ = _e774;
+                    phi_1366_ = _e778;
                 }
-                let _e799 = phi_1360_;
-                if (_e796 < _e774) {
-                    phi_1365_ = _e796;
+                let _e803 = phi_1366_;
+                if (_e800 < _e778) {
+                    phi_1371_ = _e800;
                 } else {
-                    phi_1365_ = _e774;
+                    phi_1371_ = _e778;
                 }
-                let _e802 = phi_1365_;
-                let _e803 = bitcast<u32>(_e799);
-                let _e805 = (bitcast<u32>(_e786) * _e763);
-                let _e806 = (bitcast<u32>(_e802) * _e763);
-                let _e811 = ((_e805 + _e787) + _e772);
-                let _e812 = ((_e805 + _e803) + _e772);
-                let _e813 = ((_e806 + _e787) + _e772);
-                let _e814 = ((_e806 + _e803) + _e772);
-                if (_e811 < _e64) {
+                let _e806 = phi_1371_;
+                let _e807 = bitcast<u32>(_e803);
+                let _e809 = (bitcast<u32>(_e790) * _e767);
+                let _e810 = (bitcast<u32>(_e806) * _e767);
+                let _e815 = ((_e809 + _e791) + _e776);
+                let _e816 = ((_e809 + _e807) + _e776);
+                let _e817 = ((_e810 + _e791) + _e776);
+                let _e818 = ((_e810 + _e807) + _e776);
+                if (_e815 < _e68) {
                 } else {
                     return;
                 }
-                let _e818 = map.member[(0u + _e811)];
-                if (_e812 < _e64) {
+                let _e822 = map.member[(0u + _e815)];
+                if (_e816 < _e68) {
                 } else {
                     return;
                 }
-                let _e830 = map.member[(0u + _e812)];
-                if (_e813 < _e64) {
+                let _e834 = map.member[(0u + _e816)];
+                if (_e817 < _e68) {
                 } else {
                     return;
                 }
-                let _e846 = map.member[(0u + _e813)];
-                if (_e814 < _e64) {
+                let _e850 = map.member[(0u + _e817)];
+                if (_e818 < _e68) {
                 } else {
                     return;
                 }
-                let _e862 = map.member[(0u + _e814)];
-                let _e876 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e818.x * _e753) + (_e830.x * _e755)) + (_e846.x * _e757)) + (_e862.x * _e758)), ((((_e818.y * _e753) + (_e830.y * _e755)) + (_e846.y * _e757)) + (_e862.y * _e758)), ((((_e818.z * _e753) + (_e830.z * _e755)) + (_e846.z * _e757)) + (_e862.z * _e758)), ((((_e818.w * _e753) + (_e830.w * _e755)) + (_e846.w * _e757)) + (_e862.w * _e758))), _e667);
-                let _e878 = p.member.epsilon;
-                if (_e876 <= _e878) {
-                    phi_1460_ = true;
-                } else {
-                    phi_1460_ = (_e876 >= (1f - _e878));
-                }
-                let _e883 = phi_1460_;
-                if ((bitcast<u32>(_e876) & 2147483647u) > 2139095040u) {
+                let _e866 = map.member[(0u + _e818)];
+                let _e880 = _lt_math_evsm_Evsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e822.x * _e757) + (_e834.x * _e759)) + (_e850.x * _e761)) + (_e866.x * _e762)), ((((_e822.y * _e757) + (_e834.y * _e759)) + (_e850.y * _e761)) + (_e866.y * _e762)), ((((_e822.z * _e757) + (_e834.z * _e759)) + (_e850.z * _e761)) + (_e866.z * _e762)), ((((_e822.w * _e757) + (_e834.w * _e759)) + (_e850.w * _e761)) + (_e866.w * _e762))), _e671);
+                let _e884 = p.member.epsilon;
+                if (_e880 <= _e884) {
                     phi_1468_ = true;
                 } else {
-                    phi_1468_ = !(_e883);
+                    phi_1468_ = (_e880 >= (1f - _e884));
                 }
                 let _e889 = phi_1468_;
-                if _e889 {
-                    if (_e876 > 0f) {
-                        if (_e876 < 1f) {
-                            phi_1480_ = false;
-                        } else {
-                            phi_1480_ = true;
-                        }
-                        let _e893 = phi_1480_;
-                        phi_1481_ = _e893;
-                    } else {
-                        phi_1481_ = true;
-                    }
-                    let _e895 = phi_1481_;
-                    if _e895 {
-                        phi_1485_ = 0.5f;
-                    } else {
-                        phi_1485_ = _e876;
-                    }
-                    let _e897 = phi_1485_;
-                    phi_1493_ = evaluate_Verdict(_e897, true);
+                if ((bitcast<u32>(_e880) & 2147483647u) > 2139095040u) {
+                    phi_1476_ = true;
                 } else {
-                    if (_e876 > 0.5f) {
-                        phi_1491_ = 1f;
-                    } else {
-                        phi_1491_ = 0f;
-                    }
-                    let _e901 = phi_1491_;
-                    phi_1493_ = evaluate_Verdict(_e901, false);
+                    phi_1476_ = !(_e889);
                 }
-                let _e904 = phi_1493_;
-                phi_1498_ = evaluate_Verdict(_e904.visibility, _e904.is_doubted);
+                let _e895 = phi_1476_;
+                if _e895 {
+                    if (_e880 > 0f) {
+                        if (_e880 < 1f) {
+                            phi_1488_ = false;
+                        } else {
+                            phi_1488_ = true;
+                        }
+                        let _e899 = phi_1488_;
+                        phi_1489_ = _e899;
+                    } else {
+                        phi_1489_ = true;
+                    }
+                    let _e901 = phi_1489_;
+                    if _e901 {
+                        phi_1493_ = 0.5f;
+                    } else {
+                        phi_1493_ = _e880;
+                    }
+                    let _e903 = phi_1493_;
+                    phi_1501_ = evaluate_Verdict(_e903, true);
+                } else {
+                    if (_e880 > 0.5f) {
+                        phi_1499_ = 1f;
+                    } else {
+                        phi_1499_ = 0f;
+                    }
+                    let _e907 = phi_1499_;
+                    phi_1501_ = evaluate_Verdict(_e907, false);
+                }
+                let _e910 = phi_1501_;
+                let _e913 = (_e910.visibility < 0.5f);
+                if _e910.is_doubted {
+                    phi_1524_ = evaluate_Verdict();
+                    phi_1525_ = true;
+                } else {
+                    if _e913 {
+                        phi_1511_ = 2u;
+                    } else {
+                        phi_1511_ = 1u;
+                    }
+                    let _e915 = phi_1511_;
+                    if ((0u & _e915) != 0u) {
+                        if _e913 {
+                            phi_1520_ = 0.000000059604645f;
+                        } else {
+                            phi_1520_ = 0.99999994f;
+                        }
+                        let _e919 = phi_1520_;
+                        phi_1522_ = evaluate_Verdict(_e919, true);
+                        phi_1523_ = false;
+                    } else {
+                        phi_1522_ = evaluate_Verdict();
+                        phi_1523_ = true;
+                    }
+                    let _e922 = phi_1522_;
+                    let _e924 = phi_1523_;
+                    phi_1524_ = _e922;
+                    phi_1525_ = _e924;
+                }
+                let _e926 = phi_1524_;
+                let _e928 = phi_1525_;
+                if _e928 {
+                    phi_1530_ = evaluate_Verdict(_e910.visibility, _e910.is_doubted);
+                } else {
+                    phi_1530_ = _e926;
+                }
+                let _e931 = phi_1530_;
+                phi_1535_ = evaluate_Verdict(_e931.visibility, _e931.is_doubted);
             } else {
-                phi_1498_ = evaluate_Verdict(0.5f, true);
+                phi_1535_ = evaluate_Verdict(0.5f, true);
             }
-            let _e910 = phi_1498_;
-            phi_1499_ = _e910;
+            let _e937 = phi_1535_;
+            phi_1536_ = _e937;
         }
-        let _e912 = phi_1499_;
-        visibility.member[_e75.first_primitive] = _e912.visibility;
-        phi_1503_ = _e912.is_doubted;
-        phi_1504_ = _e75.first_primitive;
+        let _e939 = phi_1536_;
+        visibility.member[_e79.first_primitive] = _e939.visibility;
+        phi_1540_ = _e939.is_doubted;
+        phi_1541_ = _e79.first_primitive;
     } else {
-        phi_1503_ = false;
-        phi_1504_ = 0u;
+        phi_1540_ = false;
+        phi_1541_ = 0u;
     }
-    let _e917 = phi_1503_;
-    let _e919 = phi_1504_;
-    if (_e59 == 0u) {
+    let _e944 = phi_1540_;
+    let _e946 = phi_1541_;
+    if (_e63 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e917 {
-        let _e923 = atomicAdd((&shared_[0u]), 1u);
-        phi_1515_ = _e923;
+    if _e944 {
+        let _e950 = atomicAdd((&shared_[0u]), 1u);
+        phi_1552_ = _e950;
     } else {
-        phi_1515_ = 0u;
+        phi_1552_ = 0u;
     }
-    let _e925 = phi_1515_;
+    let _e952 = phi_1552_;
     workgroupBarrier();
-    if (_e59 == 0u) {
-        let _e929 = atomicLoad((&shared_[0u]));
-        let _e930 = atomicAdd((&list.member[3u]), _e929);
-        atomicStore((&shared_[1u]), _e930);
+    if (_e63 == 0u) {
+        let _e956 = atomicLoad((&shared_[0u]));
+        let _e957 = atomicAdd((&list.member[3u]), _e956);
+        atomicStore((&shared_[1u]), _e957);
     }
     workgroupBarrier();
-    if _e917 {
-        let _e933 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e933) + _e925)]), _e919);
+    if _e944 {
+        if false {
+            phi_1569_ = (_e946 | 2147483648u);
+        } else {
+            phi_1569_ = _e946;
+        }
+        let _e961 = phi_1569_;
+        let _e963 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e963) + _e952)]), _e961);
     }
     return;
 }

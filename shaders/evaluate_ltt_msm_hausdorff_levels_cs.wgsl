@@ -68,24 +68,24 @@ struct type_39 {
     member: abi_ShadowParams,
 }
 
+struct type_43 {
+    member: array<lt_math_LightProjection>,
+}
+
 struct lt_math_LightPoint {
     uv: vec2<f32>,
     depth: f32,
     is_inside: bool,
 }
 
-struct lt_bvh_slab_Span {
-    near: f32,
-    far: f32,
-}
-
-struct type_45 {
-    member: array<lt_math_LightProjection>,
-}
-
 struct lt_math_LevelPoint {
     level: u32,
     point: lt_math_LightPoint,
+}
+
+struct lt_bvh_slab_Span {
+    near: f32,
+    far: f32,
 }
 
 struct type_51 {
@@ -107,40 +107,40 @@ var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_51;
 @group(0) @binding(5) 
-var<storage> levels: type_45;
+var<storage> levels: type_43;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_164_: lt_bvh_traverse_Tree;
-    var phi_165_: bool;
-    var phi_166_: lt_bvh_traverse_Tree;
-    var phi_167_: bool;
+    var phi_170_: lt_bvh_traverse_Tree;
+    var phi_171_: bool;
     var phi_172_: lt_bvh_traverse_Tree;
+    var phi_173_: bool;
+    var phi_178_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_164_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_165_ = false;
+            phi_170_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_171_ = false;
         } else {
-            phi_164_ = lt_bvh_traverse_Tree();
-            phi_165_ = true;
+            phi_170_ = lt_bvh_traverse_Tree();
+            phi_171_ = true;
         }
-        let _e59 = phi_164_;
-        let _e61 = phi_165_;
-        phi_166_ = _e59;
-        phi_167_ = _e61;
-    } else {
-        phi_166_ = lt_bvh_traverse_Tree();
-        phi_167_ = true;
-    }
-    let _e63 = phi_166_;
-    let _e65 = phi_167_;
-    if _e65 {
-        phi_172_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
+        let _e63 = phi_170_;
+        let _e65 = phi_171_;
         phi_172_ = _e63;
+        phi_173_ = _e65;
+    } else {
+        phi_172_ = lt_bvh_traverse_Tree();
+        phi_173_ = true;
     }
-    let _e70 = phi_172_;
-    return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
+    let _e67 = phi_172_;
+    let _e69 = phi_173_;
+    if _e69 {
+        phi_178_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_178_ = _e67;
+    }
+    let _e74 = phi_178_;
+    return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -148,1380 +148,1431 @@ fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_199_: f32;
-    var phi_200_: f32;
-    var phi_201_: f32;
-    var phi_218_: f32;
-    var phi_219_: f32;
-    var phi_220_: f32;
-    var phi_236_: f32;
-    var phi_237_: f32;
-    var phi_238_: f32;
-    var phi_254_: f32;
-    var phi_255_: f32;
-    var phi_256_: f32;
-    var phi_272_: f32;
-    var phi_273_: f32;
-    var phi_274_: f32;
-    var phi_309_: bool;
-    var phi_310_: bool;
-    var phi_311_: bool;
-    var phi_312_: bool;
-    var phi_313_: bool;
-    var phi_314_: bool;
+    var phi_205_: f32;
+    var phi_206_: f32;
+    var phi_207_: f32;
+    var phi_224_: f32;
+    var phi_225_: f32;
+    var phi_226_: f32;
+    var phi_242_: f32;
+    var phi_243_: f32;
+    var phi_244_: f32;
+    var phi_260_: f32;
+    var phi_261_: f32;
+    var phi_262_: f32;
+    var phi_278_: f32;
+    var phi_279_: f32;
+    var phi_280_: f32;
+    var phi_315_: bool;
+    var phi_316_: bool;
+    var phi_317_: bool;
     var phi_318_: bool;
-    var phi_629_: f32;
-    var phi_630_: f32;
-    var phi_631_: f32;
-    var phi_648_: f32;
-    var phi_649_: f32;
-    var phi_650_: f32;
-    var phi_667_: f32;
-    var phi_668_: f32;
-    var phi_669_: f32;
-    var phi_686_: f32;
-    var phi_687_: f32;
-    var phi_688_: f32;
-    var phi_711_: f32;
-    var phi_712_: f32;
-    var phi_713_: f32;
-    var phi_760_: f32;
-    var phi_761_: f32;
-    var phi_762_: f32;
-    var phi_779_: f32;
-    var phi_780_: f32;
-    var phi_781_: f32;
-    var phi_798_: f32;
-    var phi_799_: f32;
-    var phi_800_: f32;
-    var phi_817_: f32;
-    var phi_818_: f32;
-    var phi_819_: f32;
-    var phi_842_: f32;
-    var phi_843_: f32;
-    var phi_844_: f32;
-    var phi_923_: bool;
-    var phi_967_: f32;
-    var phi_968_: f32;
-    var phi_969_: bool;
-    var phi_970_: f32;
-    var phi_971_: bool;
-    var phi_972_: f32;
-    var phi_973_: bool;
-    var phi_977_: f32;
+    var phi_319_: bool;
+    var phi_320_: bool;
+    var phi_324_: bool;
+    var phi_635_: f32;
+    var phi_636_: f32;
+    var phi_637_: f32;
+    var phi_654_: f32;
+    var phi_655_: f32;
+    var phi_656_: f32;
+    var phi_673_: f32;
+    var phi_674_: f32;
+    var phi_675_: f32;
+    var phi_692_: f32;
+    var phi_693_: f32;
+    var phi_694_: f32;
+    var phi_717_: f32;
+    var phi_718_: f32;
+    var phi_719_: f32;
+    var phi_766_: f32;
+    var phi_767_: f32;
+    var phi_768_: f32;
+    var phi_785_: f32;
+    var phi_786_: f32;
+    var phi_787_: f32;
+    var phi_804_: f32;
+    var phi_805_: f32;
+    var phi_806_: f32;
+    var phi_823_: f32;
+    var phi_824_: f32;
+    var phi_825_: f32;
+    var phi_848_: f32;
+    var phi_849_: f32;
+    var phi_850_: f32;
+    var phi_929_: bool;
+    var phi_973_: f32;
+    var phi_974_: f32;
+    var phi_975_: bool;
+    var phi_976_: f32;
+    var phi_977_: bool;
     var phi_978_: f32;
-    var phi_997_: f32;
-    var phi_998_: f32;
-    var phi_999_: f32;
-    var phi_1010_: f32;
-    var phi_1025_: f32;
-    var phi_1027_: lt_bvh_slab_Span;
-    var phi_1085_: f32;
-    var phi_1086_: f32;
-    var phi_1087_: f32;
-    var phi_1088_: f32;
-    var phi_1089_: f32;
-    var phi_1090_: bool;
+    var phi_979_: bool;
+    var phi_983_: f32;
+    var phi_984_: f32;
+    var phi_1003_: f32;
+    var phi_1004_: f32;
+    var phi_1005_: f32;
+    var phi_1016_: f32;
+    var phi_1031_: f32;
+    var phi_1033_: lt_bvh_slab_Span;
+    var phi_1091_: f32;
+    var phi_1092_: f32;
+    var phi_1093_: f32;
     var phi_1094_: f32;
-    var phi_1109_: f32;
-    var phi_1110_: f32;
-    var phi_1111_: f32;
-    var phi_1112_: f32;
-    var phi_1113_: f32;
-    var phi_1114_: f32;
+    var phi_1095_: f32;
+    var phi_1096_: bool;
+    var phi_1100_: f32;
     var phi_1115_: f32;
-    var phi_1116_: bool;
+    var phi_1116_: f32;
+    var phi_1117_: f32;
+    var phi_1118_: f32;
+    var phi_1119_: f32;
     var phi_1120_: f32;
     var phi_1121_: f32;
     var phi_1122_: bool;
-    var phi_1123_: f32;
-    var phi_1124_: f32;
-    var phi_1125_: bool;
+    var phi_1126_: f32;
+    var phi_1127_: f32;
+    var phi_1128_: bool;
     var phi_1129_: f32;
+    var phi_1130_: f32;
+    var phi_1131_: bool;
+    var phi_1135_: f32;
 
-    let _e50 = (*param_4);
+    let _e54 = (*param_4);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_201_ = param_7;
+        phi_207_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_200_ = 0f;
+            phi_206_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_199_ = 1f;
+                phi_205_ = 1f;
             } else {
-                phi_199_ = param_7;
+                phi_205_ = param_7;
             }
-            let _e57 = phi_199_;
-            phi_200_ = _e57;
+            let _e61 = phi_205_;
+            phi_206_ = _e61;
         }
-        let _e59 = phi_200_;
-        phi_201_ = _e59;
+        let _e63 = phi_206_;
+        phi_207_ = _e63;
     }
-    let _e61 = phi_201_;
-    let _e62 = (_e61 - 0.00000047683716f);
+    let _e65 = phi_207_;
+    let _e66 = (_e65 - 0.00000047683716f);
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_220_ = param_5.x;
+        phi_226_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_219_ = 0f;
+            phi_225_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_218_ = 1f;
+                phi_224_ = 1f;
             } else {
-                phi_218_ = param_5.x;
+                phi_224_ = param_5.x;
             }
-            let _e70 = phi_218_;
-            phi_219_ = _e70;
+            let _e74 = phi_224_;
+            phi_225_ = _e74;
         }
-        let _e72 = phi_219_;
-        phi_220_ = _e72;
+        let _e76 = phi_225_;
+        phi_226_ = _e76;
     }
-    let _e74 = phi_220_;
+    let _e78 = phi_226_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_238_ = param_5.y;
+        phi_244_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_237_ = 0f;
+            phi_243_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_236_ = 1f;
+                phi_242_ = 1f;
             } else {
-                phi_236_ = param_5.y;
+                phi_242_ = param_5.y;
             }
-            let _e82 = phi_236_;
-            phi_237_ = _e82;
+            let _e86 = phi_242_;
+            phi_243_ = _e86;
         }
-        let _e84 = phi_237_;
-        phi_238_ = _e84;
+        let _e88 = phi_243_;
+        phi_244_ = _e88;
     }
-    let _e86 = phi_238_;
+    let _e90 = phi_244_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_256_ = param_5.z;
+        phi_262_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_255_ = 0f;
+            phi_261_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_254_ = 1f;
+                phi_260_ = 1f;
             } else {
-                phi_254_ = param_5.z;
+                phi_260_ = param_5.z;
             }
-            let _e94 = phi_254_;
-            phi_255_ = _e94;
+            let _e98 = phi_260_;
+            phi_261_ = _e98;
         }
-        let _e96 = phi_255_;
-        phi_256_ = _e96;
+        let _e100 = phi_261_;
+        phi_262_ = _e100;
     }
-    let _e98 = phi_256_;
+    let _e102 = phi_262_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_274_ = param_5.w;
+        phi_280_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_273_ = 0f;
+            phi_279_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_272_ = 1f;
+                phi_278_ = 1f;
             } else {
-                phi_272_ = param_5.w;
+                phi_278_ = param_5.w;
             }
-            let _e106 = phi_272_;
-            phi_273_ = _e106;
+            let _e110 = phi_278_;
+            phi_279_ = _e110;
         }
-        let _e108 = phi_273_;
-        phi_274_ = _e108;
+        let _e112 = phi_279_;
+        phi_280_ = _e112;
     }
-    let _e110 = phi_274_;
-    let _e111 = (_e74 - _e62);
-    let _e112 = (_e86 - _e62);
-    let _e113 = (_e98 - _e62);
-    let _e114 = (_e110 - _e62);
-    let _e125 = ((((_e111 * param_6.x) + (_e112 * param_6.y)) + (_e113 * param_6.z)) + (_e114 * param_6.w));
-    if ((bitcast<u32>(_e125) & 2147483647u) > 2139095040u) {
-        phi_1123_ = _e125;
-        phi_1124_ = f32();
-        phi_1125_ = true;
+    let _e114 = phi_280_;
+    let _e115 = (_e78 - _e66);
+    let _e116 = (_e90 - _e66);
+    let _e117 = (_e102 - _e66);
+    let _e118 = (_e114 - _e66);
+    let _e129 = ((((_e115 * param_6.x) + (_e116 * param_6.y)) + (_e117 * param_6.z)) + (_e118 * param_6.w));
+    if ((bitcast<u32>(_e129) & 2147483647u) > 2139095040u) {
+        phi_1129_ = _e129;
+        phi_1130_ = f32();
+        phi_1131_ = true;
     } else {
-        if (_e111 >= 0f) {
-            if (_e112 >= 0f) {
-                if (_e113 >= 0f) {
-                    phi_309_ = (_e114 >= 0f);
-                    phi_310_ = false;
+        if (_e115 >= 0f) {
+            if (_e116 >= 0f) {
+                if (_e117 >= 0f) {
+                    phi_315_ = (_e118 >= 0f);
+                    phi_316_ = false;
                 } else {
-                    phi_309_ = bool();
-                    phi_310_ = true;
+                    phi_315_ = bool();
+                    phi_316_ = true;
                 }
-                let _e134 = phi_309_;
-                let _e136 = phi_310_;
-                phi_311_ = _e134;
-                phi_312_ = _e136;
+                let _e138 = phi_315_;
+                let _e140 = phi_316_;
+                phi_317_ = _e138;
+                phi_318_ = _e140;
             } else {
-                phi_311_ = bool();
-                phi_312_ = true;
+                phi_317_ = bool();
+                phi_318_ = true;
             }
-            let _e138 = phi_311_;
-            let _e140 = phi_312_;
-            phi_313_ = _e138;
-            phi_314_ = _e140;
+            let _e142 = phi_317_;
+            let _e144 = phi_318_;
+            phi_319_ = _e142;
+            phi_320_ = _e144;
         } else {
-            phi_313_ = bool();
-            phi_314_ = true;
+            phi_319_ = bool();
+            phi_320_ = true;
         }
-        let _e142 = phi_313_;
-        let _e144 = phi_314_;
-        if _e144 {
-            phi_318_ = false;
+        let _e146 = phi_319_;
+        let _e148 = phi_320_;
+        if _e148 {
+            phi_324_ = false;
         } else {
-            phi_318_ = _e142;
+            phi_324_ = _e146;
         }
-        let _e146 = phi_318_;
-        if _e146 {
-            phi_1120_ = 1f;
-            phi_1121_ = f32();
-            phi_1122_ = true;
+        let _e150 = phi_324_;
+        if _e150 {
+            phi_1126_ = 1f;
+            phi_1127_ = f32();
+            phi_1128_ = true;
         } else {
-            let _e147 = (0.5f * _e50);
-            let _e148 = (1f - _e50);
-            let _e150 = (param_6.x * _e148);
-            let _e152 = (param_6.y * _e148);
-            let _e154 = (param_6.z * _e148);
-            let _e156 = (param_6.w * _e148);
-            let _e157 = -(_e62);
-            let _e158 = (1f - _e62);
-            let _e160 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e74);
-            let _e162 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e86);
-            let _e164 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e98);
-            let _e166 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e110);
-            let _e167 = (_e111 - _e112);
-            let _e168 = (_e112 - _e113);
-            let _e169 = (_e113 - _e114);
-            let _e170 = (_e114 - _e111);
-            let _e171 = (_e167 * _e167);
-            let _e172 = (_e168 * _e168);
-            let _e173 = (_e169 * _e169);
-            let _e174 = (_e170 * _e170);
-            let _e175 = (_e111 - _e113);
-            let _e176 = (_e112 - _e114);
-            let _e177 = (_e113 - _e111);
-            let _e178 = (_e114 - _e112);
-            let _e179 = (_e175 * _e175);
-            let _e180 = (_e176 * _e176);
-            let _e181 = (_e177 * _e177);
-            let _e182 = (_e178 * _e178);
-            let _e187 = ((_e150 * _e152) * _e171);
-            let _e188 = ((_e152 * _e154) * _e172);
-            let _e189 = ((_e154 * _e156) * _e173);
-            let _e190 = ((_e156 * _e150) * _e174);
-            let _e199 = (((0.5f * _e150) * _e154) * _e179);
-            let _e200 = (((0.5f * _e152) * _e156) * _e180);
-            let _e201 = (((0.5f * _e154) * _e150) * _e181);
-            let _e202 = (((0.5f * _e156) * _e152) * _e182);
-            let _e203 = (_e111 * _e112);
-            let _e204 = (_e112 * _e113);
-            let _e205 = (_e113 * _e114);
-            let _e206 = (_e114 * _e111);
-            let _e207 = (_e111 * _e113);
-            let _e208 = (_e112 * _e114);
-            let _e209 = (_e113 * _e111);
-            let _e210 = (_e114 * _e112);
-            let _e211 = (_e187 * _e203);
-            let _e212 = (_e188 * _e204);
-            let _e213 = (_e189 * _e205);
-            let _e214 = (_e190 * _e206);
-            let _e215 = (_e199 * _e207);
-            let _e216 = (_e200 * _e208);
-            let _e217 = (_e201 * _e209);
-            let _e218 = (_e202 * _e210);
-            let _e219 = (_e74 * _e74);
-            let _e220 = (_e86 * _e86);
-            let _e221 = (_e98 * _e98);
-            let _e222 = (_e110 * _e110);
-            let _e223 = (_e160 * _e160);
-            let _e224 = (_e162 * _e162);
-            let _e225 = (_e164 * _e164);
-            let _e226 = (_e166 * _e166);
-            let _e227 = (_e147 * _e150);
-            let _e228 = (_e147 * _e152);
-            let _e229 = (_e147 * _e154);
-            let _e230 = (_e147 * _e156);
-            let _e239 = (((_e227 * _e111) * _e219) * _e157);
-            let _e240 = (((_e228 * _e112) * _e220) * _e157);
-            let _e241 = (((_e229 * _e113) * _e221) * _e157);
-            let _e242 = (((_e230 * _e114) * _e222) * _e157);
-            let _e251 = (((_e227 * _e111) * _e223) * _e158);
-            let _e252 = (((_e228 * _e112) * _e224) * _e158);
-            let _e253 = (((_e229 * _e113) * _e225) * _e158);
-            let _e254 = (((_e230 * _e114) * _e226) * _e158);
-            let _e422 = (((((((_e187 * _e154) * _e172) * _e179) + (_e147 * (((_e187 * ((_e219 * _e220) + (_e223 * _e224))) + (_e199 * ((_e219 * _e221) + (_e223 * _e225)))) + ((_e227 * _e219) * _e223)))) + ((((_e188 * _e156) * _e173) * _e180) + (_e147 * (((_e188 * ((_e220 * _e221) + (_e224 * _e225))) + (_e200 * ((_e220 * _e222) + (_e224 * _e226)))) + ((_e228 * _e220) * _e224))))) + ((((_e189 * _e150) * _e174) * _e181) + (_e147 * (((_e189 * ((_e221 * _e222) + (_e225 * _e226))) + (_e201 * ((_e221 * _e219) + (_e225 * _e223)))) + ((_e229 * _e221) * _e225))))) + ((((_e190 * _e152) * _e171) * _e182) + (_e147 * (((_e190 * ((_e222 * _e219) + (_e226 * _e223))) + (_e202 * ((_e222 * _e220) + (_e226 * _e224)))) + ((_e230 * _e222) * _e226)))));
-            let _e425 = (((_e147 * _e147) * _e157) * _e158);
-            let _e428 = (((((((_e211 * _e203) + (_e215 * _e207)) + (_e111 * ((_e239 * _e157) + (_e251 * _e158)))) + (((_e212 * _e204) + (_e216 * _e208)) + (_e112 * ((_e240 * _e157) + (_e252 * _e158))))) + (((_e213 * _e205) + (_e217 * _e209)) + (_e113 * ((_e241 * _e157) + (_e253 * _e158))))) + (((_e214 * _e206) + (_e218 * _e210)) + (_e114 * ((_e242 * _e157) + (_e254 * _e158))))) + ((_e425 * _e157) * _e158));
-            if (_e428 < 0.0000000000000000000000000000000001f) {
-                if ((bitcast<u32>(_e111) & 2147483647u) > 2139095040u) {
-                    phi_631_ = _e111;
+            let _e151 = (0.5f * _e54);
+            let _e152 = (1f - _e54);
+            let _e154 = (param_6.x * _e152);
+            let _e156 = (param_6.y * _e152);
+            let _e158 = (param_6.z * _e152);
+            let _e160 = (param_6.w * _e152);
+            let _e161 = -(_e66);
+            let _e162 = (1f - _e66);
+            let _e164 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e78);
+            let _e166 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e90);
+            let _e168 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e102);
+            let _e170 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e114);
+            let _e171 = (_e115 - _e116);
+            let _e172 = (_e116 - _e117);
+            let _e173 = (_e117 - _e118);
+            let _e174 = (_e118 - _e115);
+            let _e175 = (_e171 * _e171);
+            let _e176 = (_e172 * _e172);
+            let _e177 = (_e173 * _e173);
+            let _e178 = (_e174 * _e174);
+            let _e179 = (_e115 - _e117);
+            let _e180 = (_e116 - _e118);
+            let _e181 = (_e117 - _e115);
+            let _e182 = (_e118 - _e116);
+            let _e183 = (_e179 * _e179);
+            let _e184 = (_e180 * _e180);
+            let _e185 = (_e181 * _e181);
+            let _e186 = (_e182 * _e182);
+            let _e191 = ((_e154 * _e156) * _e175);
+            let _e192 = ((_e156 * _e158) * _e176);
+            let _e193 = ((_e158 * _e160) * _e177);
+            let _e194 = ((_e160 * _e154) * _e178);
+            let _e203 = (((0.5f * _e154) * _e158) * _e183);
+            let _e204 = (((0.5f * _e156) * _e160) * _e184);
+            let _e205 = (((0.5f * _e158) * _e154) * _e185);
+            let _e206 = (((0.5f * _e160) * _e156) * _e186);
+            let _e207 = (_e115 * _e116);
+            let _e208 = (_e116 * _e117);
+            let _e209 = (_e117 * _e118);
+            let _e210 = (_e118 * _e115);
+            let _e211 = (_e115 * _e117);
+            let _e212 = (_e116 * _e118);
+            let _e213 = (_e117 * _e115);
+            let _e214 = (_e118 * _e116);
+            let _e215 = (_e191 * _e207);
+            let _e216 = (_e192 * _e208);
+            let _e217 = (_e193 * _e209);
+            let _e218 = (_e194 * _e210);
+            let _e219 = (_e203 * _e211);
+            let _e220 = (_e204 * _e212);
+            let _e221 = (_e205 * _e213);
+            let _e222 = (_e206 * _e214);
+            let _e223 = (_e78 * _e78);
+            let _e224 = (_e90 * _e90);
+            let _e225 = (_e102 * _e102);
+            let _e226 = (_e114 * _e114);
+            let _e227 = (_e164 * _e164);
+            let _e228 = (_e166 * _e166);
+            let _e229 = (_e168 * _e168);
+            let _e230 = (_e170 * _e170);
+            let _e231 = (_e151 * _e154);
+            let _e232 = (_e151 * _e156);
+            let _e233 = (_e151 * _e158);
+            let _e234 = (_e151 * _e160);
+            let _e243 = (((_e231 * _e115) * _e223) * _e161);
+            let _e244 = (((_e232 * _e116) * _e224) * _e161);
+            let _e245 = (((_e233 * _e117) * _e225) * _e161);
+            let _e246 = (((_e234 * _e118) * _e226) * _e161);
+            let _e255 = (((_e231 * _e115) * _e227) * _e162);
+            let _e256 = (((_e232 * _e116) * _e228) * _e162);
+            let _e257 = (((_e233 * _e117) * _e229) * _e162);
+            let _e258 = (((_e234 * _e118) * _e230) * _e162);
+            let _e426 = (((((((_e191 * _e158) * _e176) * _e183) + (_e151 * (((_e191 * ((_e223 * _e224) + (_e227 * _e228))) + (_e203 * ((_e223 * _e225) + (_e227 * _e229)))) + ((_e231 * _e223) * _e227)))) + ((((_e192 * _e160) * _e177) * _e184) + (_e151 * (((_e192 * ((_e224 * _e225) + (_e228 * _e229))) + (_e204 * ((_e224 * _e226) + (_e228 * _e230)))) + ((_e232 * _e224) * _e228))))) + ((((_e193 * _e154) * _e178) * _e185) + (_e151 * (((_e193 * ((_e225 * _e226) + (_e229 * _e230))) + (_e205 * ((_e225 * _e223) + (_e229 * _e227)))) + ((_e233 * _e225) * _e229))))) + ((((_e194 * _e156) * _e175) * _e186) + (_e151 * (((_e194 * ((_e226 * _e223) + (_e230 * _e227))) + (_e206 * ((_e226 * _e224) + (_e230 * _e228)))) + ((_e234 * _e226) * _e230)))));
+            let _e429 = (((_e151 * _e151) * _e161) * _e162);
+            let _e432 = (((((((_e215 * _e207) + (_e219 * _e211)) + (_e115 * ((_e243 * _e161) + (_e255 * _e162)))) + (((_e216 * _e208) + (_e220 * _e212)) + (_e116 * ((_e244 * _e161) + (_e256 * _e162))))) + (((_e217 * _e209) + (_e221 * _e213)) + (_e117 * ((_e245 * _e161) + (_e257 * _e162))))) + (((_e218 * _e210) + (_e222 * _e214)) + (_e118 * ((_e246 * _e161) + (_e258 * _e162))))) + ((_e429 * _e161) * _e162));
+            if (_e432 < 0.0000000000000000000000000000000001f) {
+                if ((bitcast<u32>(_e115) & 2147483647u) > 2139095040u) {
+                    phi_637_ = _e115;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_630_ = 0f;
+                        phi_636_ = 0f;
                     } else {
-                        if (_e111 < 0f) {
-                            phi_629_ = 0f;
+                        if (_e115 < 0f) {
+                            phi_635_ = 0f;
                         } else {
-                            phi_629_ = 1f;
+                            phi_635_ = 1f;
                         }
-                        let _e443 = phi_629_;
-                        phi_630_ = _e443;
+                        let _e447 = phi_635_;
+                        phi_636_ = _e447;
                     }
-                    let _e445 = phi_630_;
-                    phi_631_ = _e445;
+                    let _e449 = phi_636_;
+                    phi_637_ = _e449;
                 }
-                let _e447 = phi_631_;
-                if ((bitcast<u32>(_e112) & 2147483647u) > 2139095040u) {
-                    phi_650_ = _e112;
+                let _e451 = phi_637_;
+                if ((bitcast<u32>(_e116) & 2147483647u) > 2139095040u) {
+                    phi_656_ = _e116;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_649_ = 0f;
+                        phi_655_ = 0f;
                     } else {
-                        if (_e112 < 0f) {
-                            phi_648_ = 0f;
+                        if (_e116 < 0f) {
+                            phi_654_ = 0f;
                         } else {
-                            phi_648_ = 1f;
+                            phi_654_ = 1f;
                         }
-                        let _e456 = phi_648_;
-                        phi_649_ = _e456;
+                        let _e460 = phi_654_;
+                        phi_655_ = _e460;
                     }
-                    let _e458 = phi_649_;
-                    phi_650_ = _e458;
+                    let _e462 = phi_655_;
+                    phi_656_ = _e462;
                 }
-                let _e460 = phi_650_;
-                if ((bitcast<u32>(_e113) & 2147483647u) > 2139095040u) {
-                    phi_669_ = _e113;
+                let _e464 = phi_656_;
+                if ((bitcast<u32>(_e117) & 2147483647u) > 2139095040u) {
+                    phi_675_ = _e117;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_668_ = 0f;
+                        phi_674_ = 0f;
                     } else {
-                        if (_e113 < 0f) {
-                            phi_667_ = 0f;
+                        if (_e117 < 0f) {
+                            phi_673_ = 0f;
                         } else {
-                            phi_667_ = 1f;
+                            phi_673_ = 1f;
                         }
-                        let _e469 = phi_667_;
-                        phi_668_ = _e469;
+                        let _e473 = phi_673_;
+                        phi_674_ = _e473;
                     }
-                    let _e471 = phi_668_;
-                    phi_669_ = _e471;
+                    let _e475 = phi_674_;
+                    phi_675_ = _e475;
                 }
-                let _e473 = phi_669_;
-                if ((bitcast<u32>(_e114) & 2147483647u) > 2139095040u) {
-                    phi_688_ = _e114;
+                let _e477 = phi_675_;
+                if ((bitcast<u32>(_e118) & 2147483647u) > 2139095040u) {
+                    phi_694_ = _e118;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_687_ = 0f;
+                        phi_693_ = 0f;
                     } else {
-                        if (_e114 < 0f) {
-                            phi_686_ = 0f;
+                        if (_e118 < 0f) {
+                            phi_692_ = 0f;
                         } else {
-                            phi_686_ = 1f;
+                            phi_692_ = 1f;
                         }
-                        let _e482 = phi_686_;
-                        phi_687_ = _e482;
+                        let _e486 = phi_692_;
+                        phi_693_ = _e486;
                     }
-                    let _e484 = phi_687_;
-                    phi_688_ = _e484;
+                    let _e488 = phi_693_;
+                    phi_694_ = _e488;
                 }
-                let _e486 = phi_688_;
-                let _e494 = (((((_e447 * _e150) + (_e460 * _e152)) + (_e473 * _e154)) + (_e486 * _e156)) + _e147);
-                if ((bitcast<u32>(_e494) & 2147483647u) > 2139095040u) {
-                    phi_713_ = _e494;
+                let _e490 = phi_694_;
+                let _e498 = (((((_e451 * _e154) + (_e464 * _e156)) + (_e477 * _e158)) + (_e490 * _e160)) + _e151);
+                if ((bitcast<u32>(_e498) & 2147483647u) > 2139095040u) {
+                    phi_719_ = _e498;
                 } else {
-                    if (_e494 < 0f) {
-                        phi_712_ = 0f;
+                    if (_e498 < 0f) {
+                        phi_718_ = 0f;
                     } else {
-                        if (_e494 > 1f) {
-                            phi_711_ = 1f;
+                        if (_e498 > 1f) {
+                            phi_717_ = 1f;
                         } else {
-                            phi_711_ = _e494;
+                            phi_717_ = _e498;
                         }
-                        let _e501 = phi_711_;
-                        phi_712_ = _e501;
+                        let _e505 = phi_717_;
+                        phi_718_ = _e505;
                     }
-                    let _e503 = phi_712_;
-                    phi_713_ = _e503;
+                    let _e507 = phi_718_;
+                    phi_719_ = _e507;
                 }
-                let _e505 = phi_713_;
-                phi_1114_ = _e505;
-                phi_1115_ = f32();
-                phi_1116_ = true;
+                let _e509 = phi_719_;
+                phi_1120_ = _e509;
+                phi_1121_ = f32();
+                phi_1122_ = true;
             } else {
-                let _e510 = ((_e150 * _e74) * _e160);
-                let _e511 = ((_e152 * _e86) * _e162);
-                let _e512 = ((_e154 * _e98) * _e164);
-                let _e513 = ((_e156 * _e110) * _e166);
-                let _e520 = ((((_e510 * _e111) + (_e511 * _e112)) + (_e512 * _e113)) + (_e513 * _e114));
-                let _e531 = ((((_e510 * (_e111 * _e111)) + (_e511 * (_e112 * _e112))) + (_e512 * (_e113 * _e113))) + (_e513 * (_e114 * _e114)));
-                if (_e531 < 0.0000000000000000000000000000000001f) {
-                    if ((bitcast<u32>(_e111) & 2147483647u) > 2139095040u) {
-                        phi_762_ = _e111;
+                let _e514 = ((_e154 * _e78) * _e164);
+                let _e515 = ((_e156 * _e90) * _e166);
+                let _e516 = ((_e158 * _e102) * _e168);
+                let _e517 = ((_e160 * _e114) * _e170);
+                let _e524 = ((((_e514 * _e115) + (_e515 * _e116)) + (_e516 * _e117)) + (_e517 * _e118));
+                let _e535 = ((((_e514 * (_e115 * _e115)) + (_e515 * (_e116 * _e116))) + (_e516 * (_e117 * _e117))) + (_e517 * (_e118 * _e118)));
+                if (_e535 < 0.0000000000000000000000000000000001f) {
+                    if ((bitcast<u32>(_e115) & 2147483647u) > 2139095040u) {
+                        phi_768_ = _e115;
                     } else {
                         if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                            phi_761_ = 0f;
+                            phi_767_ = 0f;
                         } else {
-                            if (_e111 < 0f) {
-                                phi_760_ = 0f;
+                            if (_e115 < 0f) {
+                                phi_766_ = 0f;
                             } else {
-                                phi_760_ = 1f;
+                                phi_766_ = 1f;
                             }
-                            let _e541 = phi_760_;
-                            phi_761_ = _e541;
+                            let _e545 = phi_766_;
+                            phi_767_ = _e545;
                         }
-                        let _e543 = phi_761_;
-                        phi_762_ = _e543;
+                        let _e547 = phi_767_;
+                        phi_768_ = _e547;
                     }
-                    let _e545 = phi_762_;
-                    if ((bitcast<u32>(_e112) & 2147483647u) > 2139095040u) {
-                        phi_781_ = _e112;
+                    let _e549 = phi_768_;
+                    if ((bitcast<u32>(_e116) & 2147483647u) > 2139095040u) {
+                        phi_787_ = _e116;
                     } else {
                         if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                            phi_780_ = 0f;
+                            phi_786_ = 0f;
                         } else {
-                            if (_e112 < 0f) {
-                                phi_779_ = 0f;
+                            if (_e116 < 0f) {
+                                phi_785_ = 0f;
                             } else {
-                                phi_779_ = 1f;
+                                phi_785_ = 1f;
                             }
-                            let _e554 = phi_779_;
-                            phi_780_ = _e554;
+                            let _e558 = phi_785_;
+                            phi_786_ = _e558;
                         }
-                        let _e556 = phi_780_;
-                        phi_781_ = _e556;
+                        let _e560 = phi_786_;
+                        phi_787_ = _e560;
                     }
-                    let _e558 = phi_781_;
-                    if ((bitcast<u32>(_e113) & 2147483647u) > 2139095040u) {
-                        phi_800_ = _e113;
+                    let _e562 = phi_787_;
+                    if ((bitcast<u32>(_e117) & 2147483647u) > 2139095040u) {
+                        phi_806_ = _e117;
                     } else {
                         if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                            phi_799_ = 0f;
+                            phi_805_ = 0f;
                         } else {
-                            if (_e113 < 0f) {
-                                phi_798_ = 0f;
+                            if (_e117 < 0f) {
+                                phi_804_ = 0f;
                             } else {
-                                phi_798_ = 1f;
+                                phi_804_ = 1f;
                             }
-                            let _e567 = phi_798_;
-                            phi_799_ = _e567;
+                            let _e571 = phi_804_;
+                            phi_805_ = _e571;
                         }
-                        let _e569 = phi_799_;
-                        phi_800_ = _e569;
+                        let _e573 = phi_805_;
+                        phi_806_ = _e573;
                     }
-                    let _e571 = phi_800_;
-                    if ((bitcast<u32>(_e114) & 2147483647u) > 2139095040u) {
-                        phi_819_ = _e114;
+                    let _e575 = phi_806_;
+                    if ((bitcast<u32>(_e118) & 2147483647u) > 2139095040u) {
+                        phi_825_ = _e118;
                     } else {
                         if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                            phi_818_ = 0f;
+                            phi_824_ = 0f;
                         } else {
-                            if (_e114 < 0f) {
-                                phi_817_ = 0f;
+                            if (_e118 < 0f) {
+                                phi_823_ = 0f;
                             } else {
-                                phi_817_ = 1f;
+                                phi_823_ = 1f;
                             }
-                            let _e580 = phi_817_;
-                            phi_818_ = _e580;
+                            let _e584 = phi_823_;
+                            phi_824_ = _e584;
                         }
-                        let _e582 = phi_818_;
-                        phi_819_ = _e582;
+                        let _e586 = phi_824_;
+                        phi_825_ = _e586;
                     }
-                    let _e584 = phi_819_;
-                    let _e592 = (((((_e545 * _e150) + (_e558 * _e152)) + (_e571 * _e154)) + (_e584 * _e156)) + _e147);
-                    if ((bitcast<u32>(_e592) & 2147483647u) > 2139095040u) {
-                        phi_844_ = _e592;
+                    let _e588 = phi_825_;
+                    let _e596 = (((((_e549 * _e154) + (_e562 * _e156)) + (_e575 * _e158)) + (_e588 * _e160)) + _e151);
+                    if ((bitcast<u32>(_e596) & 2147483647u) > 2139095040u) {
+                        phi_850_ = _e596;
                     } else {
-                        if (_e592 < 0f) {
-                            phi_843_ = 0f;
+                        if (_e596 < 0f) {
+                            phi_849_ = 0f;
                         } else {
-                            if (_e592 > 1f) {
-                                phi_842_ = 1f;
+                            if (_e596 > 1f) {
+                                phi_848_ = 1f;
                             } else {
-                                phi_842_ = _e592;
+                                phi_848_ = _e596;
                             }
-                            let _e599 = phi_842_;
-                            phi_843_ = _e599;
+                            let _e603 = phi_848_;
+                            phi_849_ = _e603;
                         }
-                        let _e601 = phi_843_;
-                        phi_844_ = _e601;
+                        let _e605 = phi_849_;
+                        phi_850_ = _e605;
                     }
-                    let _e603 = phi_844_;
-                    phi_978_ = _e603;
+                    let _e607 = phi_850_;
+                    phi_984_ = _e607;
                 } else {
-                    let _e605 = (_e531 - (_e157 * _e520));
-                    let _e607 = ((_e158 * _e520) - _e531);
-                    let _e612 = ((_e150 * _e111) * _e160);
-                    let _e613 = ((_e152 * _e112) * _e162);
-                    let _e614 = ((_e154 * _e113) * _e164);
-                    let _e615 = ((_e156 * _e114) * _e166);
-                    let _e641 = (_e147 + (((((_e612 * ((_e613 * _e171) + ((0.5f * _e614) * _e179))) + (_e613 * ((_e614 * _e172) + ((0.5f * _e615) * _e180)))) + (_e614 * ((_e615 * _e173) + ((0.5f * _e612) * _e181)))) + (_e615 * ((_e612 * _e174) + ((0.5f * _e613) * _e182)))) / (_e157 * _e605)));
-                    let _e646 = ((_e150 * _e111) * _e74);
-                    let _e647 = ((_e152 * _e112) * _e86);
-                    let _e648 = ((_e154 * _e113) * _e98);
-                    let _e649 = ((_e156 * _e114) * _e110);
-                    let _e675 = (_e147 + (((((_e646 * ((_e647 * _e171) + ((0.5f * _e648) * _e179))) + (_e647 * ((_e648 * _e172) + ((0.5f * _e649) * _e180)))) + (_e648 * ((_e649 * _e173) + ((0.5f * _e646) * _e181)))) + (_e649 * ((_e646 * _e174) + ((0.5f * _e647) * _e182)))) / (_e158 * _e607)));
-                    let _e676 = (_e520 > 0f);
-                    if _e676 {
-                        phi_923_ = (_e607 > 0f);
-                    } else {
-                        phi_923_ = (_e605 < 0f);
-                    }
-                    let _e680 = phi_923_;
+                    let _e609 = (_e535 - (_e161 * _e524));
+                    let _e611 = ((_e162 * _e524) - _e535);
+                    let _e616 = ((_e154 * _e115) * _e164);
+                    let _e617 = ((_e156 * _e116) * _e166);
+                    let _e618 = ((_e158 * _e117) * _e168);
+                    let _e619 = ((_e160 * _e118) * _e170);
+                    let _e645 = (_e151 + (((((_e616 * ((_e617 * _e175) + ((0.5f * _e618) * _e183))) + (_e617 * ((_e618 * _e176) + ((0.5f * _e619) * _e184)))) + (_e618 * ((_e619 * _e177) + ((0.5f * _e616) * _e185)))) + (_e619 * ((_e616 * _e178) + ((0.5f * _e617) * _e186)))) / (_e161 * _e609)));
+                    let _e650 = ((_e154 * _e115) * _e78);
+                    let _e651 = ((_e156 * _e116) * _e90);
+                    let _e652 = ((_e158 * _e117) * _e102);
+                    let _e653 = ((_e160 * _e118) * _e114);
+                    let _e679 = (_e151 + (((((_e650 * ((_e651 * _e175) + ((0.5f * _e652) * _e183))) + (_e651 * ((_e652 * _e176) + ((0.5f * _e653) * _e184)))) + (_e652 * ((_e653 * _e177) + ((0.5f * _e650) * _e185)))) + (_e653 * ((_e650 * _e178) + ((0.5f * _e651) * _e186)))) / (_e162 * _e611)));
+                    let _e680 = (_e524 > 0f);
                     if _e680 {
-                        if (_e641 >= 0f) {
-                            if (_e675 >= 0f) {
-                                if _e676 {
-                                    phi_967_ = (1f - _e641);
+                        phi_929_ = (_e611 > 0f);
+                    } else {
+                        phi_929_ = (_e609 < 0f);
+                    }
+                    let _e684 = phi_929_;
+                    if _e684 {
+                        if (_e645 >= 0f) {
+                            if (_e679 >= 0f) {
+                                if _e680 {
+                                    phi_973_ = (1f - _e645);
                                 } else {
-                                    phi_967_ = ((((((_e510 * ((_e511 * _e171) + ((0.5f * _e512) * _e179))) + (_e511 * ((_e512 * _e172) + ((0.5f * _e513) * _e180)))) + (_e512 * ((_e513 * _e173) + ((0.5f * _e510) * _e181)))) + (_e513 * ((_e510 * _e174) + ((0.5f * _e511) * _e182)))) / (_e531 * (-(_e157) * _e158))) + _e675);
+                                    phi_973_ = ((((((_e514 * ((_e515 * _e175) + ((0.5f * _e516) * _e183))) + (_e515 * ((_e516 * _e176) + ((0.5f * _e517) * _e184)))) + (_e516 * ((_e517 * _e177) + ((0.5f * _e514) * _e185)))) + (_e517 * ((_e514 * _e178) + ((0.5f * _e515) * _e186)))) / (_e535 * (-(_e161) * _e162))) + _e679);
                                 }
-                                let _e713 = phi_967_;
-                                phi_968_ = _e713;
-                                phi_969_ = false;
+                                let _e717 = phi_973_;
+                                phi_974_ = _e717;
+                                phi_975_ = false;
                             } else {
-                                phi_968_ = f32();
-                                phi_969_ = true;
+                                phi_974_ = f32();
+                                phi_975_ = true;
                             }
-                            let _e715 = phi_968_;
-                            let _e717 = phi_969_;
-                            phi_970_ = _e715;
-                            phi_971_ = _e717;
+                            let _e719 = phi_974_;
+                            let _e721 = phi_975_;
+                            phi_976_ = _e719;
+                            phi_977_ = _e721;
                         } else {
-                            phi_970_ = f32();
-                            phi_971_ = true;
+                            phi_976_ = f32();
+                            phi_977_ = true;
                         }
-                        let _e719 = phi_970_;
-                        let _e721 = phi_971_;
-                        phi_972_ = _e719;
-                        phi_973_ = _e721;
+                        let _e723 = phi_976_;
+                        let _e725 = phi_977_;
+                        phi_978_ = _e723;
+                        phi_979_ = _e725;
                     } else {
-                        phi_972_ = f32();
-                        phi_973_ = true;
+                        phi_978_ = f32();
+                        phi_979_ = true;
                     }
-                    let _e723 = phi_972_;
-                    let _e725 = phi_973_;
-                    if _e725 {
-                        phi_977_ = 1f;
+                    let _e727 = phi_978_;
+                    let _e729 = phi_979_;
+                    if _e729 {
+                        phi_983_ = 1f;
                     } else {
-                        phi_977_ = _e723;
+                        phi_983_ = _e727;
                     }
-                    let _e727 = phi_977_;
-                    phi_978_ = _e727;
+                    let _e731 = phi_983_;
+                    phi_984_ = _e731;
                 }
-                let _e729 = phi_978_;
-                let _e730 = (_e729 < 1f);
-                if _e730 {
-                    if ((bitcast<u32>(_e729) & 2147483647u) > 2139095040u) {
-                        phi_999_ = _e729;
+                let _e733 = phi_984_;
+                let _e734 = (_e733 < 1f);
+                if _e734 {
+                    if ((bitcast<u32>(_e733) & 2147483647u) > 2139095040u) {
+                        phi_1005_ = _e733;
                     } else {
-                        if (_e729 < 0f) {
-                            phi_998_ = 0f;
+                        if (_e733 < 0f) {
+                            phi_1004_ = 0f;
                         } else {
-                            if (_e729 > 1f) {
-                                phi_997_ = 1f;
+                            if (_e733 > 1f) {
+                                phi_1003_ = 1f;
                             } else {
-                                phi_997_ = _e729;
+                                phi_1003_ = _e733;
                             }
-                            let _e737 = phi_997_;
-                            phi_998_ = _e737;
+                            let _e741 = phi_1003_;
+                            phi_1004_ = _e741;
                         }
-                        let _e739 = phi_998_;
-                        phi_999_ = _e739;
+                        let _e743 = phi_1004_;
+                        phi_1005_ = _e743;
                     }
-                    let _e741 = phi_999_;
-                    phi_1112_ = _e741;
-                    phi_1113_ = f32();
+                    let _e745 = phi_1005_;
+                    phi_1118_ = _e745;
+                    phi_1119_ = f32();
                 } else {
-                    let _e743 = ((0.5f * -(((((((((_e211 * (_e111 + _e112)) + (_e215 * (_e111 + _e113))) + (_e239 * (_e111 + _e157))) + (_e251 * (_e111 + _e158))) + ((((_e212 * (_e112 + _e113)) + (_e216 * (_e112 + _e114))) + (_e240 * (_e112 + _e157))) + (_e252 * (_e112 + _e158)))) + ((((_e213 * (_e113 + _e114)) + (_e217 * (_e113 + _e111))) + (_e241 * (_e113 + _e157))) + (_e253 * (_e113 + _e158)))) + ((((_e214 * (_e114 + _e111)) + (_e218 * (_e114 + _e112))) + (_e242 * (_e114 + _e157))) + (_e254 * (_e114 + _e158)))) + (_e425 * (_e157 + _e158))))) / _e428);
-                    let _e744 = ((((((((_e211 + _e215) + _e239) + _e251) + (((_e212 + _e216) + _e240) + _e252)) + (((_e213 + _e217) + _e241) + _e253)) + (((_e214 + _e218) + _e242) + _e254)) + _e425) / _e428);
-                    let _e746 = ((_e743 * _e743) - _e744);
-                    if (_e746 > 0f) {
-                        phi_1010_ = sqrt(_e746);
+                    let _e747 = ((0.5f * -(((((((((_e215 * (_e115 + _e116)) + (_e219 * (_e115 + _e117))) + (_e243 * (_e115 + _e161))) + (_e255 * (_e115 + _e162))) + ((((_e216 * (_e116 + _e117)) + (_e220 * (_e116 + _e118))) + (_e244 * (_e116 + _e161))) + (_e256 * (_e116 + _e162)))) + ((((_e217 * (_e117 + _e118)) + (_e221 * (_e117 + _e115))) + (_e245 * (_e117 + _e161))) + (_e257 * (_e117 + _e162)))) + ((((_e218 * (_e118 + _e115)) + (_e222 * (_e118 + _e116))) + (_e246 * (_e118 + _e161))) + (_e258 * (_e118 + _e162)))) + (_e429 * (_e161 + _e162))))) / _e432);
+                    let _e748 = ((((((((_e215 + _e219) + _e243) + _e255) + (((_e216 + _e220) + _e244) + _e256)) + (((_e217 + _e221) + _e245) + _e257)) + (((_e218 + _e222) + _e246) + _e258)) + _e429) / _e432);
+                    let _e750 = ((_e747 * _e747) - _e748);
+                    if (_e750 > 0f) {
+                        phi_1016_ = sqrt(_e750);
                     } else {
-                        phi_1010_ = 0f;
+                        phi_1016_ = 0f;
                     }
-                    let _e750 = phi_1010_;
-                    if (_e743 > 0f) {
-                        let _e753 = (-(_e743) - _e750);
-                        phi_1027_ = lt_bvh_slab_Span(_e753, (_e744 / _e753));
+                    let _e754 = phi_1016_;
+                    if (_e747 > 0f) {
+                        let _e757 = (-(_e747) - _e754);
+                        phi_1033_ = lt_bvh_slab_Span(_e757, (_e748 / _e757));
                     } else {
-                        let _e756 = (_e750 - _e743);
-                        if (_e756 > 0f) {
-                            phi_1025_ = (_e744 / _e756);
+                        let _e760 = (_e754 - _e747);
+                        if (_e760 > 0f) {
+                            phi_1031_ = (_e748 / _e760);
                         } else {
-                            phi_1025_ = 0f;
+                            phi_1031_ = 0f;
                         }
-                        let _e760 = phi_1025_;
-                        phi_1027_ = lt_bvh_slab_Span(_e760, _e756);
+                        let _e764 = phi_1031_;
+                        phi_1033_ = lt_bvh_slab_Span(_e764, _e760);
                     }
-                    let _e763 = phi_1027_;
-                    if (_e763.near >= 0f) {
-                        phi_1088_ = 1f;
-                        phi_1089_ = f32();
-                        phi_1090_ = true;
+                    let _e767 = phi_1033_;
+                    if (_e767.near >= 0f) {
+                        phi_1094_ = 1f;
+                        phi_1095_ = f32();
+                        phi_1096_ = true;
                     } else {
-                        let _e767 = (_e763.far <= 0f);
-                        if _e767 {
-                            phi_1086_ = (_e422 / _e428);
-                            phi_1087_ = f32();
+                        let _e771 = (_e767.far <= 0f);
+                        if _e771 {
+                            phi_1092_ = (_e426 / _e432);
+                            phi_1093_ = f32();
                         } else {
-                            let _e778 = (((((_e150 * _e111) + (_e152 * _e112)) + (_e154 * _e113)) + (_e156 * _e114)) + (_e147 * (_e157 + _e158)));
-                            let _e794 = (((((_e150 * (_e111 * _e111)) + (_e152 * (_e112 * _e112))) + (_e154 * (_e113 * _e113))) + (_e156 * (_e114 * _e114))) + (_e147 * ((_e157 * _e157) + (_e158 * _e158))));
-                            if (-(_e763.near) <= _e763.far) {
-                                phi_1085_ = (1f - (((_e763.near * _e763.near) * ((_e763.far * _e794) - _e778)) / (_e763.far - _e763.near)));
+                            let _e782 = (((((_e154 * _e115) + (_e156 * _e116)) + (_e158 * _e117)) + (_e160 * _e118)) + (_e151 * (_e161 + _e162)));
+                            let _e798 = (((((_e154 * (_e115 * _e115)) + (_e156 * (_e116 * _e116))) + (_e158 * (_e117 * _e117))) + (_e160 * (_e118 * _e118))) + (_e151 * ((_e161 * _e161) + (_e162 * _e162))));
+                            if (-(_e767.near) <= _e767.far) {
+                                phi_1091_ = (1f - (((_e767.near * _e767.near) * ((_e767.far * _e798) - _e782)) / (_e767.far - _e767.near)));
                             } else {
-                                phi_1085_ = ((_e422 / _e428) + (((_e763.far * _e763.far) * (_e778 - (_e763.near * _e794))) / (_e763.far - _e763.near)));
+                                phi_1091_ = ((_e426 / _e432) + (((_e767.far * _e767.far) * (_e782 - (_e767.near * _e798))) / (_e767.far - _e767.near)));
                             }
-                            let _e813 = phi_1085_;
-                            phi_1086_ = f32();
-                            phi_1087_ = _e813;
+                            let _e817 = phi_1091_;
+                            phi_1092_ = f32();
+                            phi_1093_ = _e817;
                         }
-                        let _e815 = phi_1086_;
-                        let _e817 = phi_1087_;
-                        phi_1088_ = _e815;
-                        phi_1089_ = _e817;
-                        phi_1090_ = _e767;
-                    }
-                    let _e819 = phi_1088_;
-                    let _e821 = phi_1089_;
-                    let _e823 = phi_1090_;
-                    if _e823 {
+                        let _e819 = phi_1092_;
+                        let _e821 = phi_1093_;
                         phi_1094_ = _e819;
-                    } else {
-                        phi_1094_ = _e821;
+                        phi_1095_ = _e821;
+                        phi_1096_ = _e771;
                     }
-                    let _e825 = phi_1094_;
-                    if ((bitcast<u32>(_e825) & 2147483647u) > 2139095040u) {
-                        phi_1111_ = _e825;
+                    let _e823 = phi_1094_;
+                    let _e825 = phi_1095_;
+                    let _e827 = phi_1096_;
+                    if _e827 {
+                        phi_1100_ = _e823;
                     } else {
-                        if (_e825 < 0f) {
-                            phi_1110_ = 0f;
+                        phi_1100_ = _e825;
+                    }
+                    let _e829 = phi_1100_;
+                    if ((bitcast<u32>(_e829) & 2147483647u) > 2139095040u) {
+                        phi_1117_ = _e829;
+                    } else {
+                        if (_e829 < 0f) {
+                            phi_1116_ = 0f;
                         } else {
-                            if (_e825 > 1f) {
-                                phi_1109_ = 1f;
+                            if (_e829 > 1f) {
+                                phi_1115_ = 1f;
                             } else {
-                                phi_1109_ = _e825;
+                                phi_1115_ = _e829;
                             }
-                            let _e832 = phi_1109_;
-                            phi_1110_ = _e832;
+                            let _e836 = phi_1115_;
+                            phi_1116_ = _e836;
                         }
-                        let _e834 = phi_1110_;
-                        phi_1111_ = _e834;
+                        let _e838 = phi_1116_;
+                        phi_1117_ = _e838;
                     }
-                    let _e836 = phi_1111_;
-                    phi_1112_ = f32();
-                    phi_1113_ = _e836;
+                    let _e840 = phi_1117_;
+                    phi_1118_ = f32();
+                    phi_1119_ = _e840;
                 }
-                let _e838 = phi_1112_;
-                let _e840 = phi_1113_;
-                phi_1114_ = _e838;
-                phi_1115_ = _e840;
-                phi_1116_ = _e730;
+                let _e842 = phi_1118_;
+                let _e844 = phi_1119_;
+                phi_1120_ = _e842;
+                phi_1121_ = _e844;
+                phi_1122_ = _e734;
             }
-            let _e842 = phi_1114_;
-            let _e844 = phi_1115_;
-            let _e846 = phi_1116_;
-            if _e846 {
+            let _e846 = phi_1120_;
+            let _e848 = phi_1121_;
+            let _e850 = phi_1122_;
+            if _e850 {
             }
-            phi_1120_ = _e842;
-            phi_1121_ = _e844;
-            phi_1122_ = _e846;
+            phi_1126_ = _e846;
+            phi_1127_ = _e848;
+            phi_1128_ = _e850;
         }
-        let _e848 = phi_1120_;
-        let _e850 = phi_1121_;
-        let _e852 = phi_1122_;
-        phi_1123_ = _e848;
-        phi_1124_ = _e850;
-        phi_1125_ = _e852;
+        let _e852 = phi_1126_;
+        let _e854 = phi_1127_;
+        let _e856 = phi_1128_;
+        phi_1129_ = _e852;
+        phi_1130_ = _e854;
+        phi_1131_ = _e856;
     }
-    let _e854 = phi_1123_;
-    let _e856 = phi_1124_;
-    let _e858 = phi_1125_;
-    if _e858 {
-        phi_1129_ = _e854;
+    let _e858 = phi_1129_;
+    let _e860 = phi_1130_;
+    let _e862 = phi_1131_;
+    if _e862 {
+        phi_1135_ = _e858;
     } else {
-        phi_1129_ = _e856;
+        phi_1135_ = _e860;
     }
-    let _e860 = phi_1129_;
-    return _e860;
+    let _e864 = phi_1135_;
+    return _e864;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_1184_: bool;
-    var phi_1185_: bool;
-    var phi_1186_: bool;
-    var phi_1187_: bool;
+    var phi_1190_: bool;
     var phi_1191_: bool;
-    var phi_1261_: bool;
-    var phi_1262_: bool;
-    var phi_1273_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1274_: bool;
-    var phi_1275_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1276_: bool;
-    var phi_1283_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1287_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1307_: lt_math_LightPoint;
-    var phi_1310_: u32;
-    var phi_1312_: lt_math_LevelPoint;
-    var phi_1398_: bool;
-    var phi_1407_: bool;
-    var phi_1416_: bool;
-    var phi_1417_: bool;
-    var phi_1418_: bool;
-    var phi_1419_: bool;
-    var phi_1420_: bool;
-    var phi_1421_: bool;
+    var phi_1192_: bool;
+    var phi_1193_: bool;
+    var phi_1197_: bool;
+    var phi_1267_: bool;
+    var phi_1268_: bool;
+    var phi_1279_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1280_: bool;
+    var phi_1281_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1282_: bool;
+    var phi_1289_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1293_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1313_: lt_math_LightPoint;
+    var phi_1316_: u32;
+    var phi_1318_: lt_math_LevelPoint;
+    var phi_1404_: bool;
+    var phi_1413_: bool;
     var phi_1422_: bool;
+    var phi_1423_: bool;
+    var phi_1424_: bool;
+    var phi_1425_: bool;
     var phi_1426_: bool;
-    var phi_1453_: bool;
-    var phi_1454_: bool;
-    var phi_1455_: bool;
-    var phi_1456_: bool;
-    var phi_1457_: bool;
-    var phi_1458_: bool;
+    var phi_1427_: bool;
+    var phi_1428_: bool;
+    var phi_1432_: bool;
     var phi_1459_: bool;
     var phi_1460_: bool;
+    var phi_1461_: bool;
+    var phi_1462_: bool;
+    var phi_1463_: bool;
     var phi_1464_: bool;
-    var phi_1473_: lt_math_LightPoint;
-    var phi_1474_: u32;
-    var phi_1475_: lt_math_LevelPoint;
-    var phi_1476_: bool;
-    var phi_1308_: lt_math_LightPoint;
-    var phi_1311_: u32;
-    var phi_1313_: lt_math_LevelPoint;
-    var phi_1477_: bool;
+    var phi_1465_: bool;
+    var phi_1466_: bool;
+    var phi_1470_: bool;
+    var phi_1479_: lt_math_LightPoint;
+    var phi_1480_: u32;
+    var phi_1481_: lt_math_LevelPoint;
+    var phi_1482_: bool;
+    var phi_1314_: lt_math_LightPoint;
+    var phi_1317_: u32;
+    var phi_1319_: lt_math_LevelPoint;
+    var phi_1483_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_1517_: bool;
-    var phi_1518_: bool;
-    var phi_1519_: bool;
-    var phi_1520_: bool;
+    var phi_1523_: bool;
     var phi_1524_: bool;
-    var phi_1606_: f32;
-    var phi_1724_: f32;
-    var phi_1725_: f32;
-    var phi_1728_: f32;
-    var phi_1757_: f32;
-    var phi_1762_: f32;
-    var phi_1763_: bool;
-    var phi_1764_: f32;
-    var phi_1765_: bool;
-    var phi_1769_: f32;
-    var phi_1789_: f32;
-    var phi_1794_: f32;
-    var phi_1795_: bool;
-    var phi_1796_: f32;
-    var phi_1797_: bool;
-    var phi_1801_: f32;
+    var phi_1525_: bool;
+    var phi_1526_: bool;
+    var phi_1530_: bool;
+    var phi_1612_: f32;
+    var phi_1730_: f32;
+    var phi_1731_: f32;
+    var phi_1734_: f32;
+    var phi_1763_: f32;
+    var phi_1768_: f32;
+    var phi_1769_: bool;
+    var phi_1770_: f32;
+    var phi_1771_: bool;
+    var phi_1775_: f32;
+    var phi_1795_: f32;
+    var phi_1800_: f32;
+    var phi_1801_: bool;
+    var phi_1802_: f32;
+    var phi_1803_: bool;
+    var phi_1807_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_1850_: i32;
-    var phi_1855_: i32;
-    var phi_1860_: i32;
-    var phi_1865_: i32;
-    var phi_1874_: i32;
-    var phi_1879_: i32;
-    var phi_1884_: i32;
-    var phi_1889_: i32;
-    var phi_1940_: bool;
+    var phi_1856_: i32;
+    var phi_1861_: i32;
+    var phi_1866_: i32;
+    var phi_1871_: i32;
+    var phi_1880_: i32;
+    var phi_1885_: i32;
+    var phi_1890_: i32;
+    var phi_1895_: i32;
     var phi_1948_: bool;
-    var phi_1960_: bool;
-    var phi_1961_: bool;
-    var phi_1965_: f32;
-    var phi_1971_: f32;
-    var phi_1973_: evaluate_Verdict;
-    var phi_1978_: evaluate_Verdict;
-    var phi_1979_: evaluate_Verdict;
-    var phi_1983_: bool;
-    var phi_1984_: u32;
-    var phi_1995_: u32;
+    var phi_1956_: bool;
+    var phi_1968_: bool;
+    var phi_1969_: bool;
+    var phi_1973_: f32;
+    var phi_1979_: f32;
+    var phi_1981_: evaluate_Verdict;
+    var phi_1991_: u32;
+    var phi_2000_: f32;
+    var phi_2002_: evaluate_Verdict;
+    var phi_2003_: bool;
+    var phi_2004_: evaluate_Verdict;
+    var phi_2005_: bool;
+    var phi_2010_: evaluate_Verdict;
+    var phi_2015_: evaluate_Verdict;
+    var phi_2016_: evaluate_Verdict;
+    var phi_2020_: bool;
+    var phi_2021_: u32;
+    var phi_2032_: u32;
+    var phi_2049_: u32;
 
-    let _e47 = id_1;
-    let _e48 = local_5;
-    let _e53 = arrayLength((&map.member));
-    let _e58 = arrayLength((&levels.member));
-    let _e61 = p.member.size[0u];
-    let _e63 = p.member.size[1u];
-    let _e64 = lt_shaders_entry_pixel_index(_e47, _e61, _e63);
-    if (bitcast<i32>(_e64.root) != 0i) {
-        let _e71 = p.member.level_count;
-        let _e75 = samples.member[_e64.first_primitive].normal[0u];
-        let _e77 = global[0u];
-        if (_e75 == _e77) {
-            let _e80 = samples.member[_e64.first_primitive].normal[1u];
-            let _e82 = global[1u];
-            if (_e80 == _e82) {
-                let _e85 = samples.member[_e64.first_primitive].normal[2u];
-                let _e87 = global[2u];
-                phi_1184_ = (_e85 == _e87);
-                phi_1185_ = false;
+    let _e51 = id_1;
+    let _e52 = local_5;
+    let _e57 = arrayLength((&map.member));
+    let _e62 = arrayLength((&levels.member));
+    let _e65 = p.member.size[0u];
+    let _e67 = p.member.size[1u];
+    let _e68 = lt_shaders_entry_pixel_index(_e51, _e65, _e67);
+    if (bitcast<i32>(_e68.root) != 0i) {
+        let _e75 = p.member.level_count;
+        let _e79 = samples.member[_e68.first_primitive].normal[0u];
+        let _e81 = global[0u];
+        if (_e79 == _e81) {
+            let _e84 = samples.member[_e68.first_primitive].normal[1u];
+            let _e86 = global[1u];
+            if (_e84 == _e86) {
+                let _e89 = samples.member[_e68.first_primitive].normal[2u];
+                let _e91 = global[2u];
+                phi_1190_ = (_e89 == _e91);
+                phi_1191_ = false;
             } else {
-                phi_1184_ = bool();
-                phi_1185_ = true;
+                phi_1190_ = bool();
+                phi_1191_ = true;
             }
-            let _e90 = phi_1184_;
-            let _e92 = phi_1185_;
-            phi_1186_ = _e90;
-            phi_1187_ = _e92;
+            let _e94 = phi_1190_;
+            let _e96 = phi_1191_;
+            phi_1192_ = _e94;
+            phi_1193_ = _e96;
         } else {
-            phi_1186_ = bool();
-            phi_1187_ = true;
+            phi_1192_ = bool();
+            phi_1193_ = true;
         }
-        let _e94 = phi_1186_;
-        let _e96 = phi_1187_;
-        if _e96 {
-            phi_1191_ = false;
+        let _e98 = phi_1192_;
+        let _e100 = phi_1193_;
+        if _e100 {
+            phi_1197_ = false;
         } else {
-            phi_1191_ = _e94;
+            phi_1197_ = _e98;
         }
-        let _e98 = phi_1191_;
-        if !(_e98) {
-            let _e101 = samples.member[_e64.first_primitive].position;
-            let _e103 = p.member.light.place;
-            let _e109 = p.member.light.place[3u];
-            let _e116 = (_e103.x - (_e101.x * _e109));
-            let _e117 = (_e103.y - (_e101.y * _e109));
-            let _e118 = (_e103.z - (_e101.z * _e109));
-            let _e120 = samples.member[_e64.first_primitive].normal;
-            if ((((_e120.x * _e116) + (_e120.y * _e117)) + (_e120.z * _e118)) > 0f) {
-                let _e134 = (((_e116 * _e116) + (_e117 * _e117)) + (_e118 * _e118));
-                let _e136 = p.member.light.axis;
-                let _e148 = p.member.light.place[3u];
-                if (_e148 == 0f) {
-                    phi_1262_ = true;
+        let _e102 = phi_1197_;
+        if !(_e102) {
+            let _e105 = samples.member[_e68.first_primitive].position;
+            let _e107 = p.member.light.place;
+            let _e113 = p.member.light.place[3u];
+            let _e120 = (_e107.x - (_e105.x * _e113));
+            let _e121 = (_e107.y - (_e105.y * _e113));
+            let _e122 = (_e107.z - (_e105.z * _e113));
+            let _e124 = samples.member[_e68.first_primitive].normal;
+            if ((((_e124.x * _e120) + (_e124.y * _e121)) + (_e124.z * _e122)) > 0f) {
+                let _e138 = (((_e120 * _e120) + (_e121 * _e121)) + (_e122 * _e122));
+                let _e140 = p.member.light.axis;
+                let _e152 = p.member.light.place[3u];
+                if (_e152 == 0f) {
+                    phi_1268_ = true;
                 } else {
-                    let _e151 = p.member.light.range_squared;
-                    if (_e134 <= _e151) {
-                        let _e154 = p.member.light.cos_outer;
-                        phi_1261_ = (-((((_e116 * _e136.x) + (_e117 * _e136.y)) + (_e118 * _e136.z))) >= (_e154 * sqrt(_e134)));
+                    let _e155 = p.member.light.range_squared;
+                    if (_e138 <= _e155) {
+                        let _e158 = p.member.light.cos_outer;
+                        phi_1267_ = (-((((_e120 * _e140.x) + (_e121 * _e140.y)) + (_e122 * _e140.z))) >= (_e158 * sqrt(_e138)));
                     } else {
-                        phi_1261_ = false;
+                        phi_1267_ = false;
                     }
-                    let _e159 = phi_1261_;
-                    phi_1262_ = _e159;
+                    let _e163 = phi_1267_;
+                    phi_1268_ = _e163;
                 }
-                let _e161 = phi_1262_;
-                if _e161 {
-                    let _e163 = samples.member[_e64.first_primitive].flags;
-                    let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e171.unnamed.visibility, false), _e171.unnamed_1);
-                    phi_1273_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e177.unnamed, ((_e163 & 1u) == 0u));
-                    phi_1274_ = false;
+                let _e165 = phi_1268_;
+                if _e165 {
+                    let _e167 = samples.member[_e68.first_primitive].flags;
+                    let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e175.unnamed.visibility, false), _e175.unnamed_1);
+                    phi_1279_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e181.unnamed, ((_e167 & 1u) == 0u));
+                    phi_1280_ = false;
                 } else {
-                    phi_1273_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_1274_ = true;
+                    phi_1279_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_1280_ = true;
                 }
-                let _e182 = phi_1273_;
-                let _e184 = phi_1274_;
-                phi_1275_ = _e182;
-                phi_1276_ = _e184;
+                let _e186 = phi_1279_;
+                let _e188 = phi_1280_;
+                phi_1281_ = _e186;
+                phi_1282_ = _e188;
             } else {
-                phi_1275_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_1276_ = true;
+                phi_1281_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_1282_ = true;
             }
-            let _e186 = phi_1275_;
-            let _e188 = phi_1276_;
-            if _e188 {
-                let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e194.unnamed.visibility, false), _e194.unnamed_1);
-                phi_1283_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e200.unnamed, true);
+            let _e190 = phi_1281_;
+            let _e192 = phi_1282_;
+            if _e192 {
+                let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e198.unnamed.visibility, false), _e198.unnamed_1);
+                phi_1289_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e204.unnamed, true);
             } else {
-                phi_1283_ = _e186;
+                phi_1289_ = _e190;
             }
-            let _e205 = phi_1283_;
-            phi_1287_ = _e205;
+            let _e209 = phi_1289_;
+            phi_1293_ = _e209;
         } else {
-            let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e211.unnamed.visibility, false), _e211.unnamed_1);
-            phi_1287_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e217.unnamed, true);
+            let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e215.unnamed.visibility, false), _e215.unnamed_1);
+            phi_1293_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e221.unnamed, true);
         }
-        let _e222 = phi_1287_;
-        if _e222.unnamed_1 {
-            phi_1979_ = evaluate_Verdict(_e222.unnamed.visibility, _e222.unnamed.is_doubted);
+        let _e226 = phi_1293_;
+        if _e226.unnamed_1 {
+            phi_2016_ = evaluate_Verdict(_e226.unnamed.visibility, _e226.unnamed.is_doubted);
         } else {
-            let _e230 = samples.member[_e64.first_primitive].position;
-            let _e232 = p.member.map_size;
-            let _e234 = (0.5f / f32(_e232));
-            let _e241 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e248 = lt_math_LightPoint(vec2<f32>(_e241.uv.x, 0f), _e241.depth, _e241.is_inside);
-            let _e252 = lt_math_LightPoint(_e248.uv, 0f, _e248.is_inside);
-            phi_1307_ = lt_math_LightPoint();
-            phi_1310_ = 0u;
-            phi_1312_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e252.uv, _e252.depth, false));
+            let _e234 = samples.member[_e68.first_primitive].position;
+            let _e236 = p.member.map_size;
+            let _e238 = (0.5f / f32(_e236));
+            let _e245 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e252 = lt_math_LightPoint(vec2<f32>(_e245.uv.x, 0f), _e245.depth, _e245.is_inside);
+            let _e256 = lt_math_LightPoint(_e252.uv, 0f, _e252.is_inside);
+            phi_1313_ = lt_math_LightPoint();
+            phi_1316_ = 0u;
+            phi_1318_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e256.uv, _e256.depth, false));
             loop {
-                let _e259 = phi_1307_;
-                let _e261 = phi_1310_;
-                let _e263 = phi_1312_;
-                local_2 = _e263;
-                local_3 = _e263;
-                local_4 = _e263;
-                if (_e261 < _e71) {
-                    if _e263.point.is_inside {
-                        phi_1473_ = lt_math_LightPoint();
-                        phi_1474_ = u32();
-                        phi_1475_ = lt_math_LevelPoint();
-                        phi_1476_ = false;
+                let _e263 = phi_1313_;
+                let _e265 = phi_1316_;
+                let _e267 = phi_1318_;
+                local_2 = _e267;
+                local_3 = _e267;
+                local_4 = _e267;
+                if (_e265 < _e75) {
+                    if _e267.point.is_inside {
+                        phi_1479_ = lt_math_LightPoint();
+                        phi_1480_ = u32();
+                        phi_1481_ = lt_math_LevelPoint();
+                        phi_1482_ = false;
                     } else {
-                        if (_e261 < _e58) {
+                        if (_e265 < _e62) {
                         } else {
                             return;
                         }
-                        let _e274 = levels.member[(0u + _e261)].row_w;
-                        let _e285 = ((((_e274.x * _e230.x) + (_e274.y * _e230.y)) + (_e274.z * _e230.z)) + (_e274.w * 1f));
-                        let _e287 = levels.member[(0u + _e261)].row_x;
-                        let _e299 = (((((_e287.x * _e230.x) + (_e287.y * _e230.y)) + (_e287.z * _e230.z)) + (_e287.w * 1f)) / _e285);
-                        let _e301 = levels.member[(0u + _e261)].row_y;
-                        let _e313 = (((((_e301.x * _e230.x) + (_e301.y * _e230.y)) + (_e301.z * _e230.z)) + (_e301.w * 1f)) / _e285);
-                        let _e315 = levels.member[(0u + _e261)].row_z;
-                        let _e326 = ((((_e315.x * _e230.x) + (_e315.y * _e230.y)) + (_e315.z * _e230.z)) + (_e315.w * 1f));
-                        if (_e285 > 0f) {
-                            if (_e299 >= 0f) {
-                                phi_1398_ = (_e299 <= 1f);
+                        let _e278 = levels.member[(0u + _e265)].row_w;
+                        let _e289 = ((((_e278.x * _e234.x) + (_e278.y * _e234.y)) + (_e278.z * _e234.z)) + (_e278.w * 1f));
+                        let _e291 = levels.member[(0u + _e265)].row_x;
+                        let _e303 = (((((_e291.x * _e234.x) + (_e291.y * _e234.y)) + (_e291.z * _e234.z)) + (_e291.w * 1f)) / _e289);
+                        let _e305 = levels.member[(0u + _e265)].row_y;
+                        let _e317 = (((((_e305.x * _e234.x) + (_e305.y * _e234.y)) + (_e305.z * _e234.z)) + (_e305.w * 1f)) / _e289);
+                        let _e319 = levels.member[(0u + _e265)].row_z;
+                        let _e330 = ((((_e319.x * _e234.x) + (_e319.y * _e234.y)) + (_e319.z * _e234.z)) + (_e319.w * 1f));
+                        if (_e289 > 0f) {
+                            if (_e303 >= 0f) {
+                                phi_1404_ = (_e303 <= 1f);
                             } else {
-                                phi_1398_ = false;
+                                phi_1404_ = false;
                             }
-                            let _e331 = phi_1398_;
-                            if _e331 {
-                                if (_e313 >= 0f) {
-                                    phi_1407_ = (_e313 <= 1f);
+                            let _e335 = phi_1404_;
+                            if _e335 {
+                                if (_e317 >= 0f) {
+                                    phi_1413_ = (_e317 <= 1f);
                                 } else {
-                                    phi_1407_ = false;
+                                    phi_1413_ = false;
                                 }
-                                let _e335 = phi_1407_;
-                                if _e335 {
-                                    if (_e326 >= 0f) {
-                                        phi_1416_ = (_e326 <= 1f);
+                                let _e339 = phi_1413_;
+                                if _e339 {
+                                    if (_e330 >= 0f) {
+                                        phi_1422_ = (_e330 <= 1f);
                                     } else {
-                                        phi_1416_ = false;
+                                        phi_1422_ = false;
                                     }
-                                    let _e339 = phi_1416_;
-                                    phi_1417_ = _e339;
-                                    phi_1418_ = false;
+                                    let _e343 = phi_1422_;
+                                    phi_1423_ = _e343;
+                                    phi_1424_ = false;
                                 } else {
-                                    phi_1417_ = bool();
-                                    phi_1418_ = true;
+                                    phi_1423_ = bool();
+                                    phi_1424_ = true;
                                 }
-                                let _e341 = phi_1417_;
-                                let _e343 = phi_1418_;
-                                phi_1419_ = _e341;
-                                phi_1420_ = _e343;
+                                let _e345 = phi_1423_;
+                                let _e347 = phi_1424_;
+                                phi_1425_ = _e345;
+                                phi_1426_ = _e347;
                             } else {
-                                phi_1419_ = bool();
-                                phi_1420_ = true;
+                                phi_1425_ = bool();
+                                phi_1426_ = true;
                             }
-                            let _e345 = phi_1419_;
-                            let _e347 = phi_1420_;
-                            phi_1421_ = _e345;
-                            phi_1422_ = _e347;
+                            let _e349 = phi_1425_;
+                            let _e351 = phi_1426_;
+                            phi_1427_ = _e349;
+                            phi_1428_ = _e351;
                         } else {
-                            phi_1421_ = bool();
-                            phi_1422_ = true;
+                            phi_1427_ = bool();
+                            phi_1428_ = true;
                         }
-                        let _e349 = phi_1421_;
-                        let _e351 = phi_1422_;
-                        if _e351 {
-                            phi_1426_ = false;
+                        let _e353 = phi_1427_;
+                        let _e355 = phi_1428_;
+                        if _e355 {
+                            phi_1432_ = false;
                         } else {
-                            phi_1426_ = _e349;
+                            phi_1432_ = _e353;
                         }
-                        let _e353 = phi_1426_;
-                        if _e353 {
-                            if (_e299 >= _e234) {
-                                if (_e299 <= (1f - _e234)) {
-                                    if (_e313 >= _e234) {
-                                        phi_1453_ = (_e313 <= (1f - _e234));
-                                        phi_1454_ = false;
+                        let _e357 = phi_1432_;
+                        if _e357 {
+                            if (_e303 >= _e238) {
+                                if (_e303 <= (1f - _e238)) {
+                                    if (_e317 >= _e238) {
+                                        phi_1459_ = (_e317 <= (1f - _e238));
+                                        phi_1460_ = false;
                                     } else {
-                                        phi_1453_ = bool();
-                                        phi_1454_ = true;
+                                        phi_1459_ = bool();
+                                        phi_1460_ = true;
                                     }
-                                    let _e361 = phi_1453_;
-                                    let _e363 = phi_1454_;
-                                    phi_1455_ = _e361;
-                                    phi_1456_ = _e363;
+                                    let _e365 = phi_1459_;
+                                    let _e367 = phi_1460_;
+                                    phi_1461_ = _e365;
+                                    phi_1462_ = _e367;
                                 } else {
-                                    phi_1455_ = bool();
-                                    phi_1456_ = true;
+                                    phi_1461_ = bool();
+                                    phi_1462_ = true;
                                 }
-                                let _e365 = phi_1455_;
-                                let _e367 = phi_1456_;
-                                phi_1457_ = _e365;
-                                phi_1458_ = _e367;
+                                let _e369 = phi_1461_;
+                                let _e371 = phi_1462_;
+                                phi_1463_ = _e369;
+                                phi_1464_ = _e371;
                             } else {
-                                phi_1457_ = bool();
-                                phi_1458_ = true;
+                                phi_1463_ = bool();
+                                phi_1464_ = true;
                             }
-                            let _e369 = phi_1457_;
-                            let _e371 = phi_1458_;
-                            phi_1459_ = _e369;
-                            phi_1460_ = _e371;
+                            let _e373 = phi_1463_;
+                            let _e375 = phi_1464_;
+                            phi_1465_ = _e373;
+                            phi_1466_ = _e375;
                         } else {
-                            phi_1459_ = bool();
-                            phi_1460_ = true;
+                            phi_1465_ = bool();
+                            phi_1466_ = true;
                         }
-                        let _e373 = phi_1459_;
-                        let _e375 = phi_1460_;
-                        if _e375 {
-                            phi_1464_ = false;
+                        let _e377 = phi_1465_;
+                        let _e379 = phi_1466_;
+                        if _e379 {
+                            phi_1470_ = false;
                         } else {
-                            phi_1464_ = _e373;
+                            phi_1470_ = _e377;
                         }
-                        let _e377 = phi_1464_;
-                        let _e384 = lt_math_LightPoint(vec2<f32>(_e299, _e259.uv.y), _e259.depth, _e259.is_inside);
-                        let _e391 = lt_math_LightPoint(vec2<f32>(_e384.uv.x, _e313), _e384.depth, _e384.is_inside);
-                        let _e395 = lt_math_LightPoint(_e391.uv, _e326, _e391.is_inside);
-                        let _e399 = lt_math_LightPoint(_e395.uv, _e395.depth, _e377);
-                        phi_1473_ = _e399;
-                        phi_1474_ = (_e261 + 1u);
-                        phi_1475_ = lt_math_LevelPoint(_e261, _e399);
-                        phi_1476_ = true;
+                        let _e381 = phi_1470_;
+                        let _e388 = lt_math_LightPoint(vec2<f32>(_e303, _e263.uv.y), _e263.depth, _e263.is_inside);
+                        let _e395 = lt_math_LightPoint(vec2<f32>(_e388.uv.x, _e317), _e388.depth, _e388.is_inside);
+                        let _e399 = lt_math_LightPoint(_e395.uv, _e330, _e395.is_inside);
+                        let _e403 = lt_math_LightPoint(_e399.uv, _e399.depth, _e381);
+                        phi_1479_ = _e403;
+                        phi_1480_ = (_e265 + 1u);
+                        phi_1481_ = lt_math_LevelPoint(_e265, _e403);
+                        phi_1482_ = true;
                     }
-                    let _e403 = phi_1473_;
-                    let _e405 = phi_1474_;
-                    let _e407 = phi_1475_;
-                    let _e409 = phi_1476_;
-                    phi_1308_ = _e403;
-                    phi_1311_ = _e405;
-                    phi_1313_ = _e407;
-                    phi_1477_ = _e409;
+                    let _e407 = phi_1479_;
+                    let _e409 = phi_1480_;
+                    let _e411 = phi_1481_;
+                    let _e413 = phi_1482_;
+                    phi_1314_ = _e407;
+                    phi_1317_ = _e409;
+                    phi_1319_ = _e411;
+                    phi_1483_ = _e413;
                 } else {
-                    phi_1308_ = lt_math_LightPoint();
-                    phi_1311_ = u32();
-                    phi_1313_ = lt_math_LevelPoint();
-                    phi_1477_ = false;
+                    phi_1314_ = lt_math_LightPoint();
+                    phi_1317_ = u32();
+                    phi_1319_ = lt_math_LevelPoint();
+                    phi_1483_ = false;
                 }
-                let _e411 = phi_1308_;
-                let _e413 = phi_1311_;
-                let _e415 = phi_1313_;
-                let _e417 = phi_1477_;
+                let _e415 = phi_1314_;
+                let _e417 = phi_1317_;
+                let _e419 = phi_1319_;
+                let _e421 = phi_1483_;
                 continue;
                 continuing {
-                    phi_1307_ = _e411;
-                    phi_1310_ = _e413;
-                    phi_1312_ = _e415;
-                    break if !(_e417);
+                    phi_1313_ = _e415;
+                    phi_1316_ = _e417;
+                    phi_1318_ = _e419;
+                    break if !(_e421);
                 }
             }
-            let _e420 = local_2;
-            if _e420.point.is_inside {
+            let _e424 = local_2;
+            if _e424.point.is_inside {
                 if (0f > 0f) {
-                    let _e426 = local_3;
-                    if (_e426.level < _e58) {
+                    let _e430 = local_3;
+                    if (_e430.level < _e62) {
                     } else {
                         return;
                     }
-                    let _e431 = levels.member[(0u + _e426.level)];
-                    let _e437 = global[0u];
-                    if (_e431.row_w.x == _e437) {
-                        let _e440 = global[1u];
-                        if (_e431.row_w.y == _e440) {
-                            let _e443 = global[2u];
-                            phi_1517_ = (_e431.row_w.z == _e443);
-                            phi_1518_ = false;
+                    let _e435 = levels.member[(0u + _e430.level)];
+                    let _e441 = global[0u];
+                    if (_e435.row_w.x == _e441) {
+                        let _e444 = global[1u];
+                        if (_e435.row_w.y == _e444) {
+                            let _e447 = global[2u];
+                            phi_1523_ = (_e435.row_w.z == _e447);
+                            phi_1524_ = false;
                         } else {
-                            phi_1517_ = bool();
-                            phi_1518_ = true;
+                            phi_1523_ = bool();
+                            phi_1524_ = true;
                         }
-                        let _e446 = phi_1517_;
-                        let _e448 = phi_1518_;
-                        phi_1519_ = _e446;
-                        phi_1520_ = _e448;
+                        let _e450 = phi_1523_;
+                        let _e452 = phi_1524_;
+                        phi_1525_ = _e450;
+                        phi_1526_ = _e452;
                     } else {
-                        phi_1519_ = bool();
-                        phi_1520_ = true;
+                        phi_1525_ = bool();
+                        phi_1526_ = true;
                     }
-                    let _e450 = phi_1519_;
-                    let _e452 = phi_1520_;
-                    if _e452 {
-                        phi_1524_ = false;
+                    let _e454 = phi_1525_;
+                    let _e456 = phi_1526_;
+                    if _e456 {
+                        phi_1530_ = false;
                     } else {
-                        phi_1524_ = _e450;
+                        phi_1530_ = _e454;
                     }
-                    let _e454 = phi_1524_;
-                    if _e454 {
-                        let _e456 = samples.member[_e64.first_primitive].normal;
-                        let _e458 = p.member.map_size;
-                        let _e528 = ((abs(((((_e431.row_x.x * _e456.x) + (_e431.row_x.y * _e456.y)) + (_e431.row_x.z * _e456.z)) / (((_e431.row_x.x * _e431.row_x.x) + (_e431.row_x.y * _e431.row_x.y)) + (_e431.row_x.z * _e431.row_x.z)))) + abs(((((_e431.row_y.x * _e456.x) + (_e431.row_y.y * _e456.y)) + (_e431.row_y.z * _e456.z)) / (((_e431.row_y.x * _e431.row_y.x) + (_e431.row_y.y * _e431.row_y.y)) + (_e431.row_y.z * _e431.row_y.z))))) / (abs(((((_e431.row_z.x * _e456.x) + (_e431.row_z.y * _e456.y)) + (_e431.row_z.z * _e456.z)) / (((_e431.row_z.x * _e431.row_z.x) + (_e431.row_z.y * _e431.row_z.y)) + (_e431.row_z.z * _e431.row_z.z)))) * f32(_e458)));
-                        if (_e528 < 0.002f) {
-                            phi_1606_ = _e528;
+                    let _e458 = phi_1530_;
+                    if _e458 {
+                        let _e460 = samples.member[_e68.first_primitive].normal;
+                        let _e462 = p.member.map_size;
+                        let _e532 = ((abs(((((_e435.row_x.x * _e460.x) + (_e435.row_x.y * _e460.y)) + (_e435.row_x.z * _e460.z)) / (((_e435.row_x.x * _e435.row_x.x) + (_e435.row_x.y * _e435.row_x.y)) + (_e435.row_x.z * _e435.row_x.z)))) + abs(((((_e435.row_y.x * _e460.x) + (_e435.row_y.y * _e460.y)) + (_e435.row_y.z * _e460.z)) / (((_e435.row_y.x * _e435.row_y.x) + (_e435.row_y.y * _e435.row_y.y)) + (_e435.row_y.z * _e435.row_y.z))))) / (abs(((((_e435.row_z.x * _e460.x) + (_e435.row_z.y * _e460.y)) + (_e435.row_z.z * _e460.z)) / (((_e435.row_z.x * _e435.row_z.x) + (_e435.row_z.y * _e435.row_z.y)) + (_e435.row_z.z * _e435.row_z.z)))) * f32(_e462)));
+                        if (_e532 < 0.002f) {
+                            phi_1612_ = _e532;
                         } else {
-                            phi_1606_ = 0.002f;
+                            phi_1612_ = 0.002f;
                         }
-                        let _e531 = phi_1606_;
-                        phi_1725_ = _e531;
+                        let _e535 = phi_1612_;
+                        phi_1731_ = _e535;
                     } else {
-                        let _e533 = p.member.map_size;
-                        let _e539 = samples.member[_e64.first_primitive].position;
-                        let _e550 = ((((_e431.row_w.x * _e539.x) + (_e431.row_w.y * _e539.y)) + (_e431.row_w.z * _e539.z)) + _e431.row_w.w);
-                        let _e563 = ((_e431.row_x.x - (_e431.row_w.x * _e420.point.uv.x)) / _e550);
-                        let _e564 = ((_e431.row_x.y - (_e431.row_w.y * _e420.point.uv.x)) / _e550);
-                        let _e565 = ((_e431.row_x.z - (_e431.row_w.z * _e420.point.uv.x)) / _e550);
-                        let _e578 = ((_e431.row_y.x - (_e431.row_w.x * _e420.point.uv.y)) / _e550);
-                        let _e579 = ((_e431.row_y.y - (_e431.row_w.y * _e420.point.uv.y)) / _e550);
-                        let _e580 = ((_e431.row_y.z - (_e431.row_w.z * _e420.point.uv.y)) / _e550);
-                        let _e586 = samples.member[_e64.first_primitive].normal;
-                        let _e591 = ((_e579 * _e586.z) - (_e586.y * _e580));
-                        let _e596 = ((_e580 * _e586.x) - (_e586.z * _e578));
-                        let _e601 = ((_e578 * _e586.y) - (_e586.x * _e579));
-                        let _e603 = samples.member[_e64.first_primitive].normal;
-                        let _e608 = ((_e564 * _e603.z) - (_e603.y * _e565));
-                        let _e613 = ((_e565 * _e603.x) - (_e603.z * _e563));
-                        let _e618 = ((_e563 * _e603.y) - (_e603.x * _e564));
-                        let _e645 = ((abs(((((_e431.row_z.x * _e591) + (_e431.row_z.y * _e596)) + (_e431.row_z.z * _e601)) / (((_e563 * _e591) + (_e564 * _e596)) + (_e565 * _e601)))) + abs(((((_e431.row_z.x * _e608) + (_e431.row_z.y * _e613)) + (_e431.row_z.z * _e618)) / (((_e578 * _e608) + (_e579 * _e613)) + (_e580 * _e618))))) / f32(_e533));
-                        let _e647 = (16f / f32(_e533));
-                        if (_e645 < _e647) {
-                            phi_1724_ = _e645;
+                        let _e537 = p.member.map_size;
+                        let _e543 = samples.member[_e68.first_primitive].position;
+                        let _e554 = ((((_e435.row_w.x * _e543.x) + (_e435.row_w.y * _e543.y)) + (_e435.row_w.z * _e543.z)) + _e435.row_w.w);
+                        let _e567 = ((_e435.row_x.x - (_e435.row_w.x * _e424.point.uv.x)) / _e554);
+                        let _e568 = ((_e435.row_x.y - (_e435.row_w.y * _e424.point.uv.x)) / _e554);
+                        let _e569 = ((_e435.row_x.z - (_e435.row_w.z * _e424.point.uv.x)) / _e554);
+                        let _e582 = ((_e435.row_y.x - (_e435.row_w.x * _e424.point.uv.y)) / _e554);
+                        let _e583 = ((_e435.row_y.y - (_e435.row_w.y * _e424.point.uv.y)) / _e554);
+                        let _e584 = ((_e435.row_y.z - (_e435.row_w.z * _e424.point.uv.y)) / _e554);
+                        let _e590 = samples.member[_e68.first_primitive].normal;
+                        let _e595 = ((_e583 * _e590.z) - (_e590.y * _e584));
+                        let _e600 = ((_e584 * _e590.x) - (_e590.z * _e582));
+                        let _e605 = ((_e582 * _e590.y) - (_e590.x * _e583));
+                        let _e607 = samples.member[_e68.first_primitive].normal;
+                        let _e612 = ((_e568 * _e607.z) - (_e607.y * _e569));
+                        let _e617 = ((_e569 * _e607.x) - (_e607.z * _e567));
+                        let _e622 = ((_e567 * _e607.y) - (_e607.x * _e568));
+                        let _e649 = ((abs(((((_e435.row_z.x * _e595) + (_e435.row_z.y * _e600)) + (_e435.row_z.z * _e605)) / (((_e567 * _e595) + (_e568 * _e600)) + (_e569 * _e605)))) + abs(((((_e435.row_z.x * _e612) + (_e435.row_z.y * _e617)) + (_e435.row_z.z * _e622)) / (((_e582 * _e612) + (_e583 * _e617)) + (_e584 * _e622))))) / f32(_e537));
+                        let _e651 = (16f / f32(_e537));
+                        if (_e649 < _e651) {
+                            phi_1730_ = _e649;
                         } else {
-                            phi_1724_ = _e647;
+                            phi_1730_ = _e651;
                         }
-                        let _e650 = phi_1724_;
-                        phi_1725_ = _e650;
+                        let _e654 = phi_1730_;
+                        phi_1731_ = _e654;
                     }
-                    let _e652 = phi_1725_;
-                    phi_1728_ = (_e420.point.depth - (0f * _e652));
+                    let _e656 = phi_1731_;
+                    phi_1734_ = (_e424.point.depth - (0f * _e656));
                 } else {
-                    phi_1728_ = _e420.point.depth;
+                    phi_1734_ = _e424.point.depth;
                 }
-                let _e656 = phi_1728_;
-                let _e662 = p.member.map_size;
-                let _e663 = f32(_e662);
-                let _e666 = ((_e420.point.uv.x * _e663) - 0.5f);
-                let _e667 = ((_e420.point.uv.y * _e663) - 0.5f);
-                if (_e666 > -8388608f) {
-                    let _e679 = f32(select(0i, select(select(i32(_e666), i32(-2147483648), (_e666 < bitcast<f32>(3472883712u))), 2147483647i, (_e666 > bitcast<f32>(1325400063u))), (_e666 == _e666)));
-                    if (_e679 > _e666) {
-                        phi_1757_ = 1f;
+                let _e660 = phi_1734_;
+                let _e666 = p.member.map_size;
+                let _e667 = f32(_e666);
+                let _e670 = ((_e424.point.uv.x * _e667) - 0.5f);
+                let _e671 = ((_e424.point.uv.y * _e667) - 0.5f);
+                if (_e670 > -8388608f) {
+                    let _e683 = f32(select(0i, select(select(i32(_e670), i32(-2147483648), (_e670 < bitcast<f32>(3472883712u))), 2147483647i, (_e670 > bitcast<f32>(1325400063u))), (_e670 == _e670)));
+                    if (_e683 > _e670) {
+                        phi_1763_ = 1f;
                     } else {
-                        phi_1757_ = 0f;
+                        phi_1763_ = 0f;
                     }
-                    let _e682 = phi_1757_;
-                    if (_e666 < 8388608f) {
-                        phi_1762_ = (_e679 - _e682);
-                        phi_1763_ = false;
+                    let _e686 = phi_1763_;
+                    if (_e670 < 8388608f) {
+                        phi_1768_ = (_e683 - _e686);
+                        phi_1769_ = false;
                     } else {
-                        phi_1762_ = f32();
-                        phi_1763_ = true;
+                        phi_1768_ = f32();
+                        phi_1769_ = true;
                     }
-                    let _e685 = phi_1762_;
-                    let _e687 = phi_1763_;
-                    phi_1764_ = _e685;
-                    phi_1765_ = _e687;
+                    let _e689 = phi_1768_;
+                    let _e691 = phi_1769_;
+                    phi_1770_ = _e689;
+                    phi_1771_ = _e691;
                 } else {
-                    phi_1764_ = f32();
-                    phi_1765_ = true;
+                    phi_1770_ = f32();
+                    phi_1771_ = true;
                 }
-                let _e689 = phi_1764_;
-                let _e691 = phi_1765_;
-                if _e691 {
-                    phi_1769_ = _e666;
+                let _e693 = phi_1770_;
+                let _e695 = phi_1771_;
+                if _e695 {
+                    phi_1775_ = _e670;
                 } else {
-                    phi_1769_ = _e689;
+                    phi_1775_ = _e693;
                 }
-                let _e693 = phi_1769_;
-                if (_e667 > -8388608f) {
-                    let _e705 = f32(select(0i, select(select(i32(_e667), i32(-2147483648), (_e667 < bitcast<f32>(3472883712u))), 2147483647i, (_e667 > bitcast<f32>(1325400063u))), (_e667 == _e667)));
-                    if (_e705 > _e667) {
-                        phi_1789_ = 1f;
+                let _e697 = phi_1775_;
+                if (_e671 > -8388608f) {
+                    let _e709 = f32(select(0i, select(select(i32(_e671), i32(-2147483648), (_e671 < bitcast<f32>(3472883712u))), 2147483647i, (_e671 > bitcast<f32>(1325400063u))), (_e671 == _e671)));
+                    if (_e709 > _e671) {
+                        phi_1795_ = 1f;
                     } else {
-                        phi_1789_ = 0f;
+                        phi_1795_ = 0f;
                     }
-                    let _e708 = phi_1789_;
-                    if (_e667 < 8388608f) {
-                        phi_1794_ = (_e705 - _e708);
-                        phi_1795_ = false;
+                    let _e712 = phi_1795_;
+                    if (_e671 < 8388608f) {
+                        phi_1800_ = (_e709 - _e712);
+                        phi_1801_ = false;
                     } else {
-                        phi_1794_ = f32();
-                        phi_1795_ = true;
+                        phi_1800_ = f32();
+                        phi_1801_ = true;
                     }
-                    let _e711 = phi_1794_;
-                    let _e713 = phi_1795_;
-                    phi_1796_ = _e711;
-                    phi_1797_ = _e713;
+                    let _e715 = phi_1800_;
+                    let _e717 = phi_1801_;
+                    phi_1802_ = _e715;
+                    phi_1803_ = _e717;
                 } else {
-                    phi_1796_ = f32();
-                    phi_1797_ = true;
+                    phi_1802_ = f32();
+                    phi_1803_ = true;
                 }
-                let _e715 = phi_1796_;
-                let _e717 = phi_1797_;
-                if _e717 {
-                    phi_1801_ = _e667;
+                let _e719 = phi_1802_;
+                let _e721 = phi_1803_;
+                if _e721 {
+                    phi_1807_ = _e671;
                 } else {
-                    phi_1801_ = _e715;
+                    phi_1807_ = _e719;
                 }
-                let _e719 = phi_1801_;
-                let _e720 = (_e666 - _e693);
-                let _e721 = (_e667 - _e719);
-                let _e730 = select(0i, select(select(i32(_e693), i32(-2147483648), (_e693 < bitcast<f32>(3472883712u))), 2147483647i, (_e693 > bitcast<f32>(1325400063u))), (_e693 == _e693));
-                let _e739 = select(0i, select(select(i32(_e719), i32(-2147483648), (_e719 < bitcast<f32>(3472883712u))), 2147483647i, (_e719 > bitcast<f32>(1325400063u))), (_e719 == _e719));
-                let _e750 = p.member.test;
-                let _e751 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e750);
-                let _e753 = p.member.map_size;
-                let _e755 = local_4;
-                local_1 = _e751;
-                let _e758 = ((_e755.level * _e753) * _e753);
-                let _e760 = (bitcast<i32>(_e753) - 1i);
-                if (_e730 > 0i) {
-                    phi_1850_ = _e730;
+                let _e723 = phi_1807_;
+                let _e724 = (_e670 - _e697);
+                let _e725 = (_e671 - _e723);
+                let _e734 = select(0i, select(select(i32(_e697), i32(-2147483648), (_e697 < bitcast<f32>(3472883712u))), 2147483647i, (_e697 > bitcast<f32>(1325400063u))), (_e697 == _e697));
+                let _e743 = select(0i, select(select(i32(_e723), i32(-2147483648), (_e723 < bitcast<f32>(3472883712u))), 2147483647i, (_e723 > bitcast<f32>(1325400063u))), (_e723 == _e723));
+                let _e754 = p.member.test;
+                let _e755 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e754);
+                let _e757 = p.member.map_size;
+                let _e759 = local_4;
+                local_1 = _e755;
+                let _e762 = ((_e759.level * _e757) * _e757);
+                let _e764 = (bitcast<i32>(_e757) - 1i);
+                if (_e734 > 0i) {
+                    phi_1856_ = _e734;
                 } else {
-                    phi_1850_ = 0i;
+                    phi_1856_ = 0i;
                 }
-                let _e763 = phi_1850_;
-                if (_e739 > 0i) {
-                    phi_1855_ = _e739;
+                let _e767 = phi_1856_;
+                if (_e743 > 0i) {
+                    phi_1861_ = _e743;
                 } else {
-                    phi_1855_ = 0i;
+                    phi_1861_ = 0i;
                 }
-                let _e766 = phi_1855_;
-                if (_e763 < _e760) {
-                    phi_1860_ = _e763;
+                let _e770 = phi_1861_;
+                if (_e767 < _e764) {
+                    phi_1866_ = _e767;
                 } else {
-                    phi_1860_ = _e760;
+                    phi_1866_ = _e764;
                 }
-                let _e769 = phi_1860_;
-                if (_e766 < _e760) {
-                    phi_1865_ = _e766;
+                let _e773 = phi_1866_;
+                if (_e770 < _e764) {
+                    phi_1871_ = _e770;
                 } else {
-                    phi_1865_ = _e760;
+                    phi_1871_ = _e764;
                 }
-                let _e772 = phi_1865_;
-                let _e773 = bitcast<u32>(_e769);
-                let _e775 = (_e730 + 1i);
-                let _e776 = (_e739 + 1i);
-                if (_e775 > 0i) {
-                    phi_1874_ = _e775;
+                let _e776 = phi_1871_;
+                let _e777 = bitcast<u32>(_e773);
+                let _e779 = (_e734 + 1i);
+                let _e780 = (_e743 + 1i);
+                if (_e779 > 0i) {
+                    phi_1880_ = _e779;
                 } else {
-                    phi_1874_ = 0i;
+                    phi_1880_ = 0i;
                 }
-                let _e779 = phi_1874_;
-                if (_e776 > 0i) {
-                    phi_1879_ = _e776;
+                let _e783 = phi_1880_;
+                if (_e780 > 0i) {
+                    phi_1885_ = _e780;
                 } else {
-                    phi_1879_ = 0i;
+                    phi_1885_ = 0i;
                 }
-                let _e782 = phi_1879_;
-                if (_e779 < _e760) {
-                    phi_1884_ = _e779;
+                let _e786 = phi_1885_;
+                if (_e783 < _e764) {
+                    phi_1890_ = _e783;
                 } else {
-                    phi_1884_ = _e760;
+                    phi_1890_ = _e764;
                 }
-                let _e785 = phi_1884_;
-                if (_e782 < _e760) {
-                    phi_1889_ = _e782;
+                let _e789 = phi_1890_;
+                if (_e786 < _e764) {
+                    phi_1895_ = _e786;
                 } else {
-                    phi_1889_ = _e760;
+                    phi_1895_ = _e764;
                 }
-                let _e788 = phi_1889_;
-                let _e789 = bitcast<u32>(_e785);
-                let _e791 = (bitcast<u32>(_e772) * _e753);
-                let _e792 = (bitcast<u32>(_e788) * _e753);
-                let _e797 = ((_e791 + _e773) + _e758);
-                let _e798 = ((_e791 + _e789) + _e758);
-                let _e799 = ((_e792 + _e773) + _e758);
-                let _e800 = ((_e792 + _e789) + _e758);
-                if (_e797 < _e53) {
+                let _e792 = phi_1895_;
+                let _e793 = bitcast<u32>(_e789);
+                let _e795 = (bitcast<u32>(_e776) * _e757);
+                let _e796 = (bitcast<u32>(_e792) * _e757);
+                let _e801 = ((_e795 + _e777) + _e762);
+                let _e802 = ((_e795 + _e793) + _e762);
+                let _e803 = ((_e796 + _e777) + _e762);
+                let _e804 = ((_e796 + _e793) + _e762);
+                if (_e801 < _e57) {
                 } else {
                     return;
                 }
-                let _e804 = map.member[(0u + _e797)];
-                if (_e798 < _e53) {
+                let _e808 = map.member[(0u + _e801)];
+                if (_e802 < _e57) {
                 } else {
                     return;
                 }
-                let _e808 = map.member[(0u + _e798)];
-                if (_e799 < _e53) {
+                let _e812 = map.member[(0u + _e802)];
+                if (_e803 < _e57) {
                 } else {
                     return;
                 }
-                let _e812 = map.member[(0u + _e799)];
-                if (_e800 < _e53) {
+                let _e816 = map.member[(0u + _e803)];
+                if (_e804 < _e57) {
                 } else {
                     return;
                 }
-                let _e816 = map.member[(0u + _e800)];
-                let _e818 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e804, _e808, _e812, _e816), vec4<f32>(((1f - _e720) * (1f - _e721)), (_e720 * (1f - _e721)), ((1f - _e720) * _e721), (_e720 * _e721)), _e656);
-                let _e820 = p.member.epsilon;
-                if (_e818 <= _e820) {
-                    phi_1940_ = true;
-                } else {
-                    phi_1940_ = (_e818 >= (1f - _e820));
-                }
-                let _e825 = phi_1940_;
-                if ((bitcast<u32>(_e818) & 2147483647u) > 2139095040u) {
+                let _e820 = map.member[(0u + _e804)];
+                let _e822 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e808, _e812, _e816, _e820), vec4<f32>(((1f - _e724) * (1f - _e725)), (_e724 * (1f - _e725)), ((1f - _e724) * _e725), (_e724 * _e725)), _e660);
+                let _e826 = p.member.epsilon;
+                if (_e822 <= _e826) {
                     phi_1948_ = true;
                 } else {
-                    phi_1948_ = !(_e825);
+                    phi_1948_ = (_e822 >= (1f - _e826));
                 }
                 let _e831 = phi_1948_;
-                if _e831 {
-                    if (_e818 > 0f) {
-                        if (_e818 < 1f) {
-                            phi_1960_ = false;
-                        } else {
-                            phi_1960_ = true;
-                        }
-                        let _e835 = phi_1960_;
-                        phi_1961_ = _e835;
-                    } else {
-                        phi_1961_ = true;
-                    }
-                    let _e837 = phi_1961_;
-                    if _e837 {
-                        phi_1965_ = 0.5f;
-                    } else {
-                        phi_1965_ = _e818;
-                    }
-                    let _e839 = phi_1965_;
-                    phi_1973_ = evaluate_Verdict(_e839, true);
+                if ((bitcast<u32>(_e822) & 2147483647u) > 2139095040u) {
+                    phi_1956_ = true;
                 } else {
-                    if (_e818 > 0.5f) {
-                        phi_1971_ = 1f;
-                    } else {
-                        phi_1971_ = 0f;
-                    }
-                    let _e843 = phi_1971_;
-                    phi_1973_ = evaluate_Verdict(_e843, false);
+                    phi_1956_ = !(_e831);
                 }
-                let _e846 = phi_1973_;
-                phi_1978_ = evaluate_Verdict(_e846.visibility, _e846.is_doubted);
+                let _e837 = phi_1956_;
+                if _e837 {
+                    if (_e822 > 0f) {
+                        if (_e822 < 1f) {
+                            phi_1968_ = false;
+                        } else {
+                            phi_1968_ = true;
+                        }
+                        let _e841 = phi_1968_;
+                        phi_1969_ = _e841;
+                    } else {
+                        phi_1969_ = true;
+                    }
+                    let _e843 = phi_1969_;
+                    if _e843 {
+                        phi_1973_ = 0.5f;
+                    } else {
+                        phi_1973_ = _e822;
+                    }
+                    let _e845 = phi_1973_;
+                    phi_1981_ = evaluate_Verdict(_e845, true);
+                } else {
+                    if (_e822 > 0.5f) {
+                        phi_1979_ = 1f;
+                    } else {
+                        phi_1979_ = 0f;
+                    }
+                    let _e849 = phi_1979_;
+                    phi_1981_ = evaluate_Verdict(_e849, false);
+                }
+                let _e852 = phi_1981_;
+                let _e855 = (_e852.visibility < 0.5f);
+                if _e852.is_doubted {
+                    phi_2004_ = evaluate_Verdict();
+                    phi_2005_ = true;
+                } else {
+                    if _e855 {
+                        phi_1991_ = 2u;
+                    } else {
+                        phi_1991_ = 1u;
+                    }
+                    let _e857 = phi_1991_;
+                    if ((0u & _e857) != 0u) {
+                        if _e855 {
+                            phi_2000_ = 0.000000059604645f;
+                        } else {
+                            phi_2000_ = 0.99999994f;
+                        }
+                        let _e861 = phi_2000_;
+                        phi_2002_ = evaluate_Verdict(_e861, true);
+                        phi_2003_ = false;
+                    } else {
+                        phi_2002_ = evaluate_Verdict();
+                        phi_2003_ = true;
+                    }
+                    let _e864 = phi_2002_;
+                    let _e866 = phi_2003_;
+                    phi_2004_ = _e864;
+                    phi_2005_ = _e866;
+                }
+                let _e868 = phi_2004_;
+                let _e870 = phi_2005_;
+                if _e870 {
+                    phi_2010_ = evaluate_Verdict(_e852.visibility, _e852.is_doubted);
+                } else {
+                    phi_2010_ = _e868;
+                }
+                let _e873 = phi_2010_;
+                phi_2015_ = evaluate_Verdict(_e873.visibility, _e873.is_doubted);
             } else {
-                phi_1978_ = evaluate_Verdict(0.5f, true);
+                phi_2015_ = evaluate_Verdict(0.5f, true);
             }
-            let _e852 = phi_1978_;
-            phi_1979_ = _e852;
+            let _e879 = phi_2015_;
+            phi_2016_ = _e879;
         }
-        let _e854 = phi_1979_;
-        visibility.member[_e64.first_primitive] = _e854.visibility;
-        phi_1983_ = _e854.is_doubted;
-        phi_1984_ = _e64.first_primitive;
+        let _e881 = phi_2016_;
+        visibility.member[_e68.first_primitive] = _e881.visibility;
+        phi_2020_ = _e881.is_doubted;
+        phi_2021_ = _e68.first_primitive;
     } else {
-        phi_1983_ = false;
-        phi_1984_ = 0u;
+        phi_2020_ = false;
+        phi_2021_ = 0u;
     }
-    let _e859 = phi_1983_;
-    let _e861 = phi_1984_;
-    if (_e48 == 0u) {
+    let _e886 = phi_2020_;
+    let _e888 = phi_2021_;
+    if (_e52 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e859 {
-        let _e865 = atomicAdd((&shared_[0u]), 1u);
-        phi_1995_ = _e865;
+    if _e886 {
+        let _e892 = atomicAdd((&shared_[0u]), 1u);
+        phi_2032_ = _e892;
     } else {
-        phi_1995_ = 0u;
+        phi_2032_ = 0u;
     }
-    let _e867 = phi_1995_;
+    let _e894 = phi_2032_;
     workgroupBarrier();
-    if (_e48 == 0u) {
-        let _e871 = atomicLoad((&shared_[0u]));
-        let _e872 = atomicAdd((&list.member[3u]), _e871);
-        atomicStore((&shared_[1u]), _e872);
+    if (_e52 == 0u) {
+        let _e898 = atomicLoad((&shared_[0u]));
+        let _e899 = atomicAdd((&list.member[3u]), _e898);
+        atomicStore((&shared_[1u]), _e899);
     }
     workgroupBarrier();
-    if _e859 {
-        let _e875 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e875) + _e867)]), _e861);
+    if _e886 {
+        if false {
+            phi_2049_ = (_e888 | 2147483648u);
+        } else {
+            phi_2049_ = _e888;
+        }
+        let _e903 = phi_2049_;
+        let _e905 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e905) + _e894)]), _e903);
     }
     return;
 }

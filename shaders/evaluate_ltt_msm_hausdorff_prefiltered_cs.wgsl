@@ -103,37 +103,37 @@ var<storage, read_write> list: type_53;
 var<storage> map: type_39;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_164_: lt_bvh_traverse_Tree;
-    var phi_165_: bool;
-    var phi_166_: lt_bvh_traverse_Tree;
-    var phi_167_: bool;
+    var phi_170_: lt_bvh_traverse_Tree;
+    var phi_171_: bool;
     var phi_172_: lt_bvh_traverse_Tree;
+    var phi_173_: bool;
+    var phi_178_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_164_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_165_ = false;
+            phi_170_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_171_ = false;
         } else {
-            phi_164_ = lt_bvh_traverse_Tree();
-            phi_165_ = true;
+            phi_170_ = lt_bvh_traverse_Tree();
+            phi_171_ = true;
         }
-        let _e53 = phi_164_;
-        let _e55 = phi_165_;
-        phi_166_ = _e53;
-        phi_167_ = _e55;
-    } else {
-        phi_166_ = lt_bvh_traverse_Tree();
-        phi_167_ = true;
-    }
-    let _e57 = phi_166_;
-    let _e59 = phi_167_;
-    if _e59 {
-        phi_172_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
+        let _e57 = phi_170_;
+        let _e59 = phi_171_;
         phi_172_ = _e57;
+        phi_173_ = _e59;
+    } else {
+        phi_172_ = lt_bvh_traverse_Tree();
+        phi_173_ = true;
     }
-    let _e64 = phi_172_;
-    return lt_bvh_traverse_Tree(_e64.root, _e64.first_primitive);
+    let _e61 = phi_172_;
+    let _e63 = phi_173_;
+    if _e63 {
+        phi_178_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_178_ = _e61;
+    }
+    let _e68 = phi_178_;
+    return lt_bvh_traverse_Tree(_e68.root, _e68.first_primitive);
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -145,1206 +145,1257 @@ fn lt_math_hausdorff_cubic_mass(param_4: vec4<f32>, param_5: f32, param_6: f32, 
 }
 
 fn lt_math_hausdorff_endpoint_upper_bound(param_9: ptr<function, hankel_HankelFactors>, param_10: f32) -> f32 {
-    var phi_942_: f32;
-    var phi_943_: f32;
-    var phi_944_: f32;
-    var phi_971_: f32;
-    var phi_972_: f32;
-    var phi_973_: f32;
-    var phi_974_: f32;
-    var phi_975_: bool;
-    var phi_976_: f32;
-    var phi_977_: bool;
-    var phi_1005_: f32;
-    var phi_1006_: f32;
-    var phi_1007_: f32;
-    var phi_1008_: f32;
-    var phi_1009_: bool;
-    var phi_1010_: f32;
-    var phi_1011_: bool;
-    var phi_1018_: f32;
-    var phi_1019_: f32;
-    var phi_1020_: f32;
-    var phi_1021_: f32;
+    var phi_948_: f32;
+    var phi_949_: f32;
+    var phi_950_: f32;
+    var phi_977_: f32;
+    var phi_978_: f32;
+    var phi_979_: f32;
+    var phi_980_: f32;
+    var phi_981_: bool;
+    var phi_982_: f32;
+    var phi_983_: bool;
+    var phi_1011_: f32;
+    var phi_1012_: f32;
+    var phi_1013_: f32;
+    var phi_1014_: f32;
+    var phi_1015_: bool;
+    var phi_1016_: f32;
+    var phi_1017_: bool;
+    var phi_1024_: f32;
+    var phi_1025_: f32;
+    var phi_1026_: f32;
+    var phi_1027_: f32;
 
-    let _e43 = (*param_9).moments;
+    let _e47 = (*param_9).moments;
     if (param_10 < 0.0001f) {
-        phi_1021_ = 1f;
+        phi_1027_ = 1f;
     } else {
-        let _e52 = ((_e43.z - ((1f + param_10) * _e43.y)) + (param_10 * _e43.x));
-        let _e61 = (((_e43.w - ((1f + param_10) * _e43.z)) + (param_10 * _e43.y)) / _e52);
-        if (abs(_e52) <= 0.00000047683716f) {
-            let _e75 = (1f - (((_e43.y - (_e43.x * (param_10 + 1f))) + (param_10 * 1f)) / ((0f - param_10) * (0f - 1f))));
-            if ((bitcast<u32>(_e75) & 2147483647u) > 2139095040u) {
-                phi_944_ = _e75;
+        let _e56 = ((_e47.z - ((1f + param_10) * _e47.y)) + (param_10 * _e47.x));
+        let _e65 = (((_e47.w - ((1f + param_10) * _e47.z)) + (param_10 * _e47.y)) / _e56);
+        if (abs(_e56) <= 0.00000047683716f) {
+            let _e79 = (1f - (((_e47.y - (_e47.x * (param_10 + 1f))) + (param_10 * 1f)) / ((0f - param_10) * (0f - 1f))));
+            if ((bitcast<u32>(_e79) & 2147483647u) > 2139095040u) {
+                phi_950_ = _e79;
             } else {
-                if (_e75 < 0f) {
-                    phi_943_ = 0f;
+                if (_e79 < 0f) {
+                    phi_949_ = 0f;
                 } else {
-                    if (_e75 > 1f) {
-                        phi_942_ = 1f;
+                    if (_e79 > 1f) {
+                        phi_948_ = 1f;
                     } else {
-                        phi_942_ = _e75;
+                        phi_948_ = _e79;
                     }
-                    let _e82 = phi_942_;
-                    phi_943_ = _e82;
+                    let _e86 = phi_948_;
+                    phi_949_ = _e86;
                 }
-                let _e84 = phi_943_;
-                phi_944_ = _e84;
+                let _e88 = phi_949_;
+                phi_950_ = _e88;
             }
-            let _e86 = phi_944_;
-            phi_1020_ = _e86;
+            let _e90 = phi_950_;
+            phi_1026_ = _e90;
         } else {
-            if (_e61 > 0f) {
-                if (_e61 < param_10) {
-                    let _e89 = lt_math_hausdorff_cubic_mass(_e43, 0f, _e61, param_10, 1f);
-                    let _e91 = lt_math_hausdorff_cubic_mass(_e43, _e61, 0f, param_10, 1f);
-                    let _e92 = ((1f - _e89) - _e91);
-                    if ((bitcast<u32>(_e92) & 2147483647u) > 2139095040u) {
-                        phi_973_ = _e92;
+            if (_e65 > 0f) {
+                if (_e65 < param_10) {
+                    let _e93 = lt_math_hausdorff_cubic_mass(_e47, 0f, _e65, param_10, 1f);
+                    let _e95 = lt_math_hausdorff_cubic_mass(_e47, _e65, 0f, param_10, 1f);
+                    let _e96 = ((1f - _e93) - _e95);
+                    if ((bitcast<u32>(_e96) & 2147483647u) > 2139095040u) {
+                        phi_979_ = _e96;
                     } else {
-                        if (_e92 < 0f) {
-                            phi_972_ = 0f;
+                        if (_e96 < 0f) {
+                            phi_978_ = 0f;
                         } else {
-                            if (_e92 > 1f) {
-                                phi_971_ = 1f;
+                            if (_e96 > 1f) {
+                                phi_977_ = 1f;
                             } else {
-                                phi_971_ = _e92;
+                                phi_977_ = _e96;
                             }
-                            let _e99 = phi_971_;
-                            phi_972_ = _e99;
+                            let _e103 = phi_977_;
+                            phi_978_ = _e103;
                         }
-                        let _e101 = phi_972_;
-                        phi_973_ = _e101;
+                        let _e105 = phi_978_;
+                        phi_979_ = _e105;
                     }
-                    let _e103 = phi_973_;
-                    phi_974_ = _e103;
-                    phi_975_ = false;
+                    let _e107 = phi_979_;
+                    phi_980_ = _e107;
+                    phi_981_ = false;
                 } else {
-                    phi_974_ = f32();
-                    phi_975_ = true;
+                    phi_980_ = f32();
+                    phi_981_ = true;
                 }
-                let _e105 = phi_974_;
-                let _e107 = phi_975_;
-                phi_976_ = _e105;
-                phi_977_ = _e107;
+                let _e109 = phi_980_;
+                let _e111 = phi_981_;
+                phi_982_ = _e109;
+                phi_983_ = _e111;
             } else {
-                phi_976_ = f32();
-                phi_977_ = true;
+                phi_982_ = f32();
+                phi_983_ = true;
             }
-            let _e109 = phi_976_;
-            let _e111 = phi_977_;
-            if _e111 {
-                if (_e61 > param_10) {
-                    if (_e61 < 1f) {
-                        let _e114 = lt_math_hausdorff_cubic_mass(_e43, 0f, _e61, param_10, 1f);
-                        let _e115 = (1f - _e114);
-                        if ((bitcast<u32>(_e115) & 2147483647u) > 2139095040u) {
-                            phi_1007_ = _e115;
+            let _e113 = phi_982_;
+            let _e115 = phi_983_;
+            if _e115 {
+                if (_e65 > param_10) {
+                    if (_e65 < 1f) {
+                        let _e118 = lt_math_hausdorff_cubic_mass(_e47, 0f, _e65, param_10, 1f);
+                        let _e119 = (1f - _e118);
+                        if ((bitcast<u32>(_e119) & 2147483647u) > 2139095040u) {
+                            phi_1013_ = _e119;
                         } else {
-                            if (_e115 < 0f) {
-                                phi_1006_ = 0f;
+                            if (_e119 < 0f) {
+                                phi_1012_ = 0f;
                             } else {
-                                if (_e115 > 1f) {
-                                    phi_1005_ = 1f;
+                                if (_e119 > 1f) {
+                                    phi_1011_ = 1f;
                                 } else {
-                                    phi_1005_ = _e115;
+                                    phi_1011_ = _e119;
                                 }
-                                let _e122 = phi_1005_;
-                                phi_1006_ = _e122;
+                                let _e126 = phi_1011_;
+                                phi_1012_ = _e126;
                             }
-                            let _e124 = phi_1006_;
-                            phi_1007_ = _e124;
+                            let _e128 = phi_1012_;
+                            phi_1013_ = _e128;
                         }
-                        let _e126 = phi_1007_;
-                        phi_1008_ = _e126;
-                        phi_1009_ = false;
+                        let _e130 = phi_1013_;
+                        phi_1014_ = _e130;
+                        phi_1015_ = false;
                     } else {
-                        phi_1008_ = f32();
-                        phi_1009_ = true;
+                        phi_1014_ = f32();
+                        phi_1015_ = true;
                     }
-                    let _e128 = phi_1008_;
-                    let _e130 = phi_1009_;
-                    phi_1010_ = _e128;
-                    phi_1011_ = _e130;
+                    let _e132 = phi_1014_;
+                    let _e134 = phi_1015_;
+                    phi_1016_ = _e132;
+                    phi_1017_ = _e134;
                 } else {
-                    phi_1010_ = f32();
-                    phi_1011_ = true;
+                    phi_1016_ = f32();
+                    phi_1017_ = true;
                 }
-                let _e132 = phi_1010_;
-                let _e134 = phi_1011_;
-                if _e134 {
-                    phi_1018_ = bitcast<f32>((bitcast<u32>(_e61) | 2143289344u));
+                let _e136 = phi_1016_;
+                let _e138 = phi_1017_;
+                if _e138 {
+                    phi_1024_ = bitcast<f32>((bitcast<u32>(_e65) | 2143289344u));
                 } else {
-                    phi_1018_ = _e132;
+                    phi_1024_ = _e136;
                 }
-                let _e139 = phi_1018_;
-                phi_1019_ = _e139;
+                let _e143 = phi_1024_;
+                phi_1025_ = _e143;
             } else {
-                phi_1019_ = _e109;
+                phi_1025_ = _e113;
             }
-            let _e141 = phi_1019_;
-            phi_1020_ = _e141;
+            let _e145 = phi_1025_;
+            phi_1026_ = _e145;
         }
-        let _e143 = phi_1020_;
-        phi_1021_ = _e143;
+        let _e147 = phi_1026_;
+        phi_1027_ = _e147;
     }
-    let _e145 = phi_1021_;
-    return _e145;
+    let _e149 = phi_1027_;
+    return _e149;
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_11: ptr<function, f32>, param_12: vec4<f32>, param_13: f32) -> f32 {
     var local_1: hankel_HankelFactors;
-    var phi_229_: f32;
-    var phi_230_: f32;
-    var phi_231_: f32;
-    var phi_243_: bool;
-    var phi_258_: bool;
-    var phi_283_: f32;
-    var phi_284_: f32;
-    var phi_285_: f32;
-    var phi_286_: f32;
-    var phi_287_: bool;
-    var phi_288_: f32;
-    var phi_289_: bool;
-    var phi_345_: vec2<f32>;
-    var phi_383_: f32;
-    var phi_384_: f32;
-    var phi_385_: f32;
-    var phi_418_: f32;
-    var phi_419_: f32;
-    var phi_420_: f32;
+    var phi_235_: f32;
+    var phi_236_: f32;
+    var phi_237_: f32;
+    var phi_249_: bool;
+    var phi_264_: bool;
+    var phi_289_: f32;
+    var phi_290_: f32;
+    var phi_291_: f32;
+    var phi_292_: f32;
+    var phi_293_: bool;
+    var phi_294_: f32;
+    var phi_295_: bool;
+    var phi_351_: vec2<f32>;
+    var phi_389_: f32;
+    var phi_390_: f32;
+    var phi_391_: f32;
     var phi_424_: f32;
     var phi_425_: f32;
     var phi_426_: f32;
-    var phi_427_: f32;
-    var phi_480_: vec2<f32>;
-    var phi_502_: bool;
-    var phi_527_: f32;
-    var phi_528_: f32;
-    var phi_529_: f32;
-    var phi_530_: f32;
-    var phi_531_: bool;
-    var phi_532_: f32;
-    var phi_533_: bool;
-    var phi_589_: vec2<f32>;
-    var phi_627_: f32;
-    var phi_628_: f32;
-    var phi_629_: f32;
-    var phi_662_: f32;
-    var phi_663_: f32;
-    var phi_664_: f32;
+    var phi_430_: f32;
+    var phi_431_: f32;
+    var phi_432_: f32;
+    var phi_433_: f32;
+    var phi_486_: vec2<f32>;
+    var phi_508_: bool;
+    var phi_533_: f32;
+    var phi_534_: f32;
+    var phi_535_: f32;
+    var phi_536_: f32;
+    var phi_537_: bool;
+    var phi_538_: f32;
+    var phi_539_: bool;
+    var phi_595_: vec2<f32>;
+    var phi_633_: f32;
+    var phi_634_: f32;
+    var phi_635_: f32;
     var phi_668_: f32;
     var phi_669_: f32;
     var phi_670_: f32;
-    var phi_671_: f32;
-    var phi_672_: f32;
-    var phi_673_: bool;
     var phi_674_: f32;
-    var phi_675_: bool;
-    var phi_697_: bool;
-    var phi_722_: f32;
-    var phi_723_: f32;
-    var phi_724_: f32;
-    var phi_725_: f32;
-    var phi_726_: bool;
-    var phi_727_: f32;
-    var phi_728_: bool;
-    var phi_784_: vec2<f32>;
-    var phi_822_: f32;
-    var phi_823_: f32;
-    var phi_824_: f32;
-    var phi_857_: f32;
-    var phi_858_: f32;
-    var phi_859_: f32;
+    var phi_675_: f32;
+    var phi_676_: f32;
+    var phi_677_: f32;
+    var phi_678_: f32;
+    var phi_679_: bool;
+    var phi_680_: f32;
+    var phi_681_: bool;
+    var phi_703_: bool;
+    var phi_728_: f32;
+    var phi_729_: f32;
+    var phi_730_: f32;
+    var phi_731_: f32;
+    var phi_732_: bool;
+    var phi_733_: f32;
+    var phi_734_: bool;
+    var phi_790_: vec2<f32>;
+    var phi_828_: f32;
+    var phi_829_: f32;
+    var phi_830_: f32;
     var phi_863_: f32;
     var phi_864_: f32;
     var phi_865_: f32;
-    var phi_866_: f32;
-    var phi_877_: bool;
-    var phi_881_: f32;
-    var phi_882_: f32;
-    var phi_883_: f32;
-    var phi_884_: f32;
+    var phi_869_: f32;
+    var phi_870_: f32;
+    var phi_871_: f32;
+    var phi_872_: f32;
+    var phi_883_: bool;
+    var phi_887_: f32;
+    var phi_888_: f32;
+    var phi_889_: f32;
+    var phi_890_: f32;
 
-    let _e44 = (*param_11);
-    let _e45 = (1f - _e44);
-    let _e54 = (0.5f * _e44);
-    let _e55 = ((param_12.x * _e45) + _e54);
-    let _e56 = ((param_12.y * _e45) + _e54);
-    let _e57 = ((param_12.z * _e45) + _e54);
-    let _e58 = ((param_12.w * _e45) + _e54);
-    let _e61 = (_e56 - (_e55 * _e55));
-    let _e63 = (_e57 - (_e55 * _e56));
-    let _e69 = hankel_HankelFactors(vec4<f32>(_e55, _e56, _e57, _e58), _e61, _e63, (((_e58 - (_e56 * _e56)) * _e61) - (_e63 * _e63)));
-    local_1 = hankel_HankelFactors(_e69.moments, _e69.d22_, _e69.l32_d22_, _e69.d33_d22_);
+    let _e48 = (*param_11);
+    let _e49 = (1f - _e48);
+    let _e58 = (0.5f * _e48);
+    let _e59 = ((param_12.x * _e49) + _e58);
+    let _e60 = ((param_12.y * _e49) + _e58);
+    let _e61 = ((param_12.z * _e49) + _e58);
+    let _e62 = ((param_12.w * _e49) + _e58);
+    let _e65 = (_e60 - (_e59 * _e59));
+    let _e67 = (_e61 - (_e59 * _e60));
+    let _e73 = hankel_HankelFactors(vec4<f32>(_e59, _e60, _e61, _e62), _e65, _e67, (((_e62 - (_e60 * _e60)) * _e65) - (_e67 * _e67)));
+    local_1 = hankel_HankelFactors(_e73.moments, _e73.d22_, _e73.l32_d22_, _e73.d33_d22_);
     if ((bitcast<u32>(param_13) & 2147483647u) > 2139095040u) {
-        phi_231_ = param_13;
+        phi_237_ = param_13;
     } else {
         if (param_13 < 0f) {
-            phi_230_ = 0f;
+            phi_236_ = 0f;
         } else {
             if (param_13 > 1f) {
-                phi_229_ = 1f;
+                phi_235_ = 1f;
             } else {
-                phi_229_ = param_13;
+                phi_235_ = param_13;
             }
-            let _e81 = phi_229_;
-            phi_230_ = _e81;
+            let _e85 = phi_235_;
+            phi_236_ = _e85;
         }
-        let _e83 = phi_230_;
-        phi_231_ = _e83;
+        let _e87 = phi_236_;
+        phi_237_ = _e87;
     }
-    let _e85 = phi_231_;
-    let _e88 = local_1.moments[0u];
-    let _e91 = local_1.moments[3u];
-    if (_e88 == _e91) {
-        let _e95 = local_1.moments[0u];
-        phi_243_ = (_e95 > 0.5f);
+    let _e89 = phi_237_;
+    let _e92 = local_1.moments[0u];
+    let _e95 = local_1.moments[3u];
+    if (_e92 == _e95) {
+        let _e99 = local_1.moments[0u];
+        phi_249_ = (_e99 > 0.5f);
     } else {
-        phi_243_ = false;
+        phi_249_ = false;
     }
-    let _e98 = phi_243_;
-    if _e98 {
-        let _e101 = local_1.moments[0u];
-        let _e104 = local_1.moments[3u];
-        if (_e101 == _e104) {
-            let _e108 = local_1.moments[0u];
-            phi_258_ = (_e108 > 0.5f);
+    let _e102 = phi_249_;
+    if _e102 {
+        let _e105 = local_1.moments[0u];
+        let _e108 = local_1.moments[3u];
+        if (_e105 == _e108) {
+            let _e112 = local_1.moments[0u];
+            phi_264_ = (_e112 > 0.5f);
         } else {
-            phi_258_ = false;
+            phi_264_ = false;
         }
-        let _e111 = phi_258_;
-        if _e111 {
-            if (_e85 > 0f) {
-                let _e114 = local_1.moments;
-                if ((bitcast<u32>(_e114.x) & 2147483647u) > 2139095040u) {
-                    phi_285_ = _e114.x;
+        let _e115 = phi_264_;
+        if _e115 {
+            if (_e89 > 0f) {
+                let _e118 = local_1.moments;
+                if ((bitcast<u32>(_e118.x) & 2147483647u) > 2139095040u) {
+                    phi_291_ = _e118.x;
                 } else {
-                    if (_e114.x < 0f) {
-                        phi_284_ = 0f;
+                    if (_e118.x < 0f) {
+                        phi_290_ = 0f;
                     } else {
-                        if (_e114.x > 1f) {
-                            phi_283_ = 1f;
+                        if (_e118.x > 1f) {
+                            phi_289_ = 1f;
                         } else {
-                            phi_283_ = _e114.x;
+                            phi_289_ = _e118.x;
                         }
-                        let _e122 = phi_283_;
-                        phi_284_ = _e122;
+                        let _e126 = phi_289_;
+                        phi_290_ = _e126;
                     }
-                    let _e124 = phi_284_;
-                    phi_285_ = _e124;
+                    let _e128 = phi_290_;
+                    phi_291_ = _e128;
                 }
-                let _e126 = phi_285_;
-                phi_286_ = _e126;
-                phi_287_ = false;
+                let _e130 = phi_291_;
+                phi_292_ = _e130;
+                phi_293_ = false;
             } else {
-                phi_286_ = f32();
-                phi_287_ = true;
+                phi_292_ = f32();
+                phi_293_ = true;
             }
-            let _e128 = phi_286_;
-            let _e130 = phi_287_;
-            phi_288_ = _e128;
-            phi_289_ = _e130;
+            let _e132 = phi_292_;
+            let _e134 = phi_293_;
+            phi_294_ = _e132;
+            phi_295_ = _e134;
         } else {
-            phi_288_ = f32();
-            phi_289_ = true;
+            phi_294_ = f32();
+            phi_295_ = true;
         }
-        let _e132 = phi_288_;
-        let _e134 = phi_289_;
-        if _e134 {
-            let _e137 = local_1.moments[0u];
-            let _e140 = local_1.moments[1u];
-            let _e148 = local_1.l32_d22_;
-            let _e150 = local_1.d22_;
-            let _e151 = (_e148 / _e150);
-            let _e152 = (_e85 - _e137);
-            let _e158 = local_1.d22_;
-            let _e161 = local_1.d33_d22_;
-            let _e162 = (((((_e85 * _e85) - _e140) - (_e151 * _e152)) * _e158) / _e161);
-            let _e164 = local_1.d22_;
-            let _e167 = ((_e152 / _e164) - (_e151 * _e162));
-            let _e173 = ((0.5f * _e167) / _e162);
-            let _e176 = ((_e173 * _e173) - (((1f - (_e167 * _e137)) - (_e162 * _e140)) / _e162));
-            if (_e176 >= 0f) {
-                let _e178 = sqrt(_e176);
-                phi_345_ = vec2<f32>((-(_e173) - _e178), (-(_e173) + _e178));
+        let _e136 = phi_294_;
+        let _e138 = phi_295_;
+        if _e138 {
+            let _e141 = local_1.moments[0u];
+            let _e144 = local_1.moments[1u];
+            let _e152 = local_1.l32_d22_;
+            let _e154 = local_1.d22_;
+            let _e155 = (_e152 / _e154);
+            let _e156 = (_e89 - _e141);
+            let _e162 = local_1.d22_;
+            let _e165 = local_1.d33_d22_;
+            let _e166 = (((((_e89 * _e89) - _e144) - (_e155 * _e156)) * _e162) / _e165);
+            let _e168 = local_1.d22_;
+            let _e171 = ((_e156 / _e168) - (_e155 * _e166));
+            let _e177 = ((0.5f * _e171) / _e166);
+            let _e180 = ((_e177 * _e177) - (((1f - (_e171 * _e141)) - (_e166 * _e144)) / _e166));
+            if (_e180 >= 0f) {
+                let _e182 = sqrt(_e180);
+                phi_351_ = vec2<f32>((-(_e177) - _e182), (-(_e177) + _e182));
             } else {
-                phi_345_ = vec2(bitcast<f32>((bitcast<u32>(_e176) | 2143289344u)));
+                phi_351_ = vec2(bitcast<f32>((bitcast<u32>(_e180) | 2143289344u)));
             }
-            let _e189 = phi_345_;
-            if (_e85 <= _e189.x) {
-                phi_426_ = 1f;
+            let _e193 = phi_351_;
+            if (_e89 <= _e193.x) {
+                phi_432_ = 1f;
             } else {
-                if (_e85 > _e189.y) {
-                    let _e195 = local_1.moments;
-                    let _e206 = (((_e195.y - (_e195.x * (_e189.x + _e189.y))) + (_e189.x * _e189.y)) / ((_e85 - _e189.x) * (_e85 - _e189.y)));
-                    if ((bitcast<u32>(_e206) & 2147483647u) > 2139095040u) {
-                        phi_385_ = _e206;
+                if (_e89 > _e193.y) {
+                    let _e199 = local_1.moments;
+                    let _e210 = (((_e199.y - (_e199.x * (_e193.x + _e193.y))) + (_e193.x * _e193.y)) / ((_e89 - _e193.x) * (_e89 - _e193.y)));
+                    if ((bitcast<u32>(_e210) & 2147483647u) > 2139095040u) {
+                        phi_391_ = _e210;
                     } else {
-                        if (_e206 < 0f) {
-                            phi_384_ = 0f;
+                        if (_e210 < 0f) {
+                            phi_390_ = 0f;
                         } else {
-                            if (_e206 > 1f) {
-                                phi_383_ = 1f;
+                            if (_e210 > 1f) {
+                                phi_389_ = 1f;
                             } else {
-                                phi_383_ = _e206;
+                                phi_389_ = _e210;
                             }
-                            let _e213 = phi_383_;
-                            phi_384_ = _e213;
+                            let _e217 = phi_389_;
+                            phi_390_ = _e217;
                         }
-                        let _e215 = phi_384_;
-                        phi_385_ = _e215;
+                        let _e219 = phi_390_;
+                        phi_391_ = _e219;
                     }
-                    let _e217 = phi_385_;
-                    phi_425_ = _e217;
+                    let _e221 = phi_391_;
+                    phi_431_ = _e221;
                 } else {
-                    if (_e85 > _e189.x) {
-                        let _e220 = local_1.moments;
-                        let _e232 = (1f - (((_e220.y - (_e220.x * (_e85 + _e189.y))) + (_e85 * _e189.y)) / ((_e189.x - _e85) * (_e189.x - _e189.y))));
-                        if ((bitcast<u32>(_e232) & 2147483647u) > 2139095040u) {
-                            phi_420_ = _e232;
+                    if (_e89 > _e193.x) {
+                        let _e224 = local_1.moments;
+                        let _e236 = (1f - (((_e224.y - (_e224.x * (_e89 + _e193.y))) + (_e89 * _e193.y)) / ((_e193.x - _e89) * (_e193.x - _e193.y))));
+                        if ((bitcast<u32>(_e236) & 2147483647u) > 2139095040u) {
+                            phi_426_ = _e236;
                         } else {
-                            if (_e232 < 0f) {
-                                phi_419_ = 0f;
+                            if (_e236 < 0f) {
+                                phi_425_ = 0f;
                             } else {
-                                if (_e232 > 1f) {
-                                    phi_418_ = 1f;
+                                if (_e236 > 1f) {
+                                    phi_424_ = 1f;
                                 } else {
-                                    phi_418_ = _e232;
+                                    phi_424_ = _e236;
                                 }
-                                let _e239 = phi_418_;
-                                phi_419_ = _e239;
+                                let _e243 = phi_424_;
+                                phi_425_ = _e243;
                             }
-                            let _e241 = phi_419_;
-                            phi_420_ = _e241;
+                            let _e245 = phi_425_;
+                            phi_426_ = _e245;
                         }
-                        let _e243 = phi_420_;
-                        phi_424_ = _e243;
+                        let _e247 = phi_426_;
+                        phi_430_ = _e247;
                     } else {
-                        phi_424_ = bitcast<f32>((bitcast<u32>(_e189.x) | 2143289344u));
+                        phi_430_ = bitcast<f32>((bitcast<u32>(_e193.x) | 2143289344u));
                     }
-                    let _e248 = phi_424_;
-                    phi_425_ = _e248;
+                    let _e252 = phi_430_;
+                    phi_431_ = _e252;
                 }
-                let _e250 = phi_425_;
-                phi_426_ = _e250;
+                let _e254 = phi_431_;
+                phi_432_ = _e254;
             }
-            let _e252 = phi_426_;
-            phi_427_ = _e252;
+            let _e256 = phi_432_;
+            phi_433_ = _e256;
         } else {
-            phi_427_ = _e132;
+            phi_433_ = _e136;
         }
-        let _e254 = phi_427_;
-        phi_884_ = _e254;
+        let _e258 = phi_433_;
+        phi_890_ = _e258;
     } else {
-        let _e257 = local_1.moments[0u];
-        let _e260 = local_1.moments[1u];
-        let _e268 = local_1.l32_d22_;
-        let _e270 = local_1.d22_;
-        let _e271 = (_e268 / _e270);
-        let _e272 = (_e85 - _e257);
-        let _e278 = local_1.d22_;
-        let _e281 = local_1.d33_d22_;
-        let _e282 = (((((_e85 * _e85) - _e260) - (_e271 * _e272)) * _e278) / _e281);
-        let _e284 = local_1.d22_;
-        let _e287 = ((_e272 / _e284) - (_e271 * _e282));
-        let _e293 = ((0.5f * _e287) / _e282);
-        let _e296 = ((_e293 * _e293) - (((1f - (_e287 * _e257)) - (_e282 * _e260)) / _e282));
-        if (_e296 >= 0f) {
-            let _e298 = sqrt(_e296);
-            phi_480_ = vec2<f32>((-(_e293) - _e298), (-(_e293) + _e298));
+        let _e261 = local_1.moments[0u];
+        let _e264 = local_1.moments[1u];
+        let _e272 = local_1.l32_d22_;
+        let _e274 = local_1.d22_;
+        let _e275 = (_e272 / _e274);
+        let _e276 = (_e89 - _e261);
+        let _e282 = local_1.d22_;
+        let _e285 = local_1.d33_d22_;
+        let _e286 = (((((_e89 * _e89) - _e264) - (_e275 * _e276)) * _e282) / _e285);
+        let _e288 = local_1.d22_;
+        let _e291 = ((_e276 / _e288) - (_e275 * _e286));
+        let _e297 = ((0.5f * _e291) / _e286);
+        let _e300 = ((_e297 * _e297) - (((1f - (_e291 * _e261)) - (_e286 * _e264)) / _e286));
+        if (_e300 >= 0f) {
+            let _e302 = sqrt(_e300);
+            phi_486_ = vec2<f32>((-(_e297) - _e302), (-(_e297) + _e302));
         } else {
-            phi_480_ = vec2(bitcast<f32>((bitcast<u32>(_e296) | 2143289344u)));
+            phi_486_ = vec2(bitcast<f32>((bitcast<u32>(_e300) | 2143289344u)));
         }
-        let _e309 = phi_480_;
-        if (_e309.x >= 0f) {
-            if (_e309.y <= 1f) {
-                let _e316 = local_1.moments[0u];
-                let _e319 = local_1.moments[3u];
-                if (_e316 == _e319) {
-                    let _e323 = local_1.moments[0u];
-                    phi_502_ = (_e323 > 0.5f);
+        let _e313 = phi_486_;
+        if (_e313.x >= 0f) {
+            if (_e313.y <= 1f) {
+                let _e320 = local_1.moments[0u];
+                let _e323 = local_1.moments[3u];
+                if (_e320 == _e323) {
+                    let _e327 = local_1.moments[0u];
+                    phi_508_ = (_e327 > 0.5f);
                 } else {
-                    phi_502_ = false;
+                    phi_508_ = false;
                 }
-                let _e326 = phi_502_;
-                if _e326 {
-                    if (_e85 > 0f) {
-                        let _e329 = local_1.moments;
-                        if ((bitcast<u32>(_e329.x) & 2147483647u) > 2139095040u) {
-                            phi_529_ = _e329.x;
+                let _e330 = phi_508_;
+                if _e330 {
+                    if (_e89 > 0f) {
+                        let _e333 = local_1.moments;
+                        if ((bitcast<u32>(_e333.x) & 2147483647u) > 2139095040u) {
+                            phi_535_ = _e333.x;
                         } else {
-                            if (_e329.x < 0f) {
-                                phi_528_ = 0f;
+                            if (_e333.x < 0f) {
+                                phi_534_ = 0f;
                             } else {
-                                if (_e329.x > 1f) {
-                                    phi_527_ = 1f;
+                                if (_e333.x > 1f) {
+                                    phi_533_ = 1f;
                                 } else {
-                                    phi_527_ = _e329.x;
+                                    phi_533_ = _e333.x;
                                 }
-                                let _e337 = phi_527_;
-                                phi_528_ = _e337;
+                                let _e341 = phi_533_;
+                                phi_534_ = _e341;
                             }
-                            let _e339 = phi_528_;
-                            phi_529_ = _e339;
+                            let _e343 = phi_534_;
+                            phi_535_ = _e343;
                         }
-                        let _e341 = phi_529_;
-                        phi_530_ = _e341;
-                        phi_531_ = false;
+                        let _e345 = phi_535_;
+                        phi_536_ = _e345;
+                        phi_537_ = false;
                     } else {
-                        phi_530_ = f32();
-                        phi_531_ = true;
+                        phi_536_ = f32();
+                        phi_537_ = true;
                     }
-                    let _e343 = phi_530_;
-                    let _e345 = phi_531_;
-                    phi_532_ = _e343;
-                    phi_533_ = _e345;
+                    let _e347 = phi_536_;
+                    let _e349 = phi_537_;
+                    phi_538_ = _e347;
+                    phi_539_ = _e349;
                 } else {
-                    phi_532_ = f32();
-                    phi_533_ = true;
+                    phi_538_ = f32();
+                    phi_539_ = true;
                 }
-                let _e347 = phi_532_;
-                let _e349 = phi_533_;
-                if _e349 {
-                    let _e352 = local_1.moments[0u];
-                    let _e355 = local_1.moments[1u];
-                    let _e363 = local_1.l32_d22_;
-                    let _e365 = local_1.d22_;
-                    let _e366 = (_e363 / _e365);
-                    let _e367 = (_e85 - _e352);
-                    let _e373 = local_1.d22_;
-                    let _e376 = local_1.d33_d22_;
-                    let _e377 = (((((_e85 * _e85) - _e355) - (_e366 * _e367)) * _e373) / _e376);
-                    let _e379 = local_1.d22_;
-                    let _e382 = ((_e367 / _e379) - (_e366 * _e377));
-                    let _e388 = ((0.5f * _e382) / _e377);
-                    let _e391 = ((_e388 * _e388) - (((1f - (_e382 * _e352)) - (_e377 * _e355)) / _e377));
-                    if (_e391 >= 0f) {
-                        let _e393 = sqrt(_e391);
-                        phi_589_ = vec2<f32>((-(_e388) - _e393), (-(_e388) + _e393));
+                let _e351 = phi_538_;
+                let _e353 = phi_539_;
+                if _e353 {
+                    let _e356 = local_1.moments[0u];
+                    let _e359 = local_1.moments[1u];
+                    let _e367 = local_1.l32_d22_;
+                    let _e369 = local_1.d22_;
+                    let _e370 = (_e367 / _e369);
+                    let _e371 = (_e89 - _e356);
+                    let _e377 = local_1.d22_;
+                    let _e380 = local_1.d33_d22_;
+                    let _e381 = (((((_e89 * _e89) - _e359) - (_e370 * _e371)) * _e377) / _e380);
+                    let _e383 = local_1.d22_;
+                    let _e386 = ((_e371 / _e383) - (_e370 * _e381));
+                    let _e392 = ((0.5f * _e386) / _e381);
+                    let _e395 = ((_e392 * _e392) - (((1f - (_e386 * _e356)) - (_e381 * _e359)) / _e381));
+                    if (_e395 >= 0f) {
+                        let _e397 = sqrt(_e395);
+                        phi_595_ = vec2<f32>((-(_e392) - _e397), (-(_e392) + _e397));
                     } else {
-                        phi_589_ = vec2(bitcast<f32>((bitcast<u32>(_e391) | 2143289344u)));
+                        phi_595_ = vec2(bitcast<f32>((bitcast<u32>(_e395) | 2143289344u)));
                     }
-                    let _e404 = phi_589_;
-                    if (_e85 <= _e404.x) {
-                        phi_670_ = 1f;
+                    let _e408 = phi_595_;
+                    if (_e89 <= _e408.x) {
+                        phi_676_ = 1f;
                     } else {
-                        if (_e85 > _e404.y) {
-                            let _e410 = local_1.moments;
-                            let _e421 = (((_e410.y - (_e410.x * (_e404.x + _e404.y))) + (_e404.x * _e404.y)) / ((_e85 - _e404.x) * (_e85 - _e404.y)));
-                            if ((bitcast<u32>(_e421) & 2147483647u) > 2139095040u) {
-                                phi_629_ = _e421;
+                        if (_e89 > _e408.y) {
+                            let _e414 = local_1.moments;
+                            let _e425 = (((_e414.y - (_e414.x * (_e408.x + _e408.y))) + (_e408.x * _e408.y)) / ((_e89 - _e408.x) * (_e89 - _e408.y)));
+                            if ((bitcast<u32>(_e425) & 2147483647u) > 2139095040u) {
+                                phi_635_ = _e425;
                             } else {
-                                if (_e421 < 0f) {
-                                    phi_628_ = 0f;
+                                if (_e425 < 0f) {
+                                    phi_634_ = 0f;
                                 } else {
-                                    if (_e421 > 1f) {
-                                        phi_627_ = 1f;
+                                    if (_e425 > 1f) {
+                                        phi_633_ = 1f;
                                     } else {
-                                        phi_627_ = _e421;
+                                        phi_633_ = _e425;
                                     }
-                                    let _e428 = phi_627_;
-                                    phi_628_ = _e428;
+                                    let _e432 = phi_633_;
+                                    phi_634_ = _e432;
                                 }
-                                let _e430 = phi_628_;
-                                phi_629_ = _e430;
+                                let _e434 = phi_634_;
+                                phi_635_ = _e434;
                             }
-                            let _e432 = phi_629_;
-                            phi_669_ = _e432;
+                            let _e436 = phi_635_;
+                            phi_675_ = _e436;
                         } else {
-                            if (_e85 > _e404.x) {
-                                let _e435 = local_1.moments;
-                                let _e447 = (1f - (((_e435.y - (_e435.x * (_e85 + _e404.y))) + (_e85 * _e404.y)) / ((_e404.x - _e85) * (_e404.x - _e404.y))));
-                                if ((bitcast<u32>(_e447) & 2147483647u) > 2139095040u) {
-                                    phi_664_ = _e447;
+                            if (_e89 > _e408.x) {
+                                let _e439 = local_1.moments;
+                                let _e451 = (1f - (((_e439.y - (_e439.x * (_e89 + _e408.y))) + (_e89 * _e408.y)) / ((_e408.x - _e89) * (_e408.x - _e408.y))));
+                                if ((bitcast<u32>(_e451) & 2147483647u) > 2139095040u) {
+                                    phi_670_ = _e451;
                                 } else {
-                                    if (_e447 < 0f) {
-                                        phi_663_ = 0f;
+                                    if (_e451 < 0f) {
+                                        phi_669_ = 0f;
                                     } else {
-                                        if (_e447 > 1f) {
-                                            phi_662_ = 1f;
+                                        if (_e451 > 1f) {
+                                            phi_668_ = 1f;
                                         } else {
-                                            phi_662_ = _e447;
+                                            phi_668_ = _e451;
                                         }
-                                        let _e454 = phi_662_;
-                                        phi_663_ = _e454;
+                                        let _e458 = phi_668_;
+                                        phi_669_ = _e458;
                                     }
-                                    let _e456 = phi_663_;
-                                    phi_664_ = _e456;
+                                    let _e460 = phi_669_;
+                                    phi_670_ = _e460;
                                 }
-                                let _e458 = phi_664_;
-                                phi_668_ = _e458;
+                                let _e462 = phi_670_;
+                                phi_674_ = _e462;
                             } else {
-                                phi_668_ = bitcast<f32>((bitcast<u32>(_e404.x) | 2143289344u));
+                                phi_674_ = bitcast<f32>((bitcast<u32>(_e408.x) | 2143289344u));
                             }
-                            let _e463 = phi_668_;
-                            phi_669_ = _e463;
+                            let _e467 = phi_674_;
+                            phi_675_ = _e467;
                         }
-                        let _e465 = phi_669_;
-                        phi_670_ = _e465;
+                        let _e469 = phi_675_;
+                        phi_676_ = _e469;
                     }
-                    let _e467 = phi_670_;
-                    phi_671_ = _e467;
+                    let _e471 = phi_676_;
+                    phi_677_ = _e471;
                 } else {
-                    phi_671_ = _e347;
+                    phi_677_ = _e351;
                 }
-                let _e469 = phi_671_;
-                phi_672_ = _e469;
-                phi_673_ = false;
+                let _e473 = phi_677_;
+                phi_678_ = _e473;
+                phi_679_ = false;
             } else {
-                phi_672_ = f32();
-                phi_673_ = true;
+                phi_678_ = f32();
+                phi_679_ = true;
             }
-            let _e471 = phi_672_;
-            let _e473 = phi_673_;
-            phi_674_ = _e471;
-            phi_675_ = _e473;
+            let _e475 = phi_678_;
+            let _e477 = phi_679_;
+            phi_680_ = _e475;
+            phi_681_ = _e477;
         } else {
-            phi_674_ = f32();
-            phi_675_ = true;
+            phi_680_ = f32();
+            phi_681_ = true;
         }
-        let _e475 = phi_674_;
-        let _e477 = phi_675_;
-        if _e477 {
-            if ((bitcast<u32>(_e309.x) & 2147483647u) > 2139095040u) {
-                phi_882_ = _e309.x;
+        let _e479 = phi_680_;
+        let _e481 = phi_681_;
+        if _e481 {
+            if ((bitcast<u32>(_e313.x) & 2147483647u) > 2139095040u) {
+                phi_888_ = _e313.x;
             } else {
-                let _e481 = lt_math_hausdorff_endpoint_upper_bound((&local_1), _e85);
-                let _e484 = local_1.moments[0u];
-                let _e487 = local_1.moments[3u];
-                if (_e484 == _e487) {
-                    let _e491 = local_1.moments[0u];
-                    phi_697_ = (_e491 > 0.5f);
+                let _e485 = lt_math_hausdorff_endpoint_upper_bound((&local_1), _e89);
+                let _e488 = local_1.moments[0u];
+                let _e491 = local_1.moments[3u];
+                if (_e488 == _e491) {
+                    let _e495 = local_1.moments[0u];
+                    phi_703_ = (_e495 > 0.5f);
                 } else {
-                    phi_697_ = false;
+                    phi_703_ = false;
                 }
-                let _e494 = phi_697_;
-                if _e494 {
-                    if (_e85 > 0f) {
-                        let _e497 = local_1.moments;
-                        if ((bitcast<u32>(_e497.x) & 2147483647u) > 2139095040u) {
-                            phi_724_ = _e497.x;
+                let _e498 = phi_703_;
+                if _e498 {
+                    if (_e89 > 0f) {
+                        let _e501 = local_1.moments;
+                        if ((bitcast<u32>(_e501.x) & 2147483647u) > 2139095040u) {
+                            phi_730_ = _e501.x;
                         } else {
-                            if (_e497.x < 0f) {
-                                phi_723_ = 0f;
+                            if (_e501.x < 0f) {
+                                phi_729_ = 0f;
                             } else {
-                                if (_e497.x > 1f) {
-                                    phi_722_ = 1f;
+                                if (_e501.x > 1f) {
+                                    phi_728_ = 1f;
                                 } else {
-                                    phi_722_ = _e497.x;
+                                    phi_728_ = _e501.x;
                                 }
-                                let _e505 = phi_722_;
-                                phi_723_ = _e505;
+                                let _e509 = phi_728_;
+                                phi_729_ = _e509;
                             }
-                            let _e507 = phi_723_;
-                            phi_724_ = _e507;
+                            let _e511 = phi_729_;
+                            phi_730_ = _e511;
                         }
-                        let _e509 = phi_724_;
-                        phi_725_ = _e509;
-                        phi_726_ = false;
+                        let _e513 = phi_730_;
+                        phi_731_ = _e513;
+                        phi_732_ = false;
                     } else {
-                        phi_725_ = f32();
-                        phi_726_ = true;
+                        phi_731_ = f32();
+                        phi_732_ = true;
                     }
-                    let _e511 = phi_725_;
-                    let _e513 = phi_726_;
-                    phi_727_ = _e511;
-                    phi_728_ = _e513;
+                    let _e515 = phi_731_;
+                    let _e517 = phi_732_;
+                    phi_733_ = _e515;
+                    phi_734_ = _e517;
                 } else {
-                    phi_727_ = f32();
-                    phi_728_ = true;
+                    phi_733_ = f32();
+                    phi_734_ = true;
                 }
-                let _e515 = phi_727_;
-                let _e517 = phi_728_;
-                if _e517 {
-                    let _e520 = local_1.moments[0u];
-                    let _e523 = local_1.moments[1u];
-                    let _e531 = local_1.l32_d22_;
-                    let _e533 = local_1.d22_;
-                    let _e534 = (_e531 / _e533);
-                    let _e535 = (_e85 - _e520);
-                    let _e541 = local_1.d22_;
-                    let _e544 = local_1.d33_d22_;
-                    let _e545 = (((((_e85 * _e85) - _e523) - (_e534 * _e535)) * _e541) / _e544);
-                    let _e547 = local_1.d22_;
-                    let _e550 = ((_e535 / _e547) - (_e534 * _e545));
-                    let _e556 = ((0.5f * _e550) / _e545);
-                    let _e559 = ((_e556 * _e556) - (((1f - (_e550 * _e520)) - (_e545 * _e523)) / _e545));
-                    if (_e559 >= 0f) {
-                        let _e561 = sqrt(_e559);
-                        phi_784_ = vec2<f32>((-(_e556) - _e561), (-(_e556) + _e561));
+                let _e519 = phi_733_;
+                let _e521 = phi_734_;
+                if _e521 {
+                    let _e524 = local_1.moments[0u];
+                    let _e527 = local_1.moments[1u];
+                    let _e535 = local_1.l32_d22_;
+                    let _e537 = local_1.d22_;
+                    let _e538 = (_e535 / _e537);
+                    let _e539 = (_e89 - _e524);
+                    let _e545 = local_1.d22_;
+                    let _e548 = local_1.d33_d22_;
+                    let _e549 = (((((_e89 * _e89) - _e527) - (_e538 * _e539)) * _e545) / _e548);
+                    let _e551 = local_1.d22_;
+                    let _e554 = ((_e539 / _e551) - (_e538 * _e549));
+                    let _e560 = ((0.5f * _e554) / _e549);
+                    let _e563 = ((_e560 * _e560) - (((1f - (_e554 * _e524)) - (_e549 * _e527)) / _e549));
+                    if (_e563 >= 0f) {
+                        let _e565 = sqrt(_e563);
+                        phi_790_ = vec2<f32>((-(_e560) - _e565), (-(_e560) + _e565));
                     } else {
-                        phi_784_ = vec2(bitcast<f32>((bitcast<u32>(_e559) | 2143289344u)));
+                        phi_790_ = vec2(bitcast<f32>((bitcast<u32>(_e563) | 2143289344u)));
                     }
-                    let _e572 = phi_784_;
-                    if (_e85 <= _e572.x) {
-                        phi_865_ = 1f;
+                    let _e576 = phi_790_;
+                    if (_e89 <= _e576.x) {
+                        phi_871_ = 1f;
                     } else {
-                        if (_e85 > _e572.y) {
-                            let _e578 = local_1.moments;
-                            let _e589 = (((_e578.y - (_e578.x * (_e572.x + _e572.y))) + (_e572.x * _e572.y)) / ((_e85 - _e572.x) * (_e85 - _e572.y)));
-                            if ((bitcast<u32>(_e589) & 2147483647u) > 2139095040u) {
-                                phi_824_ = _e589;
+                        if (_e89 > _e576.y) {
+                            let _e582 = local_1.moments;
+                            let _e593 = (((_e582.y - (_e582.x * (_e576.x + _e576.y))) + (_e576.x * _e576.y)) / ((_e89 - _e576.x) * (_e89 - _e576.y)));
+                            if ((bitcast<u32>(_e593) & 2147483647u) > 2139095040u) {
+                                phi_830_ = _e593;
                             } else {
-                                if (_e589 < 0f) {
-                                    phi_823_ = 0f;
+                                if (_e593 < 0f) {
+                                    phi_829_ = 0f;
                                 } else {
-                                    if (_e589 > 1f) {
-                                        phi_822_ = 1f;
+                                    if (_e593 > 1f) {
+                                        phi_828_ = 1f;
                                     } else {
-                                        phi_822_ = _e589;
+                                        phi_828_ = _e593;
                                     }
-                                    let _e596 = phi_822_;
-                                    phi_823_ = _e596;
+                                    let _e600 = phi_828_;
+                                    phi_829_ = _e600;
                                 }
-                                let _e598 = phi_823_;
-                                phi_824_ = _e598;
+                                let _e602 = phi_829_;
+                                phi_830_ = _e602;
                             }
-                            let _e600 = phi_824_;
-                            phi_864_ = _e600;
+                            let _e604 = phi_830_;
+                            phi_870_ = _e604;
                         } else {
-                            if (_e85 > _e572.x) {
-                                let _e603 = local_1.moments;
-                                let _e615 = (1f - (((_e603.y - (_e603.x * (_e85 + _e572.y))) + (_e85 * _e572.y)) / ((_e572.x - _e85) * (_e572.x - _e572.y))));
-                                if ((bitcast<u32>(_e615) & 2147483647u) > 2139095040u) {
-                                    phi_859_ = _e615;
+                            if (_e89 > _e576.x) {
+                                let _e607 = local_1.moments;
+                                let _e619 = (1f - (((_e607.y - (_e607.x * (_e89 + _e576.y))) + (_e89 * _e576.y)) / ((_e576.x - _e89) * (_e576.x - _e576.y))));
+                                if ((bitcast<u32>(_e619) & 2147483647u) > 2139095040u) {
+                                    phi_865_ = _e619;
                                 } else {
-                                    if (_e615 < 0f) {
-                                        phi_858_ = 0f;
+                                    if (_e619 < 0f) {
+                                        phi_864_ = 0f;
                                     } else {
-                                        if (_e615 > 1f) {
-                                            phi_857_ = 1f;
+                                        if (_e619 > 1f) {
+                                            phi_863_ = 1f;
                                         } else {
-                                            phi_857_ = _e615;
+                                            phi_863_ = _e619;
                                         }
-                                        let _e622 = phi_857_;
-                                        phi_858_ = _e622;
+                                        let _e626 = phi_863_;
+                                        phi_864_ = _e626;
                                     }
-                                    let _e624 = phi_858_;
-                                    phi_859_ = _e624;
+                                    let _e628 = phi_864_;
+                                    phi_865_ = _e628;
                                 }
-                                let _e626 = phi_859_;
-                                phi_863_ = _e626;
+                                let _e630 = phi_865_;
+                                phi_869_ = _e630;
                             } else {
-                                phi_863_ = bitcast<f32>((bitcast<u32>(_e572.x) | 2143289344u));
+                                phi_869_ = bitcast<f32>((bitcast<u32>(_e576.x) | 2143289344u));
                             }
-                            let _e631 = phi_863_;
-                            phi_864_ = _e631;
+                            let _e635 = phi_869_;
+                            phi_870_ = _e635;
                         }
-                        let _e633 = phi_864_;
-                        phi_865_ = _e633;
+                        let _e637 = phi_870_;
+                        phi_871_ = _e637;
                     }
-                    let _e635 = phi_865_;
-                    phi_866_ = _e635;
+                    let _e639 = phi_871_;
+                    phi_872_ = _e639;
                 } else {
-                    phi_866_ = _e515;
+                    phi_872_ = _e519;
                 }
-                let _e637 = phi_866_;
-                if ((bitcast<u32>(_e637) & 2147483647u) > 2139095040u) {
-                    phi_877_ = true;
+                let _e641 = phi_872_;
+                if ((bitcast<u32>(_e641) & 2147483647u) > 2139095040u) {
+                    phi_883_ = true;
                 } else {
-                    let _e641 = (_e637 < _e481);
-                    if _e641 {
+                    let _e645 = (_e641 < _e485);
+                    if _e645 {
                     }
-                    phi_877_ = _e641;
+                    phi_883_ = _e645;
                 }
-                let _e643 = phi_877_;
-                if _e643 {
-                    phi_881_ = _e637;
+                let _e647 = phi_883_;
+                if _e647 {
+                    phi_887_ = _e641;
                 } else {
-                    phi_881_ = _e481;
+                    phi_887_ = _e485;
                 }
-                let _e645 = phi_881_;
-                phi_882_ = _e645;
+                let _e649 = phi_887_;
+                phi_888_ = _e649;
             }
-            let _e647 = phi_882_;
-            phi_883_ = _e647;
+            let _e651 = phi_888_;
+            phi_889_ = _e651;
         } else {
-            phi_883_ = _e475;
+            phi_889_ = _e479;
         }
-        let _e649 = phi_883_;
-        phi_884_ = _e649;
+        let _e653 = phi_889_;
+        phi_890_ = _e653;
     }
-    let _e651 = phi_884_;
-    return _e651;
+    let _e655 = phi_890_;
+    return _e655;
 }
 
 fn function_() {
     var local_2: f32;
-    var phi_1101_: bool;
-    var phi_1102_: bool;
-    var phi_1103_: bool;
-    var phi_1104_: bool;
+    var phi_1107_: bool;
     var phi_1108_: bool;
-    var phi_1178_: bool;
-    var phi_1179_: bool;
-    var phi_1190_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1191_: bool;
-    var phi_1192_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1193_: bool;
-    var phi_1200_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1204_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1278_: bool;
-    var phi_1287_: bool;
-    var phi_1296_: bool;
-    var phi_1297_: bool;
-    var phi_1298_: bool;
-    var phi_1299_: bool;
-    var phi_1300_: bool;
-    var phi_1301_: bool;
+    var phi_1109_: bool;
+    var phi_1110_: bool;
+    var phi_1114_: bool;
+    var phi_1184_: bool;
+    var phi_1185_: bool;
+    var phi_1196_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1197_: bool;
+    var phi_1198_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1199_: bool;
+    var phi_1206_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1210_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1284_: bool;
+    var phi_1293_: bool;
     var phi_1302_: bool;
+    var phi_1303_: bool;
+    var phi_1304_: bool;
+    var phi_1305_: bool;
     var phi_1306_: bool;
-    var phi_1396_: f32;
-    var phi_1399_: f32;
-    var phi_1428_: f32;
-    var phi_1433_: f32;
-    var phi_1434_: bool;
-    var phi_1435_: f32;
-    var phi_1436_: bool;
-    var phi_1440_: f32;
-    var phi_1460_: f32;
-    var phi_1465_: f32;
-    var phi_1466_: bool;
-    var phi_1467_: f32;
-    var phi_1468_: bool;
-    var phi_1472_: f32;
-    var phi_1520_: i32;
-    var phi_1525_: i32;
-    var phi_1530_: i32;
-    var phi_1535_: i32;
-    var phi_1544_: i32;
-    var phi_1549_: i32;
-    var phi_1554_: i32;
-    var phi_1559_: i32;
-    var phi_1654_: bool;
+    var phi_1307_: bool;
+    var phi_1308_: bool;
+    var phi_1312_: bool;
+    var phi_1402_: f32;
+    var phi_1405_: f32;
+    var phi_1434_: f32;
+    var phi_1439_: f32;
+    var phi_1440_: bool;
+    var phi_1441_: f32;
+    var phi_1442_: bool;
+    var phi_1446_: f32;
+    var phi_1466_: f32;
+    var phi_1471_: f32;
+    var phi_1472_: bool;
+    var phi_1473_: f32;
+    var phi_1474_: bool;
+    var phi_1478_: f32;
+    var phi_1526_: i32;
+    var phi_1531_: i32;
+    var phi_1536_: i32;
+    var phi_1541_: i32;
+    var phi_1550_: i32;
+    var phi_1555_: i32;
+    var phi_1560_: i32;
+    var phi_1565_: i32;
     var phi_1662_: bool;
-    var phi_1674_: bool;
-    var phi_1675_: bool;
-    var phi_1679_: f32;
-    var phi_1685_: f32;
-    var phi_1687_: evaluate_Verdict;
-    var phi_1692_: evaluate_Verdict;
-    var phi_1693_: evaluate_Verdict;
-    var phi_1697_: bool;
-    var phi_1698_: u32;
-    var phi_1709_: u32;
+    var phi_1670_: bool;
+    var phi_1682_: bool;
+    var phi_1683_: bool;
+    var phi_1687_: f32;
+    var phi_1693_: f32;
+    var phi_1695_: evaluate_Verdict;
+    var phi_1705_: u32;
+    var phi_1714_: f32;
+    var phi_1716_: evaluate_Verdict;
+    var phi_1717_: bool;
+    var phi_1718_: evaluate_Verdict;
+    var phi_1719_: bool;
+    var phi_1724_: evaluate_Verdict;
+    var phi_1729_: evaluate_Verdict;
+    var phi_1730_: evaluate_Verdict;
+    var phi_1734_: bool;
+    var phi_1735_: u32;
+    var phi_1746_: u32;
+    var phi_1763_: u32;
 
-    let _e41 = id_1;
-    let _e42 = local_3;
-    let _e47 = arrayLength((&map.member));
-    let _e52 = p.member.size[0u];
-    let _e54 = p.member.size[1u];
-    let _e55 = lt_shaders_entry_pixel_index(_e41, _e52, _e54);
-    if (bitcast<i32>(_e55.root) != 0i) {
-        let _e62 = p.member.projection;
-        let _e63 = lt_math_OneLevel(_e62);
-        let _e67 = samples.member[_e55.first_primitive].normal[0u];
-        let _e69 = global[0u];
-        if (_e67 == _e69) {
-            let _e72 = samples.member[_e55.first_primitive].normal[1u];
-            let _e74 = global[1u];
-            if (_e72 == _e74) {
-                let _e77 = samples.member[_e55.first_primitive].normal[2u];
-                let _e79 = global[2u];
-                phi_1101_ = (_e77 == _e79);
-                phi_1102_ = false;
+    let _e45 = id_1;
+    let _e46 = local_3;
+    let _e51 = arrayLength((&map.member));
+    let _e56 = p.member.size[0u];
+    let _e58 = p.member.size[1u];
+    let _e59 = lt_shaders_entry_pixel_index(_e45, _e56, _e58);
+    if (bitcast<i32>(_e59.root) != 0i) {
+        let _e66 = p.member.projection;
+        let _e67 = lt_math_OneLevel(_e66);
+        let _e71 = samples.member[_e59.first_primitive].normal[0u];
+        let _e73 = global[0u];
+        if (_e71 == _e73) {
+            let _e76 = samples.member[_e59.first_primitive].normal[1u];
+            let _e78 = global[1u];
+            if (_e76 == _e78) {
+                let _e81 = samples.member[_e59.first_primitive].normal[2u];
+                let _e83 = global[2u];
+                phi_1107_ = (_e81 == _e83);
+                phi_1108_ = false;
             } else {
-                phi_1101_ = bool();
-                phi_1102_ = true;
+                phi_1107_ = bool();
+                phi_1108_ = true;
             }
-            let _e82 = phi_1101_;
-            let _e84 = phi_1102_;
-            phi_1103_ = _e82;
-            phi_1104_ = _e84;
+            let _e86 = phi_1107_;
+            let _e88 = phi_1108_;
+            phi_1109_ = _e86;
+            phi_1110_ = _e88;
         } else {
-            phi_1103_ = bool();
-            phi_1104_ = true;
+            phi_1109_ = bool();
+            phi_1110_ = true;
         }
-        let _e86 = phi_1103_;
-        let _e88 = phi_1104_;
-        if _e88 {
-            phi_1108_ = false;
+        let _e90 = phi_1109_;
+        let _e92 = phi_1110_;
+        if _e92 {
+            phi_1114_ = false;
         } else {
-            phi_1108_ = _e86;
+            phi_1114_ = _e90;
         }
-        let _e90 = phi_1108_;
-        if !(_e90) {
-            let _e93 = samples.member[_e55.first_primitive].position;
-            let _e95 = p.member.light.place;
-            let _e101 = p.member.light.place[3u];
-            let _e108 = (_e95.x - (_e93.x * _e101));
-            let _e109 = (_e95.y - (_e93.y * _e101));
-            let _e110 = (_e95.z - (_e93.z * _e101));
-            let _e112 = samples.member[_e55.first_primitive].normal;
-            if ((((_e112.x * _e108) + (_e112.y * _e109)) + (_e112.z * _e110)) > 0f) {
-                let _e126 = (((_e108 * _e108) + (_e109 * _e109)) + (_e110 * _e110));
-                let _e128 = p.member.light.axis;
-                let _e140 = p.member.light.place[3u];
-                if (_e140 == 0f) {
-                    phi_1179_ = true;
+        let _e94 = phi_1114_;
+        if !(_e94) {
+            let _e97 = samples.member[_e59.first_primitive].position;
+            let _e99 = p.member.light.place;
+            let _e105 = p.member.light.place[3u];
+            let _e112 = (_e99.x - (_e97.x * _e105));
+            let _e113 = (_e99.y - (_e97.y * _e105));
+            let _e114 = (_e99.z - (_e97.z * _e105));
+            let _e116 = samples.member[_e59.first_primitive].normal;
+            if ((((_e116.x * _e112) + (_e116.y * _e113)) + (_e116.z * _e114)) > 0f) {
+                let _e130 = (((_e112 * _e112) + (_e113 * _e113)) + (_e114 * _e114));
+                let _e132 = p.member.light.axis;
+                let _e144 = p.member.light.place[3u];
+                if (_e144 == 0f) {
+                    phi_1185_ = true;
                 } else {
-                    let _e143 = p.member.light.range_squared;
-                    if (_e126 <= _e143) {
-                        let _e146 = p.member.light.cos_outer;
-                        phi_1178_ = (-((((_e108 * _e128.x) + (_e109 * _e128.y)) + (_e110 * _e128.z))) >= (_e146 * sqrt(_e126)));
+                    let _e147 = p.member.light.range_squared;
+                    if (_e130 <= _e147) {
+                        let _e150 = p.member.light.cos_outer;
+                        phi_1184_ = (-((((_e112 * _e132.x) + (_e113 * _e132.y)) + (_e114 * _e132.z))) >= (_e150 * sqrt(_e130)));
                     } else {
-                        phi_1178_ = false;
+                        phi_1184_ = false;
                     }
-                    let _e151 = phi_1178_;
-                    phi_1179_ = _e151;
+                    let _e155 = phi_1184_;
+                    phi_1185_ = _e155;
                 }
-                let _e153 = phi_1179_;
-                if _e153 {
-                    let _e155 = samples.member[_e55.first_primitive].flags;
-                    let _e163 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e163.unnamed.visibility, false), _e163.unnamed_1);
-                    phi_1190_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e169.unnamed, ((_e155 & 1u) == 0u));
-                    phi_1191_ = false;
+                let _e157 = phi_1185_;
+                if _e157 {
+                    let _e159 = samples.member[_e59.first_primitive].flags;
+                    let _e167 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e167.unnamed.visibility, false), _e167.unnamed_1);
+                    phi_1196_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e173.unnamed, ((_e159 & 1u) == 0u));
+                    phi_1197_ = false;
                 } else {
-                    phi_1190_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_1191_ = true;
+                    phi_1196_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_1197_ = true;
                 }
-                let _e174 = phi_1190_;
-                let _e176 = phi_1191_;
-                phi_1192_ = _e174;
-                phi_1193_ = _e176;
+                let _e178 = phi_1196_;
+                let _e180 = phi_1197_;
+                phi_1198_ = _e178;
+                phi_1199_ = _e180;
             } else {
-                phi_1192_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_1193_ = true;
+                phi_1198_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_1199_ = true;
             }
-            let _e178 = phi_1192_;
-            let _e180 = phi_1193_;
-            if _e180 {
-                let _e186 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e186.unnamed.visibility, false), _e186.unnamed_1);
-                phi_1200_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e192.unnamed, true);
+            let _e182 = phi_1198_;
+            let _e184 = phi_1199_;
+            if _e184 {
+                let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e190.unnamed.visibility, false), _e190.unnamed_1);
+                phi_1206_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e196.unnamed, true);
             } else {
-                phi_1200_ = _e178;
+                phi_1206_ = _e182;
             }
-            let _e197 = phi_1200_;
-            phi_1204_ = _e197;
+            let _e201 = phi_1206_;
+            phi_1210_ = _e201;
         } else {
-            let _e203 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e203.unnamed.visibility, false), _e203.unnamed_1);
-            phi_1204_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e209.unnamed, true);
+            let _e207 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e207.unnamed.visibility, false), _e207.unnamed_1);
+            phi_1210_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e213.unnamed, true);
         }
-        let _e214 = phi_1204_;
-        if _e214.unnamed_1 {
-            phi_1693_ = evaluate_Verdict(_e214.unnamed.visibility, _e214.unnamed.is_doubted);
+        let _e218 = phi_1210_;
+        if _e218.unnamed_1 {
+            phi_1730_ = evaluate_Verdict(_e218.unnamed.visibility, _e218.unnamed.is_doubted);
         } else {
-            let _e222 = samples.member[_e55.first_primitive].position;
-            let _e240 = ((((_e63.projection.row_w.x * _e222.x) + (_e63.projection.row_w.y * _e222.y)) + (_e63.projection.row_w.z * _e222.z)) + (_e63.projection.row_w.w * 1f));
-            let _e254 = (((((_e63.projection.row_x.x * _e222.x) + (_e63.projection.row_x.y * _e222.y)) + (_e63.projection.row_x.z * _e222.z)) + (_e63.projection.row_x.w * 1f)) / _e240);
-            let _e268 = (((((_e63.projection.row_y.x * _e222.x) + (_e63.projection.row_y.y * _e222.y)) + (_e63.projection.row_y.z * _e222.z)) + (_e63.projection.row_y.w * 1f)) / _e240);
-            let _e281 = ((((_e63.projection.row_z.x * _e222.x) + (_e63.projection.row_z.y * _e222.y)) + (_e63.projection.row_z.z * _e222.z)) + (_e63.projection.row_z.w * 1f));
-            if (_e240 > 0f) {
-                if (_e254 >= 0f) {
-                    phi_1278_ = (_e254 <= 1f);
+            let _e226 = samples.member[_e59.first_primitive].position;
+            let _e244 = ((((_e67.projection.row_w.x * _e226.x) + (_e67.projection.row_w.y * _e226.y)) + (_e67.projection.row_w.z * _e226.z)) + (_e67.projection.row_w.w * 1f));
+            let _e258 = (((((_e67.projection.row_x.x * _e226.x) + (_e67.projection.row_x.y * _e226.y)) + (_e67.projection.row_x.z * _e226.z)) + (_e67.projection.row_x.w * 1f)) / _e244);
+            let _e272 = (((((_e67.projection.row_y.x * _e226.x) + (_e67.projection.row_y.y * _e226.y)) + (_e67.projection.row_y.z * _e226.z)) + (_e67.projection.row_y.w * 1f)) / _e244);
+            let _e285 = ((((_e67.projection.row_z.x * _e226.x) + (_e67.projection.row_z.y * _e226.y)) + (_e67.projection.row_z.z * _e226.z)) + (_e67.projection.row_z.w * 1f));
+            if (_e244 > 0f) {
+                if (_e258 >= 0f) {
+                    phi_1284_ = (_e258 <= 1f);
                 } else {
-                    phi_1278_ = false;
+                    phi_1284_ = false;
                 }
-                let _e286 = phi_1278_;
-                if _e286 {
-                    if (_e268 >= 0f) {
-                        phi_1287_ = (_e268 <= 1f);
+                let _e290 = phi_1284_;
+                if _e290 {
+                    if (_e272 >= 0f) {
+                        phi_1293_ = (_e272 <= 1f);
                     } else {
-                        phi_1287_ = false;
+                        phi_1293_ = false;
                     }
-                    let _e290 = phi_1287_;
-                    if _e290 {
-                        if (_e281 >= 0f) {
-                            phi_1296_ = (_e281 <= 1f);
+                    let _e294 = phi_1293_;
+                    if _e294 {
+                        if (_e285 >= 0f) {
+                            phi_1302_ = (_e285 <= 1f);
                         } else {
-                            phi_1296_ = false;
+                            phi_1302_ = false;
                         }
-                        let _e294 = phi_1296_;
-                        phi_1297_ = _e294;
-                        phi_1298_ = false;
+                        let _e298 = phi_1302_;
+                        phi_1303_ = _e298;
+                        phi_1304_ = false;
                     } else {
-                        phi_1297_ = bool();
-                        phi_1298_ = true;
+                        phi_1303_ = bool();
+                        phi_1304_ = true;
                     }
-                    let _e296 = phi_1297_;
-                    let _e298 = phi_1298_;
-                    phi_1299_ = _e296;
-                    phi_1300_ = _e298;
+                    let _e300 = phi_1303_;
+                    let _e302 = phi_1304_;
+                    phi_1305_ = _e300;
+                    phi_1306_ = _e302;
                 } else {
-                    phi_1299_ = bool();
-                    phi_1300_ = true;
+                    phi_1305_ = bool();
+                    phi_1306_ = true;
                 }
-                let _e300 = phi_1299_;
-                let _e302 = phi_1300_;
-                phi_1301_ = _e300;
-                phi_1302_ = _e302;
+                let _e304 = phi_1305_;
+                let _e306 = phi_1306_;
+                phi_1307_ = _e304;
+                phi_1308_ = _e306;
             } else {
-                phi_1301_ = bool();
-                phi_1302_ = true;
+                phi_1307_ = bool();
+                phi_1308_ = true;
             }
-            let _e304 = phi_1301_;
-            let _e306 = phi_1302_;
-            if _e306 {
-                phi_1306_ = false;
+            let _e308 = phi_1307_;
+            let _e310 = phi_1308_;
+            if _e310 {
+                phi_1312_ = false;
             } else {
-                phi_1306_ = _e304;
+                phi_1312_ = _e308;
             }
-            let _e308 = phi_1306_;
-            if _e308 {
+            let _e312 = phi_1312_;
+            if _e312 {
                 if (0f > 0f) {
-                    let _e311 = samples.member[_e55.first_primitive].normal;
-                    let _e313 = p.member.map_size;
-                    let _e383 = ((abs(((((_e62.row_x.x * _e311.x) + (_e62.row_x.y * _e311.y)) + (_e62.row_x.z * _e311.z)) / (((_e62.row_x.x * _e62.row_x.x) + (_e62.row_x.y * _e62.row_x.y)) + (_e62.row_x.z * _e62.row_x.z)))) + abs(((((_e62.row_y.x * _e311.x) + (_e62.row_y.y * _e311.y)) + (_e62.row_y.z * _e311.z)) / (((_e62.row_y.x * _e62.row_y.x) + (_e62.row_y.y * _e62.row_y.y)) + (_e62.row_y.z * _e62.row_y.z))))) / (abs(((((_e62.row_z.x * _e311.x) + (_e62.row_z.y * _e311.y)) + (_e62.row_z.z * _e311.z)) / (((_e62.row_z.x * _e62.row_z.x) + (_e62.row_z.y * _e62.row_z.y)) + (_e62.row_z.z * _e62.row_z.z)))) * f32(_e313)));
-                    if (_e383 < 0.002f) {
-                        phi_1396_ = _e383;
+                    let _e315 = samples.member[_e59.first_primitive].normal;
+                    let _e317 = p.member.map_size;
+                    let _e387 = ((abs(((((_e66.row_x.x * _e315.x) + (_e66.row_x.y * _e315.y)) + (_e66.row_x.z * _e315.z)) / (((_e66.row_x.x * _e66.row_x.x) + (_e66.row_x.y * _e66.row_x.y)) + (_e66.row_x.z * _e66.row_x.z)))) + abs(((((_e66.row_y.x * _e315.x) + (_e66.row_y.y * _e315.y)) + (_e66.row_y.z * _e315.z)) / (((_e66.row_y.x * _e66.row_y.x) + (_e66.row_y.y * _e66.row_y.y)) + (_e66.row_y.z * _e66.row_y.z))))) / (abs(((((_e66.row_z.x * _e315.x) + (_e66.row_z.y * _e315.y)) + (_e66.row_z.z * _e315.z)) / (((_e66.row_z.x * _e66.row_z.x) + (_e66.row_z.y * _e66.row_z.y)) + (_e66.row_z.z * _e66.row_z.z)))) * f32(_e317)));
+                    if (_e387 < 0.002f) {
+                        phi_1402_ = _e387;
                     } else {
-                        phi_1396_ = 0.002f;
+                        phi_1402_ = 0.002f;
                     }
-                    let _e386 = phi_1396_;
-                    phi_1399_ = (_e281 - (0f * _e386));
+                    let _e390 = phi_1402_;
+                    phi_1405_ = (_e285 - (0f * _e390));
                 } else {
-                    phi_1399_ = _e281;
+                    phi_1405_ = _e285;
                 }
-                let _e390 = phi_1399_;
-                let _e392 = p.member.map_size;
-                let _e393 = f32(_e392);
-                let _e396 = ((_e254 * _e393) - 0.5f);
-                let _e397 = ((_e268 * _e393) - 0.5f);
-                if (_e396 > -8388608f) {
-                    let _e409 = f32(select(0i, select(select(i32(_e396), i32(-2147483648), (_e396 < bitcast<f32>(3472883712u))), 2147483647i, (_e396 > bitcast<f32>(1325400063u))), (_e396 == _e396)));
-                    if (_e409 > _e396) {
-                        phi_1428_ = 1f;
+                let _e394 = phi_1405_;
+                let _e396 = p.member.map_size;
+                let _e397 = f32(_e396);
+                let _e400 = ((_e258 * _e397) - 0.5f);
+                let _e401 = ((_e272 * _e397) - 0.5f);
+                if (_e400 > -8388608f) {
+                    let _e413 = f32(select(0i, select(select(i32(_e400), i32(-2147483648), (_e400 < bitcast<f32>(3472883712u))), 2147483647i, (_e400 > bitcast<f32>(1325400063u))), (_e400 == _e400)));
+                    if (_e413 > _e400) {
+                        phi_1434_ = 1f;
                     } else {
-                        phi_1428_ = 0f;
+                        phi_1434_ = 0f;
                     }
-                    let _e412 = phi_1428_;
-                    if (_e396 < 8388608f) {
-                        phi_1433_ = (_e409 - _e412);
-                        phi_1434_ = false;
+                    let _e416 = phi_1434_;
+                    if (_e400 < 8388608f) {
+                        phi_1439_ = (_e413 - _e416);
+                        phi_1440_ = false;
                     } else {
-                        phi_1433_ = f32();
-                        phi_1434_ = true;
+                        phi_1439_ = f32();
+                        phi_1440_ = true;
                     }
-                    let _e415 = phi_1433_;
-                    let _e417 = phi_1434_;
-                    phi_1435_ = _e415;
-                    phi_1436_ = _e417;
+                    let _e419 = phi_1439_;
+                    let _e421 = phi_1440_;
+                    phi_1441_ = _e419;
+                    phi_1442_ = _e421;
                 } else {
-                    phi_1435_ = f32();
-                    phi_1436_ = true;
+                    phi_1441_ = f32();
+                    phi_1442_ = true;
                 }
-                let _e419 = phi_1435_;
-                let _e421 = phi_1436_;
-                if _e421 {
-                    phi_1440_ = _e396;
+                let _e423 = phi_1441_;
+                let _e425 = phi_1442_;
+                if _e425 {
+                    phi_1446_ = _e400;
                 } else {
-                    phi_1440_ = _e419;
+                    phi_1446_ = _e423;
                 }
-                let _e423 = phi_1440_;
-                if (_e397 > -8388608f) {
-                    let _e435 = f32(select(0i, select(select(i32(_e397), i32(-2147483648), (_e397 < bitcast<f32>(3472883712u))), 2147483647i, (_e397 > bitcast<f32>(1325400063u))), (_e397 == _e397)));
-                    if (_e435 > _e397) {
-                        phi_1460_ = 1f;
+                let _e427 = phi_1446_;
+                if (_e401 > -8388608f) {
+                    let _e439 = f32(select(0i, select(select(i32(_e401), i32(-2147483648), (_e401 < bitcast<f32>(3472883712u))), 2147483647i, (_e401 > bitcast<f32>(1325400063u))), (_e401 == _e401)));
+                    if (_e439 > _e401) {
+                        phi_1466_ = 1f;
                     } else {
-                        phi_1460_ = 0f;
+                        phi_1466_ = 0f;
                     }
-                    let _e438 = phi_1460_;
-                    if (_e397 < 8388608f) {
-                        phi_1465_ = (_e435 - _e438);
-                        phi_1466_ = false;
+                    let _e442 = phi_1466_;
+                    if (_e401 < 8388608f) {
+                        phi_1471_ = (_e439 - _e442);
+                        phi_1472_ = false;
                     } else {
-                        phi_1465_ = f32();
-                        phi_1466_ = true;
+                        phi_1471_ = f32();
+                        phi_1472_ = true;
                     }
-                    let _e441 = phi_1465_;
-                    let _e443 = phi_1466_;
-                    phi_1467_ = _e441;
-                    phi_1468_ = _e443;
+                    let _e445 = phi_1471_;
+                    let _e447 = phi_1472_;
+                    phi_1473_ = _e445;
+                    phi_1474_ = _e447;
                 } else {
-                    phi_1467_ = f32();
-                    phi_1468_ = true;
+                    phi_1473_ = f32();
+                    phi_1474_ = true;
                 }
-                let _e445 = phi_1467_;
-                let _e447 = phi_1468_;
-                if _e447 {
-                    phi_1472_ = _e397;
+                let _e449 = phi_1473_;
+                let _e451 = phi_1474_;
+                if _e451 {
+                    phi_1478_ = _e401;
                 } else {
-                    phi_1472_ = _e445;
+                    phi_1478_ = _e449;
                 }
-                let _e449 = phi_1472_;
-                let _e450 = (_e396 - _e423);
-                let _e451 = (_e397 - _e449);
-                let _e460 = select(0i, select(select(i32(_e423), i32(-2147483648), (_e423 < bitcast<f32>(3472883712u))), 2147483647i, (_e423 > bitcast<f32>(1325400063u))), (_e423 == _e423));
-                let _e469 = select(0i, select(select(i32(_e449), i32(-2147483648), (_e449 < bitcast<f32>(3472883712u))), 2147483647i, (_e449 > bitcast<f32>(1325400063u))), (_e449 == _e449));
-                let _e472 = ((1f - _e450) * (1f - _e451));
-                let _e474 = (_e450 * (1f - _e451));
-                let _e476 = ((1f - _e450) * _e451);
-                let _e477 = (_e450 * _e451);
-                let _e479 = p.member.test;
-                let _e480 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e479);
-                let _e482 = p.member.map_size;
-                local_2 = _e480;
-                let _e484 = ((0u * _e482) * _e482);
-                let _e486 = (bitcast<i32>(_e482) - 1i);
-                if (_e460 > 0i) {
-                    phi_1520_ = _e460;
+                let _e453 = phi_1478_;
+                let _e454 = (_e400 - _e427);
+                let _e455 = (_e401 - _e453);
+                let _e464 = select(0i, select(select(i32(_e427), i32(-2147483648), (_e427 < bitcast<f32>(3472883712u))), 2147483647i, (_e427 > bitcast<f32>(1325400063u))), (_e427 == _e427));
+                let _e473 = select(0i, select(select(i32(_e453), i32(-2147483648), (_e453 < bitcast<f32>(3472883712u))), 2147483647i, (_e453 > bitcast<f32>(1325400063u))), (_e453 == _e453));
+                let _e476 = ((1f - _e454) * (1f - _e455));
+                let _e478 = (_e454 * (1f - _e455));
+                let _e480 = ((1f - _e454) * _e455);
+                let _e481 = (_e454 * _e455);
+                let _e483 = p.member.test;
+                let _e484 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e483);
+                let _e486 = p.member.map_size;
+                local_2 = _e484;
+                let _e488 = ((0u * _e486) * _e486);
+                let _e490 = (bitcast<i32>(_e486) - 1i);
+                if (_e464 > 0i) {
+                    phi_1526_ = _e464;
                 } else {
-                    phi_1520_ = 0i;
+                    phi_1526_ = 0i;
                 }
-                let _e489 = phi_1520_;
-                if (_e469 > 0i) {
-                    phi_1525_ = _e469;
+                let _e493 = phi_1526_;
+                if (_e473 > 0i) {
+                    phi_1531_ = _e473;
                 } else {
-                    phi_1525_ = 0i;
+                    phi_1531_ = 0i;
                 }
-                let _e492 = phi_1525_;
-                if (_e489 < _e486) {
-                    phi_1530_ = _e489;
+                let _e496 = phi_1531_;
+                if (_e493 < _e490) {
+                    phi_1536_ = _e493;
                 } else {
-                    phi_1530_ = _e486;
+                    phi_1536_ = _e490;
                 }
-                let _e495 = phi_1530_;
-                if (_e492 < _e486) {
-                    phi_1535_ = _e492;
+                let _e499 = phi_1536_;
+                if (_e496 < _e490) {
+                    phi_1541_ = _e496;
                 } else {
-                    phi_1535_ = _e486;
+                    phi_1541_ = _e490;
                 }
-                let _e498 = phi_1535_;
-                let _e499 = bitcast<u32>(_e495);
-                let _e501 = (_e460 + 1i);
-                let _e502 = (_e469 + 1i);
-                if (_e501 > 0i) {
-                    phi_1544_ = _e501;
+                let _e502 = phi_1541_;
+                let _e503 = bitcast<u32>(_e499);
+                let _e505 = (_e464 + 1i);
+                let _e506 = (_e473 + 1i);
+                if (_e505 > 0i) {
+                    phi_1550_ = _e505;
                 } else {
-                    phi_1544_ = 0i;
+                    phi_1550_ = 0i;
                 }
-                let _e505 = phi_1544_;
-                if (_e502 > 0i) {
-                    phi_1549_ = _e502;
+                let _e509 = phi_1550_;
+                if (_e506 > 0i) {
+                    phi_1555_ = _e506;
                 } else {
-                    phi_1549_ = 0i;
+                    phi_1555_ = 0i;
                 }
-                let _e508 = phi_1549_;
-                if (_e505 < _e486) {
-                    phi_1554_ = _e505;
+                let _e512 = phi_1555_;
+                if (_e509 < _e490) {
+                    phi_1560_ = _e509;
                 } else {
-                    phi_1554_ = _e486;
+                    phi_1560_ = _e490;
                 }
-                let _e511 = phi_1554_;
-                if (_e508 < _e486) {
-                    phi_1559_ = _e508;
+                let _e515 = phi_1560_;
+                if (_e512 < _e490) {
+                    phi_1565_ = _e512;
                 } else {
-                    phi_1559_ = _e486;
+                    phi_1565_ = _e490;
                 }
-                let _e514 = phi_1559_;
-                let _e515 = bitcast<u32>(_e511);
-                let _e517 = (bitcast<u32>(_e498) * _e482);
-                let _e518 = (bitcast<u32>(_e514) * _e482);
-                let _e523 = ((_e517 + _e499) + _e484);
-                let _e524 = ((_e517 + _e515) + _e484);
-                let _e525 = ((_e518 + _e499) + _e484);
-                let _e526 = ((_e518 + _e515) + _e484);
-                if (_e523 < _e47) {
+                let _e518 = phi_1565_;
+                let _e519 = bitcast<u32>(_e515);
+                let _e521 = (bitcast<u32>(_e502) * _e486);
+                let _e522 = (bitcast<u32>(_e518) * _e486);
+                let _e527 = ((_e521 + _e503) + _e488);
+                let _e528 = ((_e521 + _e519) + _e488);
+                let _e529 = ((_e522 + _e503) + _e488);
+                let _e530 = ((_e522 + _e519) + _e488);
+                if (_e527 < _e51) {
                 } else {
                     return;
                 }
-                let _e530 = map.member[(0u + _e523)];
-                if (_e524 < _e47) {
+                let _e534 = map.member[(0u + _e527)];
+                if (_e528 < _e51) {
                 } else {
                     return;
                 }
-                let _e542 = map.member[(0u + _e524)];
-                if (_e525 < _e47) {
+                let _e546 = map.member[(0u + _e528)];
+                if (_e529 < _e51) {
                 } else {
                     return;
                 }
-                let _e558 = map.member[(0u + _e525)];
-                if (_e526 < _e47) {
+                let _e562 = map.member[(0u + _e529)];
+                if (_e530 < _e51) {
                 } else {
                     return;
                 }
-                let _e574 = map.member[(0u + _e526)];
-                let _e588 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_2), vec4<f32>(((((_e530.x * _e472) + (_e542.x * _e474)) + (_e558.x * _e476)) + (_e574.x * _e477)), ((((_e530.y * _e472) + (_e542.y * _e474)) + (_e558.y * _e476)) + (_e574.y * _e477)), ((((_e530.z * _e472) + (_e542.z * _e474)) + (_e558.z * _e476)) + (_e574.z * _e477)), ((((_e530.w * _e472) + (_e542.w * _e474)) + (_e558.w * _e476)) + (_e574.w * _e477))), _e390);
-                let _e590 = p.member.epsilon;
-                if (_e588 <= _e590) {
-                    phi_1654_ = true;
-                } else {
-                    phi_1654_ = (_e588 >= (1f - _e590));
-                }
-                let _e595 = phi_1654_;
-                if ((bitcast<u32>(_e588) & 2147483647u) > 2139095040u) {
+                let _e578 = map.member[(0u + _e530)];
+                let _e592 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_2), vec4<f32>(((((_e534.x * _e476) + (_e546.x * _e478)) + (_e562.x * _e480)) + (_e578.x * _e481)), ((((_e534.y * _e476) + (_e546.y * _e478)) + (_e562.y * _e480)) + (_e578.y * _e481)), ((((_e534.z * _e476) + (_e546.z * _e478)) + (_e562.z * _e480)) + (_e578.z * _e481)), ((((_e534.w * _e476) + (_e546.w * _e478)) + (_e562.w * _e480)) + (_e578.w * _e481))), _e394);
+                let _e596 = p.member.epsilon;
+                if (_e592 <= _e596) {
                     phi_1662_ = true;
                 } else {
-                    phi_1662_ = !(_e595);
+                    phi_1662_ = (_e592 >= (1f - _e596));
                 }
                 let _e601 = phi_1662_;
-                if _e601 {
-                    if (_e588 > 0f) {
-                        if (_e588 < 1f) {
-                            phi_1674_ = false;
-                        } else {
-                            phi_1674_ = true;
-                        }
-                        let _e605 = phi_1674_;
-                        phi_1675_ = _e605;
-                    } else {
-                        phi_1675_ = true;
-                    }
-                    let _e607 = phi_1675_;
-                    if _e607 {
-                        phi_1679_ = 0.5f;
-                    } else {
-                        phi_1679_ = _e588;
-                    }
-                    let _e609 = phi_1679_;
-                    phi_1687_ = evaluate_Verdict(_e609, true);
+                if ((bitcast<u32>(_e592) & 2147483647u) > 2139095040u) {
+                    phi_1670_ = true;
                 } else {
-                    if (_e588 > 0.5f) {
-                        phi_1685_ = 1f;
-                    } else {
-                        phi_1685_ = 0f;
-                    }
-                    let _e613 = phi_1685_;
-                    phi_1687_ = evaluate_Verdict(_e613, false);
+                    phi_1670_ = !(_e601);
                 }
-                let _e616 = phi_1687_;
-                phi_1692_ = evaluate_Verdict(_e616.visibility, _e616.is_doubted);
+                let _e607 = phi_1670_;
+                if _e607 {
+                    if (_e592 > 0f) {
+                        if (_e592 < 1f) {
+                            phi_1682_ = false;
+                        } else {
+                            phi_1682_ = true;
+                        }
+                        let _e611 = phi_1682_;
+                        phi_1683_ = _e611;
+                    } else {
+                        phi_1683_ = true;
+                    }
+                    let _e613 = phi_1683_;
+                    if _e613 {
+                        phi_1687_ = 0.5f;
+                    } else {
+                        phi_1687_ = _e592;
+                    }
+                    let _e615 = phi_1687_;
+                    phi_1695_ = evaluate_Verdict(_e615, true);
+                } else {
+                    if (_e592 > 0.5f) {
+                        phi_1693_ = 1f;
+                    } else {
+                        phi_1693_ = 0f;
+                    }
+                    let _e619 = phi_1693_;
+                    phi_1695_ = evaluate_Verdict(_e619, false);
+                }
+                let _e622 = phi_1695_;
+                let _e625 = (_e622.visibility < 0.5f);
+                if _e622.is_doubted {
+                    phi_1718_ = evaluate_Verdict();
+                    phi_1719_ = true;
+                } else {
+                    if _e625 {
+                        phi_1705_ = 2u;
+                    } else {
+                        phi_1705_ = 1u;
+                    }
+                    let _e627 = phi_1705_;
+                    if ((0u & _e627) != 0u) {
+                        if _e625 {
+                            phi_1714_ = 0.000000059604645f;
+                        } else {
+                            phi_1714_ = 0.99999994f;
+                        }
+                        let _e631 = phi_1714_;
+                        phi_1716_ = evaluate_Verdict(_e631, true);
+                        phi_1717_ = false;
+                    } else {
+                        phi_1716_ = evaluate_Verdict();
+                        phi_1717_ = true;
+                    }
+                    let _e634 = phi_1716_;
+                    let _e636 = phi_1717_;
+                    phi_1718_ = _e634;
+                    phi_1719_ = _e636;
+                }
+                let _e638 = phi_1718_;
+                let _e640 = phi_1719_;
+                if _e640 {
+                    phi_1724_ = evaluate_Verdict(_e622.visibility, _e622.is_doubted);
+                } else {
+                    phi_1724_ = _e638;
+                }
+                let _e643 = phi_1724_;
+                phi_1729_ = evaluate_Verdict(_e643.visibility, _e643.is_doubted);
             } else {
-                phi_1692_ = evaluate_Verdict(0.5f, true);
+                phi_1729_ = evaluate_Verdict(0.5f, true);
             }
-            let _e622 = phi_1692_;
-            phi_1693_ = _e622;
+            let _e649 = phi_1729_;
+            phi_1730_ = _e649;
         }
-        let _e624 = phi_1693_;
-        visibility.member[_e55.first_primitive] = _e624.visibility;
-        phi_1697_ = _e624.is_doubted;
-        phi_1698_ = _e55.first_primitive;
+        let _e651 = phi_1730_;
+        visibility.member[_e59.first_primitive] = _e651.visibility;
+        phi_1734_ = _e651.is_doubted;
+        phi_1735_ = _e59.first_primitive;
     } else {
-        phi_1697_ = false;
-        phi_1698_ = 0u;
+        phi_1734_ = false;
+        phi_1735_ = 0u;
     }
-    let _e629 = phi_1697_;
-    let _e631 = phi_1698_;
-    if (_e42 == 0u) {
+    let _e656 = phi_1734_;
+    let _e658 = phi_1735_;
+    if (_e46 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e629 {
-        let _e635 = atomicAdd((&shared_[0u]), 1u);
-        phi_1709_ = _e635;
+    if _e656 {
+        let _e662 = atomicAdd((&shared_[0u]), 1u);
+        phi_1746_ = _e662;
     } else {
-        phi_1709_ = 0u;
+        phi_1746_ = 0u;
     }
-    let _e637 = phi_1709_;
+    let _e664 = phi_1746_;
     workgroupBarrier();
-    if (_e42 == 0u) {
-        let _e641 = atomicLoad((&shared_[0u]));
-        let _e642 = atomicAdd((&list.member[3u]), _e641);
-        atomicStore((&shared_[1u]), _e642);
+    if (_e46 == 0u) {
+        let _e668 = atomicLoad((&shared_[0u]));
+        let _e669 = atomicAdd((&list.member[3u]), _e668);
+        atomicStore((&shared_[1u]), _e669);
     }
     workgroupBarrier();
-    if _e629 {
-        let _e645 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e645) + _e637)]), _e631);
+    if _e656 {
+        if false {
+            phi_1763_ = (_e658 | 2147483648u);
+        } else {
+            phi_1763_ = _e658;
+        }
+        let _e673 = phi_1763_;
+        let _e675 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e675) + _e664)]), _e673);
     }
     return;
 }

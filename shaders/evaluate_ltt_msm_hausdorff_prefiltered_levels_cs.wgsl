@@ -72,14 +72,14 @@ struct type_43 {
     member: abi_ShadowParams,
 }
 
+struct type_47 {
+    member: array<lt_math_LightProjection>,
+}
+
 struct lt_math_LightPoint {
     uv: vec2<f32>,
     depth: f32,
     is_inside: bool,
-}
-
-struct type_49 {
-    member: array<lt_math_LightProjection>,
 }
 
 struct lt_math_LevelPoint {
@@ -111,42 +111,42 @@ var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_57;
 @group(0) @binding(5) 
-var<storage> levels: type_49;
+var<storage> levels: type_47;
 @group(0) @binding(2) 
 var<storage> map: type_39;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_177_: lt_bvh_traverse_Tree;
-    var phi_178_: bool;
-    var phi_179_: lt_bvh_traverse_Tree;
-    var phi_180_: bool;
+    var phi_183_: lt_bvh_traverse_Tree;
+    var phi_184_: bool;
     var phi_185_: lt_bvh_traverse_Tree;
+    var phi_186_: bool;
+    var phi_191_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_177_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_178_ = false;
+            phi_183_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_184_ = false;
         } else {
-            phi_177_ = lt_bvh_traverse_Tree();
-            phi_178_ = true;
+            phi_183_ = lt_bvh_traverse_Tree();
+            phi_184_ = true;
         }
-        let _e59 = phi_177_;
-        let _e61 = phi_178_;
-        phi_179_ = _e59;
-        phi_180_ = _e61;
-    } else {
-        phi_179_ = lt_bvh_traverse_Tree();
-        phi_180_ = true;
-    }
-    let _e63 = phi_179_;
-    let _e65 = phi_180_;
-    if _e65 {
-        phi_185_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
+        let _e63 = phi_183_;
+        let _e65 = phi_184_;
         phi_185_ = _e63;
+        phi_186_ = _e65;
+    } else {
+        phi_185_ = lt_bvh_traverse_Tree();
+        phi_186_ = true;
     }
-    let _e70 = phi_185_;
-    return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
+    let _e67 = phi_185_;
+    let _e69 = phi_186_;
+    if _e69 {
+        phi_191_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_191_ = _e67;
+    }
+    let _e74 = phi_191_;
+    return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -158,1409 +158,1460 @@ fn lt_math_hausdorff_cubic_mass(param_4: vec4<f32>, param_5: f32, param_6: f32, 
 }
 
 fn lt_math_hausdorff_endpoint_upper_bound(param_9: ptr<function, hankel_HankelFactors>, param_10: f32) -> f32 {
-    var phi_955_: f32;
-    var phi_956_: f32;
-    var phi_957_: f32;
-    var phi_984_: f32;
-    var phi_985_: f32;
-    var phi_986_: f32;
-    var phi_987_: f32;
-    var phi_988_: bool;
-    var phi_989_: f32;
-    var phi_990_: bool;
-    var phi_1018_: f32;
-    var phi_1019_: f32;
-    var phi_1020_: f32;
-    var phi_1021_: f32;
-    var phi_1022_: bool;
-    var phi_1023_: f32;
-    var phi_1024_: bool;
-    var phi_1031_: f32;
-    var phi_1032_: f32;
-    var phi_1033_: f32;
-    var phi_1034_: f32;
+    var phi_961_: f32;
+    var phi_962_: f32;
+    var phi_963_: f32;
+    var phi_990_: f32;
+    var phi_991_: f32;
+    var phi_992_: f32;
+    var phi_993_: f32;
+    var phi_994_: bool;
+    var phi_995_: f32;
+    var phi_996_: bool;
+    var phi_1024_: f32;
+    var phi_1025_: f32;
+    var phi_1026_: f32;
+    var phi_1027_: f32;
+    var phi_1028_: bool;
+    var phi_1029_: f32;
+    var phi_1030_: bool;
+    var phi_1037_: f32;
+    var phi_1038_: f32;
+    var phi_1039_: f32;
+    var phi_1040_: f32;
 
-    let _e49 = (*param_9).moments;
+    let _e53 = (*param_9).moments;
     if (param_10 < 0.0001f) {
-        phi_1034_ = 1f;
+        phi_1040_ = 1f;
     } else {
-        let _e58 = ((_e49.z - ((1f + param_10) * _e49.y)) + (param_10 * _e49.x));
-        let _e67 = (((_e49.w - ((1f + param_10) * _e49.z)) + (param_10 * _e49.y)) / _e58);
-        if (abs(_e58) <= 0.00000047683716f) {
-            let _e81 = (1f - (((_e49.y - (_e49.x * (param_10 + 1f))) + (param_10 * 1f)) / ((0f - param_10) * (0f - 1f))));
-            if ((bitcast<u32>(_e81) & 2147483647u) > 2139095040u) {
-                phi_957_ = _e81;
+        let _e62 = ((_e53.z - ((1f + param_10) * _e53.y)) + (param_10 * _e53.x));
+        let _e71 = (((_e53.w - ((1f + param_10) * _e53.z)) + (param_10 * _e53.y)) / _e62);
+        if (abs(_e62) <= 0.00000047683716f) {
+            let _e85 = (1f - (((_e53.y - (_e53.x * (param_10 + 1f))) + (param_10 * 1f)) / ((0f - param_10) * (0f - 1f))));
+            if ((bitcast<u32>(_e85) & 2147483647u) > 2139095040u) {
+                phi_963_ = _e85;
             } else {
-                if (_e81 < 0f) {
-                    phi_956_ = 0f;
+                if (_e85 < 0f) {
+                    phi_962_ = 0f;
                 } else {
-                    if (_e81 > 1f) {
-                        phi_955_ = 1f;
+                    if (_e85 > 1f) {
+                        phi_961_ = 1f;
                     } else {
-                        phi_955_ = _e81;
+                        phi_961_ = _e85;
                     }
-                    let _e88 = phi_955_;
-                    phi_956_ = _e88;
+                    let _e92 = phi_961_;
+                    phi_962_ = _e92;
                 }
-                let _e90 = phi_956_;
-                phi_957_ = _e90;
+                let _e94 = phi_962_;
+                phi_963_ = _e94;
             }
-            let _e92 = phi_957_;
-            phi_1033_ = _e92;
+            let _e96 = phi_963_;
+            phi_1039_ = _e96;
         } else {
-            if (_e67 > 0f) {
-                if (_e67 < param_10) {
-                    let _e95 = lt_math_hausdorff_cubic_mass(_e49, 0f, _e67, param_10, 1f);
-                    let _e97 = lt_math_hausdorff_cubic_mass(_e49, _e67, 0f, param_10, 1f);
-                    let _e98 = ((1f - _e95) - _e97);
-                    if ((bitcast<u32>(_e98) & 2147483647u) > 2139095040u) {
-                        phi_986_ = _e98;
+            if (_e71 > 0f) {
+                if (_e71 < param_10) {
+                    let _e99 = lt_math_hausdorff_cubic_mass(_e53, 0f, _e71, param_10, 1f);
+                    let _e101 = lt_math_hausdorff_cubic_mass(_e53, _e71, 0f, param_10, 1f);
+                    let _e102 = ((1f - _e99) - _e101);
+                    if ((bitcast<u32>(_e102) & 2147483647u) > 2139095040u) {
+                        phi_992_ = _e102;
                     } else {
-                        if (_e98 < 0f) {
-                            phi_985_ = 0f;
+                        if (_e102 < 0f) {
+                            phi_991_ = 0f;
                         } else {
-                            if (_e98 > 1f) {
-                                phi_984_ = 1f;
+                            if (_e102 > 1f) {
+                                phi_990_ = 1f;
                             } else {
-                                phi_984_ = _e98;
+                                phi_990_ = _e102;
                             }
-                            let _e105 = phi_984_;
-                            phi_985_ = _e105;
+                            let _e109 = phi_990_;
+                            phi_991_ = _e109;
                         }
-                        let _e107 = phi_985_;
-                        phi_986_ = _e107;
+                        let _e111 = phi_991_;
+                        phi_992_ = _e111;
                     }
-                    let _e109 = phi_986_;
-                    phi_987_ = _e109;
-                    phi_988_ = false;
+                    let _e113 = phi_992_;
+                    phi_993_ = _e113;
+                    phi_994_ = false;
                 } else {
-                    phi_987_ = f32();
-                    phi_988_ = true;
+                    phi_993_ = f32();
+                    phi_994_ = true;
                 }
-                let _e111 = phi_987_;
-                let _e113 = phi_988_;
-                phi_989_ = _e111;
-                phi_990_ = _e113;
+                let _e115 = phi_993_;
+                let _e117 = phi_994_;
+                phi_995_ = _e115;
+                phi_996_ = _e117;
             } else {
-                phi_989_ = f32();
-                phi_990_ = true;
+                phi_995_ = f32();
+                phi_996_ = true;
             }
-            let _e115 = phi_989_;
-            let _e117 = phi_990_;
-            if _e117 {
-                if (_e67 > param_10) {
-                    if (_e67 < 1f) {
-                        let _e120 = lt_math_hausdorff_cubic_mass(_e49, 0f, _e67, param_10, 1f);
-                        let _e121 = (1f - _e120);
-                        if ((bitcast<u32>(_e121) & 2147483647u) > 2139095040u) {
-                            phi_1020_ = _e121;
+            let _e119 = phi_995_;
+            let _e121 = phi_996_;
+            if _e121 {
+                if (_e71 > param_10) {
+                    if (_e71 < 1f) {
+                        let _e124 = lt_math_hausdorff_cubic_mass(_e53, 0f, _e71, param_10, 1f);
+                        let _e125 = (1f - _e124);
+                        if ((bitcast<u32>(_e125) & 2147483647u) > 2139095040u) {
+                            phi_1026_ = _e125;
                         } else {
-                            if (_e121 < 0f) {
-                                phi_1019_ = 0f;
+                            if (_e125 < 0f) {
+                                phi_1025_ = 0f;
                             } else {
-                                if (_e121 > 1f) {
-                                    phi_1018_ = 1f;
+                                if (_e125 > 1f) {
+                                    phi_1024_ = 1f;
                                 } else {
-                                    phi_1018_ = _e121;
+                                    phi_1024_ = _e125;
                                 }
-                                let _e128 = phi_1018_;
-                                phi_1019_ = _e128;
+                                let _e132 = phi_1024_;
+                                phi_1025_ = _e132;
                             }
-                            let _e130 = phi_1019_;
-                            phi_1020_ = _e130;
+                            let _e134 = phi_1025_;
+                            phi_1026_ = _e134;
                         }
-                        let _e132 = phi_1020_;
-                        phi_1021_ = _e132;
-                        phi_1022_ = false;
+                        let _e136 = phi_1026_;
+                        phi_1027_ = _e136;
+                        phi_1028_ = false;
                     } else {
-                        phi_1021_ = f32();
-                        phi_1022_ = true;
+                        phi_1027_ = f32();
+                        phi_1028_ = true;
                     }
-                    let _e134 = phi_1021_;
-                    let _e136 = phi_1022_;
-                    phi_1023_ = _e134;
-                    phi_1024_ = _e136;
+                    let _e138 = phi_1027_;
+                    let _e140 = phi_1028_;
+                    phi_1029_ = _e138;
+                    phi_1030_ = _e140;
                 } else {
-                    phi_1023_ = f32();
-                    phi_1024_ = true;
+                    phi_1029_ = f32();
+                    phi_1030_ = true;
                 }
-                let _e138 = phi_1023_;
-                let _e140 = phi_1024_;
-                if _e140 {
-                    phi_1031_ = bitcast<f32>((bitcast<u32>(_e67) | 2143289344u));
+                let _e142 = phi_1029_;
+                let _e144 = phi_1030_;
+                if _e144 {
+                    phi_1037_ = bitcast<f32>((bitcast<u32>(_e71) | 2143289344u));
                 } else {
-                    phi_1031_ = _e138;
+                    phi_1037_ = _e142;
                 }
-                let _e145 = phi_1031_;
-                phi_1032_ = _e145;
+                let _e149 = phi_1037_;
+                phi_1038_ = _e149;
             } else {
-                phi_1032_ = _e115;
+                phi_1038_ = _e119;
             }
-            let _e147 = phi_1032_;
-            phi_1033_ = _e147;
+            let _e151 = phi_1038_;
+            phi_1039_ = _e151;
         }
-        let _e149 = phi_1033_;
-        phi_1034_ = _e149;
+        let _e153 = phi_1039_;
+        phi_1040_ = _e153;
     }
-    let _e151 = phi_1034_;
-    return _e151;
+    let _e155 = phi_1040_;
+    return _e155;
 }
 
 fn _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_11: ptr<function, f32>, param_12: vec4<f32>, param_13: f32) -> f32 {
     var local_1: hankel_HankelFactors;
-    var phi_242_: f32;
-    var phi_243_: f32;
-    var phi_244_: f32;
-    var phi_256_: bool;
-    var phi_271_: bool;
-    var phi_296_: f32;
-    var phi_297_: f32;
-    var phi_298_: f32;
-    var phi_299_: f32;
-    var phi_300_: bool;
-    var phi_301_: f32;
-    var phi_302_: bool;
-    var phi_358_: vec2<f32>;
-    var phi_396_: f32;
-    var phi_397_: f32;
-    var phi_398_: f32;
-    var phi_431_: f32;
-    var phi_432_: f32;
-    var phi_433_: f32;
+    var phi_248_: f32;
+    var phi_249_: f32;
+    var phi_250_: f32;
+    var phi_262_: bool;
+    var phi_277_: bool;
+    var phi_302_: f32;
+    var phi_303_: f32;
+    var phi_304_: f32;
+    var phi_305_: f32;
+    var phi_306_: bool;
+    var phi_307_: f32;
+    var phi_308_: bool;
+    var phi_364_: vec2<f32>;
+    var phi_402_: f32;
+    var phi_403_: f32;
+    var phi_404_: f32;
     var phi_437_: f32;
     var phi_438_: f32;
     var phi_439_: f32;
-    var phi_440_: f32;
-    var phi_493_: vec2<f32>;
-    var phi_515_: bool;
-    var phi_540_: f32;
-    var phi_541_: f32;
-    var phi_542_: f32;
-    var phi_543_: f32;
-    var phi_544_: bool;
-    var phi_545_: f32;
-    var phi_546_: bool;
-    var phi_602_: vec2<f32>;
-    var phi_640_: f32;
-    var phi_641_: f32;
-    var phi_642_: f32;
-    var phi_675_: f32;
-    var phi_676_: f32;
-    var phi_677_: f32;
+    var phi_443_: f32;
+    var phi_444_: f32;
+    var phi_445_: f32;
+    var phi_446_: f32;
+    var phi_499_: vec2<f32>;
+    var phi_521_: bool;
+    var phi_546_: f32;
+    var phi_547_: f32;
+    var phi_548_: f32;
+    var phi_549_: f32;
+    var phi_550_: bool;
+    var phi_551_: f32;
+    var phi_552_: bool;
+    var phi_608_: vec2<f32>;
+    var phi_646_: f32;
+    var phi_647_: f32;
+    var phi_648_: f32;
     var phi_681_: f32;
     var phi_682_: f32;
     var phi_683_: f32;
-    var phi_684_: f32;
-    var phi_685_: f32;
-    var phi_686_: bool;
     var phi_687_: f32;
-    var phi_688_: bool;
-    var phi_710_: bool;
-    var phi_735_: f32;
-    var phi_736_: f32;
-    var phi_737_: f32;
-    var phi_738_: f32;
-    var phi_739_: bool;
-    var phi_740_: f32;
-    var phi_741_: bool;
-    var phi_797_: vec2<f32>;
-    var phi_835_: f32;
-    var phi_836_: f32;
-    var phi_837_: f32;
-    var phi_870_: f32;
-    var phi_871_: f32;
-    var phi_872_: f32;
+    var phi_688_: f32;
+    var phi_689_: f32;
+    var phi_690_: f32;
+    var phi_691_: f32;
+    var phi_692_: bool;
+    var phi_693_: f32;
+    var phi_694_: bool;
+    var phi_716_: bool;
+    var phi_741_: f32;
+    var phi_742_: f32;
+    var phi_743_: f32;
+    var phi_744_: f32;
+    var phi_745_: bool;
+    var phi_746_: f32;
+    var phi_747_: bool;
+    var phi_803_: vec2<f32>;
+    var phi_841_: f32;
+    var phi_842_: f32;
+    var phi_843_: f32;
     var phi_876_: f32;
     var phi_877_: f32;
     var phi_878_: f32;
-    var phi_879_: f32;
-    var phi_890_: bool;
-    var phi_894_: f32;
-    var phi_895_: f32;
-    var phi_896_: f32;
-    var phi_897_: f32;
+    var phi_882_: f32;
+    var phi_883_: f32;
+    var phi_884_: f32;
+    var phi_885_: f32;
+    var phi_896_: bool;
+    var phi_900_: f32;
+    var phi_901_: f32;
+    var phi_902_: f32;
+    var phi_903_: f32;
 
-    let _e50 = (*param_11);
-    let _e51 = (1f - _e50);
-    let _e60 = (0.5f * _e50);
-    let _e61 = ((param_12.x * _e51) + _e60);
-    let _e62 = ((param_12.y * _e51) + _e60);
-    let _e63 = ((param_12.z * _e51) + _e60);
-    let _e64 = ((param_12.w * _e51) + _e60);
-    let _e67 = (_e62 - (_e61 * _e61));
-    let _e69 = (_e63 - (_e61 * _e62));
-    let _e75 = hankel_HankelFactors(vec4<f32>(_e61, _e62, _e63, _e64), _e67, _e69, (((_e64 - (_e62 * _e62)) * _e67) - (_e69 * _e69)));
-    local_1 = hankel_HankelFactors(_e75.moments, _e75.d22_, _e75.l32_d22_, _e75.d33_d22_);
+    let _e54 = (*param_11);
+    let _e55 = (1f - _e54);
+    let _e64 = (0.5f * _e54);
+    let _e65 = ((param_12.x * _e55) + _e64);
+    let _e66 = ((param_12.y * _e55) + _e64);
+    let _e67 = ((param_12.z * _e55) + _e64);
+    let _e68 = ((param_12.w * _e55) + _e64);
+    let _e71 = (_e66 - (_e65 * _e65));
+    let _e73 = (_e67 - (_e65 * _e66));
+    let _e79 = hankel_HankelFactors(vec4<f32>(_e65, _e66, _e67, _e68), _e71, _e73, (((_e68 - (_e66 * _e66)) * _e71) - (_e73 * _e73)));
+    local_1 = hankel_HankelFactors(_e79.moments, _e79.d22_, _e79.l32_d22_, _e79.d33_d22_);
     if ((bitcast<u32>(param_13) & 2147483647u) > 2139095040u) {
-        phi_244_ = param_13;
+        phi_250_ = param_13;
     } else {
         if (param_13 < 0f) {
-            phi_243_ = 0f;
+            phi_249_ = 0f;
         } else {
             if (param_13 > 1f) {
-                phi_242_ = 1f;
+                phi_248_ = 1f;
             } else {
-                phi_242_ = param_13;
+                phi_248_ = param_13;
             }
-            let _e87 = phi_242_;
-            phi_243_ = _e87;
+            let _e91 = phi_248_;
+            phi_249_ = _e91;
         }
-        let _e89 = phi_243_;
-        phi_244_ = _e89;
+        let _e93 = phi_249_;
+        phi_250_ = _e93;
     }
-    let _e91 = phi_244_;
-    let _e94 = local_1.moments[0u];
-    let _e97 = local_1.moments[3u];
-    if (_e94 == _e97) {
-        let _e101 = local_1.moments[0u];
-        phi_256_ = (_e101 > 0.5f);
+    let _e95 = phi_250_;
+    let _e98 = local_1.moments[0u];
+    let _e101 = local_1.moments[3u];
+    if (_e98 == _e101) {
+        let _e105 = local_1.moments[0u];
+        phi_262_ = (_e105 > 0.5f);
     } else {
-        phi_256_ = false;
+        phi_262_ = false;
     }
-    let _e104 = phi_256_;
-    if _e104 {
-        let _e107 = local_1.moments[0u];
-        let _e110 = local_1.moments[3u];
-        if (_e107 == _e110) {
-            let _e114 = local_1.moments[0u];
-            phi_271_ = (_e114 > 0.5f);
+    let _e108 = phi_262_;
+    if _e108 {
+        let _e111 = local_1.moments[0u];
+        let _e114 = local_1.moments[3u];
+        if (_e111 == _e114) {
+            let _e118 = local_1.moments[0u];
+            phi_277_ = (_e118 > 0.5f);
         } else {
-            phi_271_ = false;
+            phi_277_ = false;
         }
-        let _e117 = phi_271_;
-        if _e117 {
-            if (_e91 > 0f) {
-                let _e120 = local_1.moments;
-                if ((bitcast<u32>(_e120.x) & 2147483647u) > 2139095040u) {
-                    phi_298_ = _e120.x;
+        let _e121 = phi_277_;
+        if _e121 {
+            if (_e95 > 0f) {
+                let _e124 = local_1.moments;
+                if ((bitcast<u32>(_e124.x) & 2147483647u) > 2139095040u) {
+                    phi_304_ = _e124.x;
                 } else {
-                    if (_e120.x < 0f) {
-                        phi_297_ = 0f;
+                    if (_e124.x < 0f) {
+                        phi_303_ = 0f;
                     } else {
-                        if (_e120.x > 1f) {
-                            phi_296_ = 1f;
+                        if (_e124.x > 1f) {
+                            phi_302_ = 1f;
                         } else {
-                            phi_296_ = _e120.x;
+                            phi_302_ = _e124.x;
                         }
-                        let _e128 = phi_296_;
-                        phi_297_ = _e128;
+                        let _e132 = phi_302_;
+                        phi_303_ = _e132;
                     }
-                    let _e130 = phi_297_;
-                    phi_298_ = _e130;
+                    let _e134 = phi_303_;
+                    phi_304_ = _e134;
                 }
-                let _e132 = phi_298_;
-                phi_299_ = _e132;
-                phi_300_ = false;
+                let _e136 = phi_304_;
+                phi_305_ = _e136;
+                phi_306_ = false;
             } else {
-                phi_299_ = f32();
-                phi_300_ = true;
+                phi_305_ = f32();
+                phi_306_ = true;
             }
-            let _e134 = phi_299_;
-            let _e136 = phi_300_;
-            phi_301_ = _e134;
-            phi_302_ = _e136;
+            let _e138 = phi_305_;
+            let _e140 = phi_306_;
+            phi_307_ = _e138;
+            phi_308_ = _e140;
         } else {
-            phi_301_ = f32();
-            phi_302_ = true;
+            phi_307_ = f32();
+            phi_308_ = true;
         }
-        let _e138 = phi_301_;
-        let _e140 = phi_302_;
-        if _e140 {
-            let _e143 = local_1.moments[0u];
-            let _e146 = local_1.moments[1u];
-            let _e154 = local_1.l32_d22_;
-            let _e156 = local_1.d22_;
-            let _e157 = (_e154 / _e156);
-            let _e158 = (_e91 - _e143);
-            let _e164 = local_1.d22_;
-            let _e167 = local_1.d33_d22_;
-            let _e168 = (((((_e91 * _e91) - _e146) - (_e157 * _e158)) * _e164) / _e167);
-            let _e170 = local_1.d22_;
-            let _e173 = ((_e158 / _e170) - (_e157 * _e168));
-            let _e179 = ((0.5f * _e173) / _e168);
-            let _e182 = ((_e179 * _e179) - (((1f - (_e173 * _e143)) - (_e168 * _e146)) / _e168));
-            if (_e182 >= 0f) {
-                let _e184 = sqrt(_e182);
-                phi_358_ = vec2<f32>((-(_e179) - _e184), (-(_e179) + _e184));
+        let _e142 = phi_307_;
+        let _e144 = phi_308_;
+        if _e144 {
+            let _e147 = local_1.moments[0u];
+            let _e150 = local_1.moments[1u];
+            let _e158 = local_1.l32_d22_;
+            let _e160 = local_1.d22_;
+            let _e161 = (_e158 / _e160);
+            let _e162 = (_e95 - _e147);
+            let _e168 = local_1.d22_;
+            let _e171 = local_1.d33_d22_;
+            let _e172 = (((((_e95 * _e95) - _e150) - (_e161 * _e162)) * _e168) / _e171);
+            let _e174 = local_1.d22_;
+            let _e177 = ((_e162 / _e174) - (_e161 * _e172));
+            let _e183 = ((0.5f * _e177) / _e172);
+            let _e186 = ((_e183 * _e183) - (((1f - (_e177 * _e147)) - (_e172 * _e150)) / _e172));
+            if (_e186 >= 0f) {
+                let _e188 = sqrt(_e186);
+                phi_364_ = vec2<f32>((-(_e183) - _e188), (-(_e183) + _e188));
             } else {
-                phi_358_ = vec2(bitcast<f32>((bitcast<u32>(_e182) | 2143289344u)));
+                phi_364_ = vec2(bitcast<f32>((bitcast<u32>(_e186) | 2143289344u)));
             }
-            let _e195 = phi_358_;
-            if (_e91 <= _e195.x) {
-                phi_439_ = 1f;
+            let _e199 = phi_364_;
+            if (_e95 <= _e199.x) {
+                phi_445_ = 1f;
             } else {
-                if (_e91 > _e195.y) {
-                    let _e201 = local_1.moments;
-                    let _e212 = (((_e201.y - (_e201.x * (_e195.x + _e195.y))) + (_e195.x * _e195.y)) / ((_e91 - _e195.x) * (_e91 - _e195.y)));
-                    if ((bitcast<u32>(_e212) & 2147483647u) > 2139095040u) {
-                        phi_398_ = _e212;
+                if (_e95 > _e199.y) {
+                    let _e205 = local_1.moments;
+                    let _e216 = (((_e205.y - (_e205.x * (_e199.x + _e199.y))) + (_e199.x * _e199.y)) / ((_e95 - _e199.x) * (_e95 - _e199.y)));
+                    if ((bitcast<u32>(_e216) & 2147483647u) > 2139095040u) {
+                        phi_404_ = _e216;
                     } else {
-                        if (_e212 < 0f) {
-                            phi_397_ = 0f;
+                        if (_e216 < 0f) {
+                            phi_403_ = 0f;
                         } else {
-                            if (_e212 > 1f) {
-                                phi_396_ = 1f;
+                            if (_e216 > 1f) {
+                                phi_402_ = 1f;
                             } else {
-                                phi_396_ = _e212;
+                                phi_402_ = _e216;
                             }
-                            let _e219 = phi_396_;
-                            phi_397_ = _e219;
+                            let _e223 = phi_402_;
+                            phi_403_ = _e223;
                         }
-                        let _e221 = phi_397_;
-                        phi_398_ = _e221;
+                        let _e225 = phi_403_;
+                        phi_404_ = _e225;
                     }
-                    let _e223 = phi_398_;
-                    phi_438_ = _e223;
+                    let _e227 = phi_404_;
+                    phi_444_ = _e227;
                 } else {
-                    if (_e91 > _e195.x) {
-                        let _e226 = local_1.moments;
-                        let _e238 = (1f - (((_e226.y - (_e226.x * (_e91 + _e195.y))) + (_e91 * _e195.y)) / ((_e195.x - _e91) * (_e195.x - _e195.y))));
-                        if ((bitcast<u32>(_e238) & 2147483647u) > 2139095040u) {
-                            phi_433_ = _e238;
+                    if (_e95 > _e199.x) {
+                        let _e230 = local_1.moments;
+                        let _e242 = (1f - (((_e230.y - (_e230.x * (_e95 + _e199.y))) + (_e95 * _e199.y)) / ((_e199.x - _e95) * (_e199.x - _e199.y))));
+                        if ((bitcast<u32>(_e242) & 2147483647u) > 2139095040u) {
+                            phi_439_ = _e242;
                         } else {
-                            if (_e238 < 0f) {
-                                phi_432_ = 0f;
+                            if (_e242 < 0f) {
+                                phi_438_ = 0f;
                             } else {
-                                if (_e238 > 1f) {
-                                    phi_431_ = 1f;
+                                if (_e242 > 1f) {
+                                    phi_437_ = 1f;
                                 } else {
-                                    phi_431_ = _e238;
+                                    phi_437_ = _e242;
                                 }
-                                let _e245 = phi_431_;
-                                phi_432_ = _e245;
+                                let _e249 = phi_437_;
+                                phi_438_ = _e249;
                             }
-                            let _e247 = phi_432_;
-                            phi_433_ = _e247;
+                            let _e251 = phi_438_;
+                            phi_439_ = _e251;
                         }
-                        let _e249 = phi_433_;
-                        phi_437_ = _e249;
+                        let _e253 = phi_439_;
+                        phi_443_ = _e253;
                     } else {
-                        phi_437_ = bitcast<f32>((bitcast<u32>(_e195.x) | 2143289344u));
+                        phi_443_ = bitcast<f32>((bitcast<u32>(_e199.x) | 2143289344u));
                     }
-                    let _e254 = phi_437_;
-                    phi_438_ = _e254;
+                    let _e258 = phi_443_;
+                    phi_444_ = _e258;
                 }
-                let _e256 = phi_438_;
-                phi_439_ = _e256;
+                let _e260 = phi_444_;
+                phi_445_ = _e260;
             }
-            let _e258 = phi_439_;
-            phi_440_ = _e258;
+            let _e262 = phi_445_;
+            phi_446_ = _e262;
         } else {
-            phi_440_ = _e138;
+            phi_446_ = _e142;
         }
-        let _e260 = phi_440_;
-        phi_897_ = _e260;
+        let _e264 = phi_446_;
+        phi_903_ = _e264;
     } else {
-        let _e263 = local_1.moments[0u];
-        let _e266 = local_1.moments[1u];
-        let _e274 = local_1.l32_d22_;
-        let _e276 = local_1.d22_;
-        let _e277 = (_e274 / _e276);
-        let _e278 = (_e91 - _e263);
-        let _e284 = local_1.d22_;
-        let _e287 = local_1.d33_d22_;
-        let _e288 = (((((_e91 * _e91) - _e266) - (_e277 * _e278)) * _e284) / _e287);
-        let _e290 = local_1.d22_;
-        let _e293 = ((_e278 / _e290) - (_e277 * _e288));
-        let _e299 = ((0.5f * _e293) / _e288);
-        let _e302 = ((_e299 * _e299) - (((1f - (_e293 * _e263)) - (_e288 * _e266)) / _e288));
-        if (_e302 >= 0f) {
-            let _e304 = sqrt(_e302);
-            phi_493_ = vec2<f32>((-(_e299) - _e304), (-(_e299) + _e304));
+        let _e267 = local_1.moments[0u];
+        let _e270 = local_1.moments[1u];
+        let _e278 = local_1.l32_d22_;
+        let _e280 = local_1.d22_;
+        let _e281 = (_e278 / _e280);
+        let _e282 = (_e95 - _e267);
+        let _e288 = local_1.d22_;
+        let _e291 = local_1.d33_d22_;
+        let _e292 = (((((_e95 * _e95) - _e270) - (_e281 * _e282)) * _e288) / _e291);
+        let _e294 = local_1.d22_;
+        let _e297 = ((_e282 / _e294) - (_e281 * _e292));
+        let _e303 = ((0.5f * _e297) / _e292);
+        let _e306 = ((_e303 * _e303) - (((1f - (_e297 * _e267)) - (_e292 * _e270)) / _e292));
+        if (_e306 >= 0f) {
+            let _e308 = sqrt(_e306);
+            phi_499_ = vec2<f32>((-(_e303) - _e308), (-(_e303) + _e308));
         } else {
-            phi_493_ = vec2(bitcast<f32>((bitcast<u32>(_e302) | 2143289344u)));
+            phi_499_ = vec2(bitcast<f32>((bitcast<u32>(_e306) | 2143289344u)));
         }
-        let _e315 = phi_493_;
-        if (_e315.x >= 0f) {
-            if (_e315.y <= 1f) {
-                let _e322 = local_1.moments[0u];
-                let _e325 = local_1.moments[3u];
-                if (_e322 == _e325) {
-                    let _e329 = local_1.moments[0u];
-                    phi_515_ = (_e329 > 0.5f);
+        let _e319 = phi_499_;
+        if (_e319.x >= 0f) {
+            if (_e319.y <= 1f) {
+                let _e326 = local_1.moments[0u];
+                let _e329 = local_1.moments[3u];
+                if (_e326 == _e329) {
+                    let _e333 = local_1.moments[0u];
+                    phi_521_ = (_e333 > 0.5f);
                 } else {
-                    phi_515_ = false;
+                    phi_521_ = false;
                 }
-                let _e332 = phi_515_;
-                if _e332 {
-                    if (_e91 > 0f) {
-                        let _e335 = local_1.moments;
-                        if ((bitcast<u32>(_e335.x) & 2147483647u) > 2139095040u) {
-                            phi_542_ = _e335.x;
+                let _e336 = phi_521_;
+                if _e336 {
+                    if (_e95 > 0f) {
+                        let _e339 = local_1.moments;
+                        if ((bitcast<u32>(_e339.x) & 2147483647u) > 2139095040u) {
+                            phi_548_ = _e339.x;
                         } else {
-                            if (_e335.x < 0f) {
-                                phi_541_ = 0f;
+                            if (_e339.x < 0f) {
+                                phi_547_ = 0f;
                             } else {
-                                if (_e335.x > 1f) {
-                                    phi_540_ = 1f;
+                                if (_e339.x > 1f) {
+                                    phi_546_ = 1f;
                                 } else {
-                                    phi_540_ = _e335.x;
+                                    phi_546_ = _e339.x;
                                 }
-                                let _e343 = phi_540_;
-                                phi_541_ = _e343;
+                                let _e347 = phi_546_;
+                                phi_547_ = _e347;
                             }
-                            let _e345 = phi_541_;
-                            phi_542_ = _e345;
+                            let _e349 = phi_547_;
+                            phi_548_ = _e349;
                         }
-                        let _e347 = phi_542_;
-                        phi_543_ = _e347;
-                        phi_544_ = false;
+                        let _e351 = phi_548_;
+                        phi_549_ = _e351;
+                        phi_550_ = false;
                     } else {
-                        phi_543_ = f32();
-                        phi_544_ = true;
+                        phi_549_ = f32();
+                        phi_550_ = true;
                     }
-                    let _e349 = phi_543_;
-                    let _e351 = phi_544_;
-                    phi_545_ = _e349;
-                    phi_546_ = _e351;
+                    let _e353 = phi_549_;
+                    let _e355 = phi_550_;
+                    phi_551_ = _e353;
+                    phi_552_ = _e355;
                 } else {
-                    phi_545_ = f32();
-                    phi_546_ = true;
+                    phi_551_ = f32();
+                    phi_552_ = true;
                 }
-                let _e353 = phi_545_;
-                let _e355 = phi_546_;
-                if _e355 {
-                    let _e358 = local_1.moments[0u];
-                    let _e361 = local_1.moments[1u];
-                    let _e369 = local_1.l32_d22_;
-                    let _e371 = local_1.d22_;
-                    let _e372 = (_e369 / _e371);
-                    let _e373 = (_e91 - _e358);
-                    let _e379 = local_1.d22_;
-                    let _e382 = local_1.d33_d22_;
-                    let _e383 = (((((_e91 * _e91) - _e361) - (_e372 * _e373)) * _e379) / _e382);
-                    let _e385 = local_1.d22_;
-                    let _e388 = ((_e373 / _e385) - (_e372 * _e383));
-                    let _e394 = ((0.5f * _e388) / _e383);
-                    let _e397 = ((_e394 * _e394) - (((1f - (_e388 * _e358)) - (_e383 * _e361)) / _e383));
-                    if (_e397 >= 0f) {
-                        let _e399 = sqrt(_e397);
-                        phi_602_ = vec2<f32>((-(_e394) - _e399), (-(_e394) + _e399));
+                let _e357 = phi_551_;
+                let _e359 = phi_552_;
+                if _e359 {
+                    let _e362 = local_1.moments[0u];
+                    let _e365 = local_1.moments[1u];
+                    let _e373 = local_1.l32_d22_;
+                    let _e375 = local_1.d22_;
+                    let _e376 = (_e373 / _e375);
+                    let _e377 = (_e95 - _e362);
+                    let _e383 = local_1.d22_;
+                    let _e386 = local_1.d33_d22_;
+                    let _e387 = (((((_e95 * _e95) - _e365) - (_e376 * _e377)) * _e383) / _e386);
+                    let _e389 = local_1.d22_;
+                    let _e392 = ((_e377 / _e389) - (_e376 * _e387));
+                    let _e398 = ((0.5f * _e392) / _e387);
+                    let _e401 = ((_e398 * _e398) - (((1f - (_e392 * _e362)) - (_e387 * _e365)) / _e387));
+                    if (_e401 >= 0f) {
+                        let _e403 = sqrt(_e401);
+                        phi_608_ = vec2<f32>((-(_e398) - _e403), (-(_e398) + _e403));
                     } else {
-                        phi_602_ = vec2(bitcast<f32>((bitcast<u32>(_e397) | 2143289344u)));
+                        phi_608_ = vec2(bitcast<f32>((bitcast<u32>(_e401) | 2143289344u)));
                     }
-                    let _e410 = phi_602_;
-                    if (_e91 <= _e410.x) {
-                        phi_683_ = 1f;
+                    let _e414 = phi_608_;
+                    if (_e95 <= _e414.x) {
+                        phi_689_ = 1f;
                     } else {
-                        if (_e91 > _e410.y) {
-                            let _e416 = local_1.moments;
-                            let _e427 = (((_e416.y - (_e416.x * (_e410.x + _e410.y))) + (_e410.x * _e410.y)) / ((_e91 - _e410.x) * (_e91 - _e410.y)));
-                            if ((bitcast<u32>(_e427) & 2147483647u) > 2139095040u) {
-                                phi_642_ = _e427;
+                        if (_e95 > _e414.y) {
+                            let _e420 = local_1.moments;
+                            let _e431 = (((_e420.y - (_e420.x * (_e414.x + _e414.y))) + (_e414.x * _e414.y)) / ((_e95 - _e414.x) * (_e95 - _e414.y)));
+                            if ((bitcast<u32>(_e431) & 2147483647u) > 2139095040u) {
+                                phi_648_ = _e431;
                             } else {
-                                if (_e427 < 0f) {
-                                    phi_641_ = 0f;
+                                if (_e431 < 0f) {
+                                    phi_647_ = 0f;
                                 } else {
-                                    if (_e427 > 1f) {
-                                        phi_640_ = 1f;
+                                    if (_e431 > 1f) {
+                                        phi_646_ = 1f;
                                     } else {
-                                        phi_640_ = _e427;
+                                        phi_646_ = _e431;
                                     }
-                                    let _e434 = phi_640_;
-                                    phi_641_ = _e434;
+                                    let _e438 = phi_646_;
+                                    phi_647_ = _e438;
                                 }
-                                let _e436 = phi_641_;
-                                phi_642_ = _e436;
+                                let _e440 = phi_647_;
+                                phi_648_ = _e440;
                             }
-                            let _e438 = phi_642_;
-                            phi_682_ = _e438;
+                            let _e442 = phi_648_;
+                            phi_688_ = _e442;
                         } else {
-                            if (_e91 > _e410.x) {
-                                let _e441 = local_1.moments;
-                                let _e453 = (1f - (((_e441.y - (_e441.x * (_e91 + _e410.y))) + (_e91 * _e410.y)) / ((_e410.x - _e91) * (_e410.x - _e410.y))));
-                                if ((bitcast<u32>(_e453) & 2147483647u) > 2139095040u) {
-                                    phi_677_ = _e453;
+                            if (_e95 > _e414.x) {
+                                let _e445 = local_1.moments;
+                                let _e457 = (1f - (((_e445.y - (_e445.x * (_e95 + _e414.y))) + (_e95 * _e414.y)) / ((_e414.x - _e95) * (_e414.x - _e414.y))));
+                                if ((bitcast<u32>(_e457) & 2147483647u) > 2139095040u) {
+                                    phi_683_ = _e457;
                                 } else {
-                                    if (_e453 < 0f) {
-                                        phi_676_ = 0f;
+                                    if (_e457 < 0f) {
+                                        phi_682_ = 0f;
                                     } else {
-                                        if (_e453 > 1f) {
-                                            phi_675_ = 1f;
+                                        if (_e457 > 1f) {
+                                            phi_681_ = 1f;
                                         } else {
-                                            phi_675_ = _e453;
+                                            phi_681_ = _e457;
                                         }
-                                        let _e460 = phi_675_;
-                                        phi_676_ = _e460;
+                                        let _e464 = phi_681_;
+                                        phi_682_ = _e464;
                                     }
-                                    let _e462 = phi_676_;
-                                    phi_677_ = _e462;
+                                    let _e466 = phi_682_;
+                                    phi_683_ = _e466;
                                 }
-                                let _e464 = phi_677_;
-                                phi_681_ = _e464;
+                                let _e468 = phi_683_;
+                                phi_687_ = _e468;
                             } else {
-                                phi_681_ = bitcast<f32>((bitcast<u32>(_e410.x) | 2143289344u));
+                                phi_687_ = bitcast<f32>((bitcast<u32>(_e414.x) | 2143289344u));
                             }
-                            let _e469 = phi_681_;
-                            phi_682_ = _e469;
+                            let _e473 = phi_687_;
+                            phi_688_ = _e473;
                         }
-                        let _e471 = phi_682_;
-                        phi_683_ = _e471;
+                        let _e475 = phi_688_;
+                        phi_689_ = _e475;
                     }
-                    let _e473 = phi_683_;
-                    phi_684_ = _e473;
+                    let _e477 = phi_689_;
+                    phi_690_ = _e477;
                 } else {
-                    phi_684_ = _e353;
+                    phi_690_ = _e357;
                 }
-                let _e475 = phi_684_;
-                phi_685_ = _e475;
-                phi_686_ = false;
+                let _e479 = phi_690_;
+                phi_691_ = _e479;
+                phi_692_ = false;
             } else {
-                phi_685_ = f32();
-                phi_686_ = true;
+                phi_691_ = f32();
+                phi_692_ = true;
             }
-            let _e477 = phi_685_;
-            let _e479 = phi_686_;
-            phi_687_ = _e477;
-            phi_688_ = _e479;
+            let _e481 = phi_691_;
+            let _e483 = phi_692_;
+            phi_693_ = _e481;
+            phi_694_ = _e483;
         } else {
-            phi_687_ = f32();
-            phi_688_ = true;
+            phi_693_ = f32();
+            phi_694_ = true;
         }
-        let _e481 = phi_687_;
-        let _e483 = phi_688_;
-        if _e483 {
-            if ((bitcast<u32>(_e315.x) & 2147483647u) > 2139095040u) {
-                phi_895_ = _e315.x;
+        let _e485 = phi_693_;
+        let _e487 = phi_694_;
+        if _e487 {
+            if ((bitcast<u32>(_e319.x) & 2147483647u) > 2139095040u) {
+                phi_901_ = _e319.x;
             } else {
-                let _e487 = lt_math_hausdorff_endpoint_upper_bound((&local_1), _e91);
-                let _e490 = local_1.moments[0u];
-                let _e493 = local_1.moments[3u];
-                if (_e490 == _e493) {
-                    let _e497 = local_1.moments[0u];
-                    phi_710_ = (_e497 > 0.5f);
+                let _e491 = lt_math_hausdorff_endpoint_upper_bound((&local_1), _e95);
+                let _e494 = local_1.moments[0u];
+                let _e497 = local_1.moments[3u];
+                if (_e494 == _e497) {
+                    let _e501 = local_1.moments[0u];
+                    phi_716_ = (_e501 > 0.5f);
                 } else {
-                    phi_710_ = false;
+                    phi_716_ = false;
                 }
-                let _e500 = phi_710_;
-                if _e500 {
-                    if (_e91 > 0f) {
-                        let _e503 = local_1.moments;
-                        if ((bitcast<u32>(_e503.x) & 2147483647u) > 2139095040u) {
-                            phi_737_ = _e503.x;
+                let _e504 = phi_716_;
+                if _e504 {
+                    if (_e95 > 0f) {
+                        let _e507 = local_1.moments;
+                        if ((bitcast<u32>(_e507.x) & 2147483647u) > 2139095040u) {
+                            phi_743_ = _e507.x;
                         } else {
-                            if (_e503.x < 0f) {
-                                phi_736_ = 0f;
+                            if (_e507.x < 0f) {
+                                phi_742_ = 0f;
                             } else {
-                                if (_e503.x > 1f) {
-                                    phi_735_ = 1f;
+                                if (_e507.x > 1f) {
+                                    phi_741_ = 1f;
                                 } else {
-                                    phi_735_ = _e503.x;
+                                    phi_741_ = _e507.x;
                                 }
-                                let _e511 = phi_735_;
-                                phi_736_ = _e511;
+                                let _e515 = phi_741_;
+                                phi_742_ = _e515;
                             }
-                            let _e513 = phi_736_;
-                            phi_737_ = _e513;
+                            let _e517 = phi_742_;
+                            phi_743_ = _e517;
                         }
-                        let _e515 = phi_737_;
-                        phi_738_ = _e515;
-                        phi_739_ = false;
+                        let _e519 = phi_743_;
+                        phi_744_ = _e519;
+                        phi_745_ = false;
                     } else {
-                        phi_738_ = f32();
-                        phi_739_ = true;
+                        phi_744_ = f32();
+                        phi_745_ = true;
                     }
-                    let _e517 = phi_738_;
-                    let _e519 = phi_739_;
-                    phi_740_ = _e517;
-                    phi_741_ = _e519;
+                    let _e521 = phi_744_;
+                    let _e523 = phi_745_;
+                    phi_746_ = _e521;
+                    phi_747_ = _e523;
                 } else {
-                    phi_740_ = f32();
-                    phi_741_ = true;
+                    phi_746_ = f32();
+                    phi_747_ = true;
                 }
-                let _e521 = phi_740_;
-                let _e523 = phi_741_;
-                if _e523 {
-                    let _e526 = local_1.moments[0u];
-                    let _e529 = local_1.moments[1u];
-                    let _e537 = local_1.l32_d22_;
-                    let _e539 = local_1.d22_;
-                    let _e540 = (_e537 / _e539);
-                    let _e541 = (_e91 - _e526);
-                    let _e547 = local_1.d22_;
-                    let _e550 = local_1.d33_d22_;
-                    let _e551 = (((((_e91 * _e91) - _e529) - (_e540 * _e541)) * _e547) / _e550);
-                    let _e553 = local_1.d22_;
-                    let _e556 = ((_e541 / _e553) - (_e540 * _e551));
-                    let _e562 = ((0.5f * _e556) / _e551);
-                    let _e565 = ((_e562 * _e562) - (((1f - (_e556 * _e526)) - (_e551 * _e529)) / _e551));
-                    if (_e565 >= 0f) {
-                        let _e567 = sqrt(_e565);
-                        phi_797_ = vec2<f32>((-(_e562) - _e567), (-(_e562) + _e567));
+                let _e525 = phi_746_;
+                let _e527 = phi_747_;
+                if _e527 {
+                    let _e530 = local_1.moments[0u];
+                    let _e533 = local_1.moments[1u];
+                    let _e541 = local_1.l32_d22_;
+                    let _e543 = local_1.d22_;
+                    let _e544 = (_e541 / _e543);
+                    let _e545 = (_e95 - _e530);
+                    let _e551 = local_1.d22_;
+                    let _e554 = local_1.d33_d22_;
+                    let _e555 = (((((_e95 * _e95) - _e533) - (_e544 * _e545)) * _e551) / _e554);
+                    let _e557 = local_1.d22_;
+                    let _e560 = ((_e545 / _e557) - (_e544 * _e555));
+                    let _e566 = ((0.5f * _e560) / _e555);
+                    let _e569 = ((_e566 * _e566) - (((1f - (_e560 * _e530)) - (_e555 * _e533)) / _e555));
+                    if (_e569 >= 0f) {
+                        let _e571 = sqrt(_e569);
+                        phi_803_ = vec2<f32>((-(_e566) - _e571), (-(_e566) + _e571));
                     } else {
-                        phi_797_ = vec2(bitcast<f32>((bitcast<u32>(_e565) | 2143289344u)));
+                        phi_803_ = vec2(bitcast<f32>((bitcast<u32>(_e569) | 2143289344u)));
                     }
-                    let _e578 = phi_797_;
-                    if (_e91 <= _e578.x) {
-                        phi_878_ = 1f;
+                    let _e582 = phi_803_;
+                    if (_e95 <= _e582.x) {
+                        phi_884_ = 1f;
                     } else {
-                        if (_e91 > _e578.y) {
-                            let _e584 = local_1.moments;
-                            let _e595 = (((_e584.y - (_e584.x * (_e578.x + _e578.y))) + (_e578.x * _e578.y)) / ((_e91 - _e578.x) * (_e91 - _e578.y)));
-                            if ((bitcast<u32>(_e595) & 2147483647u) > 2139095040u) {
-                                phi_837_ = _e595;
+                        if (_e95 > _e582.y) {
+                            let _e588 = local_1.moments;
+                            let _e599 = (((_e588.y - (_e588.x * (_e582.x + _e582.y))) + (_e582.x * _e582.y)) / ((_e95 - _e582.x) * (_e95 - _e582.y)));
+                            if ((bitcast<u32>(_e599) & 2147483647u) > 2139095040u) {
+                                phi_843_ = _e599;
                             } else {
-                                if (_e595 < 0f) {
-                                    phi_836_ = 0f;
+                                if (_e599 < 0f) {
+                                    phi_842_ = 0f;
                                 } else {
-                                    if (_e595 > 1f) {
-                                        phi_835_ = 1f;
+                                    if (_e599 > 1f) {
+                                        phi_841_ = 1f;
                                     } else {
-                                        phi_835_ = _e595;
+                                        phi_841_ = _e599;
                                     }
-                                    let _e602 = phi_835_;
-                                    phi_836_ = _e602;
+                                    let _e606 = phi_841_;
+                                    phi_842_ = _e606;
                                 }
-                                let _e604 = phi_836_;
-                                phi_837_ = _e604;
+                                let _e608 = phi_842_;
+                                phi_843_ = _e608;
                             }
-                            let _e606 = phi_837_;
-                            phi_877_ = _e606;
+                            let _e610 = phi_843_;
+                            phi_883_ = _e610;
                         } else {
-                            if (_e91 > _e578.x) {
-                                let _e609 = local_1.moments;
-                                let _e621 = (1f - (((_e609.y - (_e609.x * (_e91 + _e578.y))) + (_e91 * _e578.y)) / ((_e578.x - _e91) * (_e578.x - _e578.y))));
-                                if ((bitcast<u32>(_e621) & 2147483647u) > 2139095040u) {
-                                    phi_872_ = _e621;
+                            if (_e95 > _e582.x) {
+                                let _e613 = local_1.moments;
+                                let _e625 = (1f - (((_e613.y - (_e613.x * (_e95 + _e582.y))) + (_e95 * _e582.y)) / ((_e582.x - _e95) * (_e582.x - _e582.y))));
+                                if ((bitcast<u32>(_e625) & 2147483647u) > 2139095040u) {
+                                    phi_878_ = _e625;
                                 } else {
-                                    if (_e621 < 0f) {
-                                        phi_871_ = 0f;
+                                    if (_e625 < 0f) {
+                                        phi_877_ = 0f;
                                     } else {
-                                        if (_e621 > 1f) {
-                                            phi_870_ = 1f;
+                                        if (_e625 > 1f) {
+                                            phi_876_ = 1f;
                                         } else {
-                                            phi_870_ = _e621;
+                                            phi_876_ = _e625;
                                         }
-                                        let _e628 = phi_870_;
-                                        phi_871_ = _e628;
+                                        let _e632 = phi_876_;
+                                        phi_877_ = _e632;
                                     }
-                                    let _e630 = phi_871_;
-                                    phi_872_ = _e630;
+                                    let _e634 = phi_877_;
+                                    phi_878_ = _e634;
                                 }
-                                let _e632 = phi_872_;
-                                phi_876_ = _e632;
+                                let _e636 = phi_878_;
+                                phi_882_ = _e636;
                             } else {
-                                phi_876_ = bitcast<f32>((bitcast<u32>(_e578.x) | 2143289344u));
+                                phi_882_ = bitcast<f32>((bitcast<u32>(_e582.x) | 2143289344u));
                             }
-                            let _e637 = phi_876_;
-                            phi_877_ = _e637;
+                            let _e641 = phi_882_;
+                            phi_883_ = _e641;
                         }
-                        let _e639 = phi_877_;
-                        phi_878_ = _e639;
+                        let _e643 = phi_883_;
+                        phi_884_ = _e643;
                     }
-                    let _e641 = phi_878_;
-                    phi_879_ = _e641;
+                    let _e645 = phi_884_;
+                    phi_885_ = _e645;
                 } else {
-                    phi_879_ = _e521;
+                    phi_885_ = _e525;
                 }
-                let _e643 = phi_879_;
-                if ((bitcast<u32>(_e643) & 2147483647u) > 2139095040u) {
-                    phi_890_ = true;
+                let _e647 = phi_885_;
+                if ((bitcast<u32>(_e647) & 2147483647u) > 2139095040u) {
+                    phi_896_ = true;
                 } else {
-                    let _e647 = (_e643 < _e487);
-                    if _e647 {
+                    let _e651 = (_e647 < _e491);
+                    if _e651 {
                     }
-                    phi_890_ = _e647;
+                    phi_896_ = _e651;
                 }
-                let _e649 = phi_890_;
-                if _e649 {
-                    phi_894_ = _e643;
+                let _e653 = phi_896_;
+                if _e653 {
+                    phi_900_ = _e647;
                 } else {
-                    phi_894_ = _e487;
+                    phi_900_ = _e491;
                 }
-                let _e651 = phi_894_;
-                phi_895_ = _e651;
+                let _e655 = phi_900_;
+                phi_901_ = _e655;
             }
-            let _e653 = phi_895_;
-            phi_896_ = _e653;
+            let _e657 = phi_901_;
+            phi_902_ = _e657;
         } else {
-            phi_896_ = _e481;
+            phi_902_ = _e485;
         }
-        let _e655 = phi_896_;
-        phi_897_ = _e655;
+        let _e659 = phi_902_;
+        phi_903_ = _e659;
     }
-    let _e657 = phi_897_;
-    return _e657;
+    let _e661 = phi_903_;
+    return _e661;
 }
 
 fn function_() {
     var local_2: f32;
-    var phi_1118_: bool;
-    var phi_1119_: bool;
-    var phi_1120_: bool;
-    var phi_1121_: bool;
+    var phi_1124_: bool;
     var phi_1125_: bool;
-    var phi_1195_: bool;
-    var phi_1196_: bool;
-    var phi_1207_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1208_: bool;
-    var phi_1209_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1210_: bool;
-    var phi_1217_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1221_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1241_: lt_math_LightPoint;
-    var phi_1244_: u32;
-    var phi_1246_: lt_math_LevelPoint;
-    var phi_1332_: bool;
-    var phi_1341_: bool;
-    var phi_1350_: bool;
-    var phi_1351_: bool;
-    var phi_1352_: bool;
-    var phi_1353_: bool;
-    var phi_1354_: bool;
-    var phi_1355_: bool;
+    var phi_1126_: bool;
+    var phi_1127_: bool;
+    var phi_1131_: bool;
+    var phi_1201_: bool;
+    var phi_1202_: bool;
+    var phi_1213_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1214_: bool;
+    var phi_1215_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1216_: bool;
+    var phi_1223_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1227_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1247_: lt_math_LightPoint;
+    var phi_1250_: u32;
+    var phi_1252_: lt_math_LevelPoint;
+    var phi_1338_: bool;
+    var phi_1347_: bool;
     var phi_1356_: bool;
+    var phi_1357_: bool;
+    var phi_1358_: bool;
+    var phi_1359_: bool;
     var phi_1360_: bool;
-    var phi_1387_: bool;
-    var phi_1388_: bool;
-    var phi_1389_: bool;
-    var phi_1390_: bool;
-    var phi_1391_: bool;
-    var phi_1392_: bool;
+    var phi_1361_: bool;
+    var phi_1362_: bool;
+    var phi_1366_: bool;
     var phi_1393_: bool;
     var phi_1394_: bool;
+    var phi_1395_: bool;
+    var phi_1396_: bool;
+    var phi_1397_: bool;
     var phi_1398_: bool;
-    var phi_1407_: lt_math_LightPoint;
-    var phi_1408_: u32;
-    var phi_1409_: lt_math_LevelPoint;
-    var phi_1410_: bool;
-    var phi_1242_: lt_math_LightPoint;
-    var phi_1245_: u32;
-    var phi_1247_: lt_math_LevelPoint;
-    var phi_1411_: bool;
+    var phi_1399_: bool;
+    var phi_1400_: bool;
+    var phi_1404_: bool;
+    var phi_1413_: lt_math_LightPoint;
+    var phi_1414_: u32;
+    var phi_1415_: lt_math_LevelPoint;
+    var phi_1416_: bool;
+    var phi_1248_: lt_math_LightPoint;
+    var phi_1251_: u32;
+    var phi_1253_: lt_math_LevelPoint;
+    var phi_1417_: bool;
     var local_3: lt_math_LevelPoint;
     var local_4: lt_math_LevelPoint;
-    var phi_1451_: bool;
-    var phi_1452_: bool;
-    var phi_1453_: bool;
-    var phi_1454_: bool;
+    var phi_1457_: bool;
     var phi_1458_: bool;
-    var phi_1540_: f32;
-    var phi_1658_: f32;
-    var phi_1659_: f32;
-    var phi_1662_: f32;
-    var phi_1691_: f32;
-    var phi_1696_: f32;
-    var phi_1697_: bool;
-    var phi_1698_: f32;
-    var phi_1699_: bool;
-    var phi_1703_: f32;
-    var phi_1723_: f32;
-    var phi_1728_: f32;
-    var phi_1729_: bool;
-    var phi_1730_: f32;
-    var phi_1731_: bool;
-    var phi_1735_: f32;
+    var phi_1459_: bool;
+    var phi_1460_: bool;
+    var phi_1464_: bool;
+    var phi_1546_: f32;
+    var phi_1664_: f32;
+    var phi_1665_: f32;
+    var phi_1668_: f32;
+    var phi_1697_: f32;
+    var phi_1702_: f32;
+    var phi_1703_: bool;
+    var phi_1704_: f32;
+    var phi_1705_: bool;
+    var phi_1709_: f32;
+    var phi_1729_: f32;
+    var phi_1734_: f32;
+    var phi_1735_: bool;
+    var phi_1736_: f32;
+    var phi_1737_: bool;
+    var phi_1741_: f32;
     var local_5: lt_math_LevelPoint;
-    var phi_1784_: i32;
-    var phi_1789_: i32;
-    var phi_1794_: i32;
-    var phi_1799_: i32;
-    var phi_1808_: i32;
-    var phi_1813_: i32;
-    var phi_1818_: i32;
-    var phi_1823_: i32;
-    var phi_1918_: bool;
+    var phi_1790_: i32;
+    var phi_1795_: i32;
+    var phi_1800_: i32;
+    var phi_1805_: i32;
+    var phi_1814_: i32;
+    var phi_1819_: i32;
+    var phi_1824_: i32;
+    var phi_1829_: i32;
     var phi_1926_: bool;
-    var phi_1938_: bool;
-    var phi_1939_: bool;
-    var phi_1943_: f32;
-    var phi_1949_: f32;
-    var phi_1951_: evaluate_Verdict;
-    var phi_1956_: evaluate_Verdict;
-    var phi_1957_: evaluate_Verdict;
-    var phi_1961_: bool;
-    var phi_1962_: u32;
-    var phi_1973_: u32;
+    var phi_1934_: bool;
+    var phi_1946_: bool;
+    var phi_1947_: bool;
+    var phi_1951_: f32;
+    var phi_1957_: f32;
+    var phi_1959_: evaluate_Verdict;
+    var phi_1969_: u32;
+    var phi_1978_: f32;
+    var phi_1980_: evaluate_Verdict;
+    var phi_1981_: bool;
+    var phi_1982_: evaluate_Verdict;
+    var phi_1983_: bool;
+    var phi_1988_: evaluate_Verdict;
+    var phi_1993_: evaluate_Verdict;
+    var phi_1994_: evaluate_Verdict;
+    var phi_1998_: bool;
+    var phi_1999_: u32;
+    var phi_2010_: u32;
+    var phi_2027_: u32;
 
-    let _e47 = id_1;
-    let _e48 = local_6;
-    let _e53 = arrayLength((&map.member));
-    let _e58 = arrayLength((&levels.member));
-    let _e61 = p.member.size[0u];
-    let _e63 = p.member.size[1u];
-    let _e64 = lt_shaders_entry_pixel_index(_e47, _e61, _e63);
-    if (bitcast<i32>(_e64.root) != 0i) {
-        let _e71 = p.member.level_count;
-        let _e75 = samples.member[_e64.first_primitive].normal[0u];
-        let _e77 = global[0u];
-        if (_e75 == _e77) {
-            let _e80 = samples.member[_e64.first_primitive].normal[1u];
-            let _e82 = global[1u];
-            if (_e80 == _e82) {
-                let _e85 = samples.member[_e64.first_primitive].normal[2u];
-                let _e87 = global[2u];
-                phi_1118_ = (_e85 == _e87);
-                phi_1119_ = false;
+    let _e51 = id_1;
+    let _e52 = local_6;
+    let _e57 = arrayLength((&map.member));
+    let _e62 = arrayLength((&levels.member));
+    let _e65 = p.member.size[0u];
+    let _e67 = p.member.size[1u];
+    let _e68 = lt_shaders_entry_pixel_index(_e51, _e65, _e67);
+    if (bitcast<i32>(_e68.root) != 0i) {
+        let _e75 = p.member.level_count;
+        let _e79 = samples.member[_e68.first_primitive].normal[0u];
+        let _e81 = global[0u];
+        if (_e79 == _e81) {
+            let _e84 = samples.member[_e68.first_primitive].normal[1u];
+            let _e86 = global[1u];
+            if (_e84 == _e86) {
+                let _e89 = samples.member[_e68.first_primitive].normal[2u];
+                let _e91 = global[2u];
+                phi_1124_ = (_e89 == _e91);
+                phi_1125_ = false;
             } else {
-                phi_1118_ = bool();
-                phi_1119_ = true;
+                phi_1124_ = bool();
+                phi_1125_ = true;
             }
-            let _e90 = phi_1118_;
-            let _e92 = phi_1119_;
-            phi_1120_ = _e90;
-            phi_1121_ = _e92;
+            let _e94 = phi_1124_;
+            let _e96 = phi_1125_;
+            phi_1126_ = _e94;
+            phi_1127_ = _e96;
         } else {
-            phi_1120_ = bool();
-            phi_1121_ = true;
+            phi_1126_ = bool();
+            phi_1127_ = true;
         }
-        let _e94 = phi_1120_;
-        let _e96 = phi_1121_;
-        if _e96 {
-            phi_1125_ = false;
+        let _e98 = phi_1126_;
+        let _e100 = phi_1127_;
+        if _e100 {
+            phi_1131_ = false;
         } else {
-            phi_1125_ = _e94;
+            phi_1131_ = _e98;
         }
-        let _e98 = phi_1125_;
-        if !(_e98) {
-            let _e101 = samples.member[_e64.first_primitive].position;
-            let _e103 = p.member.light.place;
-            let _e109 = p.member.light.place[3u];
-            let _e116 = (_e103.x - (_e101.x * _e109));
-            let _e117 = (_e103.y - (_e101.y * _e109));
-            let _e118 = (_e103.z - (_e101.z * _e109));
-            let _e120 = samples.member[_e64.first_primitive].normal;
-            if ((((_e120.x * _e116) + (_e120.y * _e117)) + (_e120.z * _e118)) > 0f) {
-                let _e134 = (((_e116 * _e116) + (_e117 * _e117)) + (_e118 * _e118));
-                let _e136 = p.member.light.axis;
-                let _e148 = p.member.light.place[3u];
-                if (_e148 == 0f) {
-                    phi_1196_ = true;
+        let _e102 = phi_1131_;
+        if !(_e102) {
+            let _e105 = samples.member[_e68.first_primitive].position;
+            let _e107 = p.member.light.place;
+            let _e113 = p.member.light.place[3u];
+            let _e120 = (_e107.x - (_e105.x * _e113));
+            let _e121 = (_e107.y - (_e105.y * _e113));
+            let _e122 = (_e107.z - (_e105.z * _e113));
+            let _e124 = samples.member[_e68.first_primitive].normal;
+            if ((((_e124.x * _e120) + (_e124.y * _e121)) + (_e124.z * _e122)) > 0f) {
+                let _e138 = (((_e120 * _e120) + (_e121 * _e121)) + (_e122 * _e122));
+                let _e140 = p.member.light.axis;
+                let _e152 = p.member.light.place[3u];
+                if (_e152 == 0f) {
+                    phi_1202_ = true;
                 } else {
-                    let _e151 = p.member.light.range_squared;
-                    if (_e134 <= _e151) {
-                        let _e154 = p.member.light.cos_outer;
-                        phi_1195_ = (-((((_e116 * _e136.x) + (_e117 * _e136.y)) + (_e118 * _e136.z))) >= (_e154 * sqrt(_e134)));
+                    let _e155 = p.member.light.range_squared;
+                    if (_e138 <= _e155) {
+                        let _e158 = p.member.light.cos_outer;
+                        phi_1201_ = (-((((_e120 * _e140.x) + (_e121 * _e140.y)) + (_e122 * _e140.z))) >= (_e158 * sqrt(_e138)));
                     } else {
-                        phi_1195_ = false;
+                        phi_1201_ = false;
                     }
-                    let _e159 = phi_1195_;
-                    phi_1196_ = _e159;
+                    let _e163 = phi_1201_;
+                    phi_1202_ = _e163;
                 }
-                let _e161 = phi_1196_;
-                if _e161 {
-                    let _e163 = samples.member[_e64.first_primitive].flags;
-                    let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e171.unnamed.visibility, false), _e171.unnamed_1);
-                    phi_1207_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e177.unnamed, ((_e163 & 1u) == 0u));
-                    phi_1208_ = false;
+                let _e165 = phi_1202_;
+                if _e165 {
+                    let _e167 = samples.member[_e68.first_primitive].flags;
+                    let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e175.unnamed.visibility, false), _e175.unnamed_1);
+                    phi_1213_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e181.unnamed, ((_e167 & 1u) == 0u));
+                    phi_1214_ = false;
                 } else {
-                    phi_1207_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_1208_ = true;
+                    phi_1213_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_1214_ = true;
                 }
-                let _e182 = phi_1207_;
-                let _e184 = phi_1208_;
-                phi_1209_ = _e182;
-                phi_1210_ = _e184;
+                let _e186 = phi_1213_;
+                let _e188 = phi_1214_;
+                phi_1215_ = _e186;
+                phi_1216_ = _e188;
             } else {
-                phi_1209_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_1210_ = true;
+                phi_1215_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_1216_ = true;
             }
-            let _e186 = phi_1209_;
-            let _e188 = phi_1210_;
-            if _e188 {
-                let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e194.unnamed.visibility, false), _e194.unnamed_1);
-                phi_1217_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e200.unnamed, true);
+            let _e190 = phi_1215_;
+            let _e192 = phi_1216_;
+            if _e192 {
+                let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e198.unnamed.visibility, false), _e198.unnamed_1);
+                phi_1223_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e204.unnamed, true);
             } else {
-                phi_1217_ = _e186;
+                phi_1223_ = _e190;
             }
-            let _e205 = phi_1217_;
-            phi_1221_ = _e205;
+            let _e209 = phi_1223_;
+            phi_1227_ = _e209;
         } else {
-            let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e211.unnamed.visibility, false), _e211.unnamed_1);
-            phi_1221_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e217.unnamed, true);
+            let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e215.unnamed.visibility, false), _e215.unnamed_1);
+            phi_1227_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e221.unnamed, true);
         }
-        let _e222 = phi_1221_;
-        if _e222.unnamed_1 {
-            phi_1957_ = evaluate_Verdict(_e222.unnamed.visibility, _e222.unnamed.is_doubted);
+        let _e226 = phi_1227_;
+        if _e226.unnamed_1 {
+            phi_1994_ = evaluate_Verdict(_e226.unnamed.visibility, _e226.unnamed.is_doubted);
         } else {
-            let _e230 = samples.member[_e64.first_primitive].position;
-            let _e232 = p.member.map_size;
-            let _e234 = (0.5f / f32(_e232));
-            let _e241 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e248 = lt_math_LightPoint(vec2<f32>(_e241.uv.x, 0f), _e241.depth, _e241.is_inside);
-            let _e252 = lt_math_LightPoint(_e248.uv, 0f, _e248.is_inside);
-            phi_1241_ = lt_math_LightPoint();
-            phi_1244_ = 0u;
-            phi_1246_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e252.uv, _e252.depth, false));
+            let _e234 = samples.member[_e68.first_primitive].position;
+            let _e236 = p.member.map_size;
+            let _e238 = (0.5f / f32(_e236));
+            let _e245 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e252 = lt_math_LightPoint(vec2<f32>(_e245.uv.x, 0f), _e245.depth, _e245.is_inside);
+            let _e256 = lt_math_LightPoint(_e252.uv, 0f, _e252.is_inside);
+            phi_1247_ = lt_math_LightPoint();
+            phi_1250_ = 0u;
+            phi_1252_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e256.uv, _e256.depth, false));
             loop {
-                let _e259 = phi_1241_;
-                let _e261 = phi_1244_;
-                let _e263 = phi_1246_;
-                local_3 = _e263;
-                local_4 = _e263;
-                local_5 = _e263;
-                if (_e261 < _e71) {
-                    if _e263.point.is_inside {
-                        phi_1407_ = lt_math_LightPoint();
-                        phi_1408_ = u32();
-                        phi_1409_ = lt_math_LevelPoint();
-                        phi_1410_ = false;
+                let _e263 = phi_1247_;
+                let _e265 = phi_1250_;
+                let _e267 = phi_1252_;
+                local_3 = _e267;
+                local_4 = _e267;
+                local_5 = _e267;
+                if (_e265 < _e75) {
+                    if _e267.point.is_inside {
+                        phi_1413_ = lt_math_LightPoint();
+                        phi_1414_ = u32();
+                        phi_1415_ = lt_math_LevelPoint();
+                        phi_1416_ = false;
                     } else {
-                        if (_e261 < _e58) {
+                        if (_e265 < _e62) {
                         } else {
                             return;
                         }
-                        let _e274 = levels.member[(0u + _e261)].row_w;
-                        let _e285 = ((((_e274.x * _e230.x) + (_e274.y * _e230.y)) + (_e274.z * _e230.z)) + (_e274.w * 1f));
-                        let _e287 = levels.member[(0u + _e261)].row_x;
-                        let _e299 = (((((_e287.x * _e230.x) + (_e287.y * _e230.y)) + (_e287.z * _e230.z)) + (_e287.w * 1f)) / _e285);
-                        let _e301 = levels.member[(0u + _e261)].row_y;
-                        let _e313 = (((((_e301.x * _e230.x) + (_e301.y * _e230.y)) + (_e301.z * _e230.z)) + (_e301.w * 1f)) / _e285);
-                        let _e315 = levels.member[(0u + _e261)].row_z;
-                        let _e326 = ((((_e315.x * _e230.x) + (_e315.y * _e230.y)) + (_e315.z * _e230.z)) + (_e315.w * 1f));
-                        if (_e285 > 0f) {
-                            if (_e299 >= 0f) {
-                                phi_1332_ = (_e299 <= 1f);
+                        let _e278 = levels.member[(0u + _e265)].row_w;
+                        let _e289 = ((((_e278.x * _e234.x) + (_e278.y * _e234.y)) + (_e278.z * _e234.z)) + (_e278.w * 1f));
+                        let _e291 = levels.member[(0u + _e265)].row_x;
+                        let _e303 = (((((_e291.x * _e234.x) + (_e291.y * _e234.y)) + (_e291.z * _e234.z)) + (_e291.w * 1f)) / _e289);
+                        let _e305 = levels.member[(0u + _e265)].row_y;
+                        let _e317 = (((((_e305.x * _e234.x) + (_e305.y * _e234.y)) + (_e305.z * _e234.z)) + (_e305.w * 1f)) / _e289);
+                        let _e319 = levels.member[(0u + _e265)].row_z;
+                        let _e330 = ((((_e319.x * _e234.x) + (_e319.y * _e234.y)) + (_e319.z * _e234.z)) + (_e319.w * 1f));
+                        if (_e289 > 0f) {
+                            if (_e303 >= 0f) {
+                                phi_1338_ = (_e303 <= 1f);
                             } else {
-                                phi_1332_ = false;
+                                phi_1338_ = false;
                             }
-                            let _e331 = phi_1332_;
-                            if _e331 {
-                                if (_e313 >= 0f) {
-                                    phi_1341_ = (_e313 <= 1f);
+                            let _e335 = phi_1338_;
+                            if _e335 {
+                                if (_e317 >= 0f) {
+                                    phi_1347_ = (_e317 <= 1f);
                                 } else {
-                                    phi_1341_ = false;
+                                    phi_1347_ = false;
                                 }
-                                let _e335 = phi_1341_;
-                                if _e335 {
-                                    if (_e326 >= 0f) {
-                                        phi_1350_ = (_e326 <= 1f);
+                                let _e339 = phi_1347_;
+                                if _e339 {
+                                    if (_e330 >= 0f) {
+                                        phi_1356_ = (_e330 <= 1f);
                                     } else {
-                                        phi_1350_ = false;
+                                        phi_1356_ = false;
                                     }
-                                    let _e339 = phi_1350_;
-                                    phi_1351_ = _e339;
-                                    phi_1352_ = false;
+                                    let _e343 = phi_1356_;
+                                    phi_1357_ = _e343;
+                                    phi_1358_ = false;
                                 } else {
-                                    phi_1351_ = bool();
-                                    phi_1352_ = true;
+                                    phi_1357_ = bool();
+                                    phi_1358_ = true;
                                 }
-                                let _e341 = phi_1351_;
-                                let _e343 = phi_1352_;
-                                phi_1353_ = _e341;
-                                phi_1354_ = _e343;
+                                let _e345 = phi_1357_;
+                                let _e347 = phi_1358_;
+                                phi_1359_ = _e345;
+                                phi_1360_ = _e347;
                             } else {
-                                phi_1353_ = bool();
-                                phi_1354_ = true;
+                                phi_1359_ = bool();
+                                phi_1360_ = true;
                             }
-                            let _e345 = phi_1353_;
-                            let _e347 = phi_1354_;
-                            phi_1355_ = _e345;
-                            phi_1356_ = _e347;
+                            let _e349 = phi_1359_;
+                            let _e351 = phi_1360_;
+                            phi_1361_ = _e349;
+                            phi_1362_ = _e351;
                         } else {
-                            phi_1355_ = bool();
-                            phi_1356_ = true;
+                            phi_1361_ = bool();
+                            phi_1362_ = true;
                         }
-                        let _e349 = phi_1355_;
-                        let _e351 = phi_1356_;
-                        if _e351 {
-                            phi_1360_ = false;
+                        let _e353 = phi_1361_;
+                        let _e355 = phi_1362_;
+                        if _e355 {
+                            phi_1366_ = false;
                         } else {
-                            phi_1360_ = _e349;
+                            phi_1366_ = _e353;
                         }
-                        let _e353 = phi_1360_;
-                        if _e353 {
-                            if (_e299 >= _e234) {
-                                if (_e299 <= (1f - _e234)) {
-                                    if (_e313 >= _e234) {
-                                        phi_1387_ = (_e313 <= (1f - _e234));
-                                        phi_1388_ = false;
+                        let _e357 = phi_1366_;
+                        if _e357 {
+                            if (_e303 >= _e238) {
+                                if (_e303 <= (1f - _e238)) {
+                                    if (_e317 >= _e238) {
+                                        phi_1393_ = (_e317 <= (1f - _e238));
+                                        phi_1394_ = false;
                                     } else {
-                                        phi_1387_ = bool();
-                                        phi_1388_ = true;
+                                        phi_1393_ = bool();
+                                        phi_1394_ = true;
                                     }
-                                    let _e361 = phi_1387_;
-                                    let _e363 = phi_1388_;
-                                    phi_1389_ = _e361;
-                                    phi_1390_ = _e363;
+                                    let _e365 = phi_1393_;
+                                    let _e367 = phi_1394_;
+                                    phi_1395_ = _e365;
+                                    phi_1396_ = _e367;
                                 } else {
-                                    phi_1389_ = bool();
-                                    phi_1390_ = true;
+                                    phi_1395_ = bool();
+                                    phi_1396_ = true;
                                 }
-                                let _e365 = phi_1389_;
-                                let _e367 = phi_1390_;
-                                phi_1391_ = _e365;
-                                phi_1392_ = _e367;
+                                let _e369 = phi_1395_;
+                                let _e371 = phi_1396_;
+                                phi_1397_ = _e369;
+                                phi_1398_ = _e371;
                             } else {
-                                phi_1391_ = bool();
-                                phi_1392_ = true;
+                                phi_1397_ = bool();
+                                phi_1398_ = true;
                             }
-                            let _e369 = phi_1391_;
-                            let _e371 = phi_1392_;
-                            phi_1393_ = _e369;
-                            phi_1394_ = _e371;
+                            let _e373 = phi_1397_;
+                            let _e375 = phi_1398_;
+                            phi_1399_ = _e373;
+                            phi_1400_ = _e375;
                         } else {
-                            phi_1393_ = bool();
-                            phi_1394_ = true;
+                            phi_1399_ = bool();
+                            phi_1400_ = true;
                         }
-                        let _e373 = phi_1393_;
-                        let _e375 = phi_1394_;
-                        if _e375 {
-                            phi_1398_ = false;
+                        let _e377 = phi_1399_;
+                        let _e379 = phi_1400_;
+                        if _e379 {
+                            phi_1404_ = false;
                         } else {
-                            phi_1398_ = _e373;
+                            phi_1404_ = _e377;
                         }
-                        let _e377 = phi_1398_;
-                        let _e384 = lt_math_LightPoint(vec2<f32>(_e299, _e259.uv.y), _e259.depth, _e259.is_inside);
-                        let _e391 = lt_math_LightPoint(vec2<f32>(_e384.uv.x, _e313), _e384.depth, _e384.is_inside);
-                        let _e395 = lt_math_LightPoint(_e391.uv, _e326, _e391.is_inside);
-                        let _e399 = lt_math_LightPoint(_e395.uv, _e395.depth, _e377);
-                        phi_1407_ = _e399;
-                        phi_1408_ = (_e261 + 1u);
-                        phi_1409_ = lt_math_LevelPoint(_e261, _e399);
-                        phi_1410_ = true;
+                        let _e381 = phi_1404_;
+                        let _e388 = lt_math_LightPoint(vec2<f32>(_e303, _e263.uv.y), _e263.depth, _e263.is_inside);
+                        let _e395 = lt_math_LightPoint(vec2<f32>(_e388.uv.x, _e317), _e388.depth, _e388.is_inside);
+                        let _e399 = lt_math_LightPoint(_e395.uv, _e330, _e395.is_inside);
+                        let _e403 = lt_math_LightPoint(_e399.uv, _e399.depth, _e381);
+                        phi_1413_ = _e403;
+                        phi_1414_ = (_e265 + 1u);
+                        phi_1415_ = lt_math_LevelPoint(_e265, _e403);
+                        phi_1416_ = true;
                     }
-                    let _e403 = phi_1407_;
-                    let _e405 = phi_1408_;
-                    let _e407 = phi_1409_;
-                    let _e409 = phi_1410_;
-                    phi_1242_ = _e403;
-                    phi_1245_ = _e405;
-                    phi_1247_ = _e407;
-                    phi_1411_ = _e409;
+                    let _e407 = phi_1413_;
+                    let _e409 = phi_1414_;
+                    let _e411 = phi_1415_;
+                    let _e413 = phi_1416_;
+                    phi_1248_ = _e407;
+                    phi_1251_ = _e409;
+                    phi_1253_ = _e411;
+                    phi_1417_ = _e413;
                 } else {
-                    phi_1242_ = lt_math_LightPoint();
-                    phi_1245_ = u32();
-                    phi_1247_ = lt_math_LevelPoint();
-                    phi_1411_ = false;
+                    phi_1248_ = lt_math_LightPoint();
+                    phi_1251_ = u32();
+                    phi_1253_ = lt_math_LevelPoint();
+                    phi_1417_ = false;
                 }
-                let _e411 = phi_1242_;
-                let _e413 = phi_1245_;
-                let _e415 = phi_1247_;
-                let _e417 = phi_1411_;
+                let _e415 = phi_1248_;
+                let _e417 = phi_1251_;
+                let _e419 = phi_1253_;
+                let _e421 = phi_1417_;
                 continue;
                 continuing {
-                    phi_1241_ = _e411;
-                    phi_1244_ = _e413;
-                    phi_1246_ = _e415;
-                    break if !(_e417);
+                    phi_1247_ = _e415;
+                    phi_1250_ = _e417;
+                    phi_1252_ = _e419;
+                    break if !(_e421);
                 }
             }
-            let _e420 = local_3;
-            if _e420.point.is_inside {
+            let _e424 = local_3;
+            if _e424.point.is_inside {
                 if (0f > 0f) {
-                    let _e426 = local_4;
-                    if (_e426.level < _e58) {
+                    let _e430 = local_4;
+                    if (_e430.level < _e62) {
                     } else {
                         return;
                     }
-                    let _e431 = levels.member[(0u + _e426.level)];
-                    let _e437 = global[0u];
-                    if (_e431.row_w.x == _e437) {
-                        let _e440 = global[1u];
-                        if (_e431.row_w.y == _e440) {
-                            let _e443 = global[2u];
-                            phi_1451_ = (_e431.row_w.z == _e443);
-                            phi_1452_ = false;
+                    let _e435 = levels.member[(0u + _e430.level)];
+                    let _e441 = global[0u];
+                    if (_e435.row_w.x == _e441) {
+                        let _e444 = global[1u];
+                        if (_e435.row_w.y == _e444) {
+                            let _e447 = global[2u];
+                            phi_1457_ = (_e435.row_w.z == _e447);
+                            phi_1458_ = false;
                         } else {
-                            phi_1451_ = bool();
-                            phi_1452_ = true;
+                            phi_1457_ = bool();
+                            phi_1458_ = true;
                         }
-                        let _e446 = phi_1451_;
-                        let _e448 = phi_1452_;
-                        phi_1453_ = _e446;
-                        phi_1454_ = _e448;
+                        let _e450 = phi_1457_;
+                        let _e452 = phi_1458_;
+                        phi_1459_ = _e450;
+                        phi_1460_ = _e452;
                     } else {
-                        phi_1453_ = bool();
-                        phi_1454_ = true;
+                        phi_1459_ = bool();
+                        phi_1460_ = true;
                     }
-                    let _e450 = phi_1453_;
-                    let _e452 = phi_1454_;
-                    if _e452 {
-                        phi_1458_ = false;
+                    let _e454 = phi_1459_;
+                    let _e456 = phi_1460_;
+                    if _e456 {
+                        phi_1464_ = false;
                     } else {
-                        phi_1458_ = _e450;
+                        phi_1464_ = _e454;
                     }
-                    let _e454 = phi_1458_;
-                    if _e454 {
-                        let _e456 = samples.member[_e64.first_primitive].normal;
-                        let _e458 = p.member.map_size;
-                        let _e528 = ((abs(((((_e431.row_x.x * _e456.x) + (_e431.row_x.y * _e456.y)) + (_e431.row_x.z * _e456.z)) / (((_e431.row_x.x * _e431.row_x.x) + (_e431.row_x.y * _e431.row_x.y)) + (_e431.row_x.z * _e431.row_x.z)))) + abs(((((_e431.row_y.x * _e456.x) + (_e431.row_y.y * _e456.y)) + (_e431.row_y.z * _e456.z)) / (((_e431.row_y.x * _e431.row_y.x) + (_e431.row_y.y * _e431.row_y.y)) + (_e431.row_y.z * _e431.row_y.z))))) / (abs(((((_e431.row_z.x * _e456.x) + (_e431.row_z.y * _e456.y)) + (_e431.row_z.z * _e456.z)) / (((_e431.row_z.x * _e431.row_z.x) + (_e431.row_z.y * _e431.row_z.y)) + (_e431.row_z.z * _e431.row_z.z)))) * f32(_e458)));
-                        if (_e528 < 0.002f) {
-                            phi_1540_ = _e528;
+                    let _e458 = phi_1464_;
+                    if _e458 {
+                        let _e460 = samples.member[_e68.first_primitive].normal;
+                        let _e462 = p.member.map_size;
+                        let _e532 = ((abs(((((_e435.row_x.x * _e460.x) + (_e435.row_x.y * _e460.y)) + (_e435.row_x.z * _e460.z)) / (((_e435.row_x.x * _e435.row_x.x) + (_e435.row_x.y * _e435.row_x.y)) + (_e435.row_x.z * _e435.row_x.z)))) + abs(((((_e435.row_y.x * _e460.x) + (_e435.row_y.y * _e460.y)) + (_e435.row_y.z * _e460.z)) / (((_e435.row_y.x * _e435.row_y.x) + (_e435.row_y.y * _e435.row_y.y)) + (_e435.row_y.z * _e435.row_y.z))))) / (abs(((((_e435.row_z.x * _e460.x) + (_e435.row_z.y * _e460.y)) + (_e435.row_z.z * _e460.z)) / (((_e435.row_z.x * _e435.row_z.x) + (_e435.row_z.y * _e435.row_z.y)) + (_e435.row_z.z * _e435.row_z.z)))) * f32(_e462)));
+                        if (_e532 < 0.002f) {
+                            phi_1546_ = _e532;
                         } else {
-                            phi_1540_ = 0.002f;
+                            phi_1546_ = 0.002f;
                         }
-                        let _e531 = phi_1540_;
-                        phi_1659_ = _e531;
+                        let _e535 = phi_1546_;
+                        phi_1665_ = _e535;
                     } else {
-                        let _e533 = p.member.map_size;
-                        let _e539 = samples.member[_e64.first_primitive].position;
-                        let _e550 = ((((_e431.row_w.x * _e539.x) + (_e431.row_w.y * _e539.y)) + (_e431.row_w.z * _e539.z)) + _e431.row_w.w);
-                        let _e563 = ((_e431.row_x.x - (_e431.row_w.x * _e420.point.uv.x)) / _e550);
-                        let _e564 = ((_e431.row_x.y - (_e431.row_w.y * _e420.point.uv.x)) / _e550);
-                        let _e565 = ((_e431.row_x.z - (_e431.row_w.z * _e420.point.uv.x)) / _e550);
-                        let _e578 = ((_e431.row_y.x - (_e431.row_w.x * _e420.point.uv.y)) / _e550);
-                        let _e579 = ((_e431.row_y.y - (_e431.row_w.y * _e420.point.uv.y)) / _e550);
-                        let _e580 = ((_e431.row_y.z - (_e431.row_w.z * _e420.point.uv.y)) / _e550);
-                        let _e586 = samples.member[_e64.first_primitive].normal;
-                        let _e591 = ((_e579 * _e586.z) - (_e586.y * _e580));
-                        let _e596 = ((_e580 * _e586.x) - (_e586.z * _e578));
-                        let _e601 = ((_e578 * _e586.y) - (_e586.x * _e579));
-                        let _e603 = samples.member[_e64.first_primitive].normal;
-                        let _e608 = ((_e564 * _e603.z) - (_e603.y * _e565));
-                        let _e613 = ((_e565 * _e603.x) - (_e603.z * _e563));
-                        let _e618 = ((_e563 * _e603.y) - (_e603.x * _e564));
-                        let _e645 = ((abs(((((_e431.row_z.x * _e591) + (_e431.row_z.y * _e596)) + (_e431.row_z.z * _e601)) / (((_e563 * _e591) + (_e564 * _e596)) + (_e565 * _e601)))) + abs(((((_e431.row_z.x * _e608) + (_e431.row_z.y * _e613)) + (_e431.row_z.z * _e618)) / (((_e578 * _e608) + (_e579 * _e613)) + (_e580 * _e618))))) / f32(_e533));
-                        let _e647 = (16f / f32(_e533));
-                        if (_e645 < _e647) {
-                            phi_1658_ = _e645;
+                        let _e537 = p.member.map_size;
+                        let _e543 = samples.member[_e68.first_primitive].position;
+                        let _e554 = ((((_e435.row_w.x * _e543.x) + (_e435.row_w.y * _e543.y)) + (_e435.row_w.z * _e543.z)) + _e435.row_w.w);
+                        let _e567 = ((_e435.row_x.x - (_e435.row_w.x * _e424.point.uv.x)) / _e554);
+                        let _e568 = ((_e435.row_x.y - (_e435.row_w.y * _e424.point.uv.x)) / _e554);
+                        let _e569 = ((_e435.row_x.z - (_e435.row_w.z * _e424.point.uv.x)) / _e554);
+                        let _e582 = ((_e435.row_y.x - (_e435.row_w.x * _e424.point.uv.y)) / _e554);
+                        let _e583 = ((_e435.row_y.y - (_e435.row_w.y * _e424.point.uv.y)) / _e554);
+                        let _e584 = ((_e435.row_y.z - (_e435.row_w.z * _e424.point.uv.y)) / _e554);
+                        let _e590 = samples.member[_e68.first_primitive].normal;
+                        let _e595 = ((_e583 * _e590.z) - (_e590.y * _e584));
+                        let _e600 = ((_e584 * _e590.x) - (_e590.z * _e582));
+                        let _e605 = ((_e582 * _e590.y) - (_e590.x * _e583));
+                        let _e607 = samples.member[_e68.first_primitive].normal;
+                        let _e612 = ((_e568 * _e607.z) - (_e607.y * _e569));
+                        let _e617 = ((_e569 * _e607.x) - (_e607.z * _e567));
+                        let _e622 = ((_e567 * _e607.y) - (_e607.x * _e568));
+                        let _e649 = ((abs(((((_e435.row_z.x * _e595) + (_e435.row_z.y * _e600)) + (_e435.row_z.z * _e605)) / (((_e567 * _e595) + (_e568 * _e600)) + (_e569 * _e605)))) + abs(((((_e435.row_z.x * _e612) + (_e435.row_z.y * _e617)) + (_e435.row_z.z * _e622)) / (((_e582 * _e612) + (_e583 * _e617)) + (_e584 * _e622))))) / f32(_e537));
+                        let _e651 = (16f / f32(_e537));
+                        if (_e649 < _e651) {
+                            phi_1664_ = _e649;
                         } else {
-                            phi_1658_ = _e647;
+                            phi_1664_ = _e651;
                         }
-                        let _e650 = phi_1658_;
-                        phi_1659_ = _e650;
+                        let _e654 = phi_1664_;
+                        phi_1665_ = _e654;
                     }
-                    let _e652 = phi_1659_;
-                    phi_1662_ = (_e420.point.depth - (0f * _e652));
+                    let _e656 = phi_1665_;
+                    phi_1668_ = (_e424.point.depth - (0f * _e656));
                 } else {
-                    phi_1662_ = _e420.point.depth;
+                    phi_1668_ = _e424.point.depth;
                 }
-                let _e656 = phi_1662_;
-                let _e662 = p.member.map_size;
-                let _e663 = f32(_e662);
-                let _e666 = ((_e420.point.uv.x * _e663) - 0.5f);
-                let _e667 = ((_e420.point.uv.y * _e663) - 0.5f);
-                if (_e666 > -8388608f) {
-                    let _e679 = f32(select(0i, select(select(i32(_e666), i32(-2147483648), (_e666 < bitcast<f32>(3472883712u))), 2147483647i, (_e666 > bitcast<f32>(1325400063u))), (_e666 == _e666)));
-                    if (_e679 > _e666) {
-                        phi_1691_ = 1f;
+                let _e660 = phi_1668_;
+                let _e666 = p.member.map_size;
+                let _e667 = f32(_e666);
+                let _e670 = ((_e424.point.uv.x * _e667) - 0.5f);
+                let _e671 = ((_e424.point.uv.y * _e667) - 0.5f);
+                if (_e670 > -8388608f) {
+                    let _e683 = f32(select(0i, select(select(i32(_e670), i32(-2147483648), (_e670 < bitcast<f32>(3472883712u))), 2147483647i, (_e670 > bitcast<f32>(1325400063u))), (_e670 == _e670)));
+                    if (_e683 > _e670) {
+                        phi_1697_ = 1f;
                     } else {
-                        phi_1691_ = 0f;
+                        phi_1697_ = 0f;
                     }
-                    let _e682 = phi_1691_;
-                    if (_e666 < 8388608f) {
-                        phi_1696_ = (_e679 - _e682);
-                        phi_1697_ = false;
+                    let _e686 = phi_1697_;
+                    if (_e670 < 8388608f) {
+                        phi_1702_ = (_e683 - _e686);
+                        phi_1703_ = false;
                     } else {
-                        phi_1696_ = f32();
-                        phi_1697_ = true;
+                        phi_1702_ = f32();
+                        phi_1703_ = true;
                     }
-                    let _e685 = phi_1696_;
-                    let _e687 = phi_1697_;
-                    phi_1698_ = _e685;
-                    phi_1699_ = _e687;
+                    let _e689 = phi_1702_;
+                    let _e691 = phi_1703_;
+                    phi_1704_ = _e689;
+                    phi_1705_ = _e691;
                 } else {
-                    phi_1698_ = f32();
-                    phi_1699_ = true;
+                    phi_1704_ = f32();
+                    phi_1705_ = true;
                 }
-                let _e689 = phi_1698_;
-                let _e691 = phi_1699_;
-                if _e691 {
-                    phi_1703_ = _e666;
+                let _e693 = phi_1704_;
+                let _e695 = phi_1705_;
+                if _e695 {
+                    phi_1709_ = _e670;
                 } else {
-                    phi_1703_ = _e689;
+                    phi_1709_ = _e693;
                 }
-                let _e693 = phi_1703_;
-                if (_e667 > -8388608f) {
-                    let _e705 = f32(select(0i, select(select(i32(_e667), i32(-2147483648), (_e667 < bitcast<f32>(3472883712u))), 2147483647i, (_e667 > bitcast<f32>(1325400063u))), (_e667 == _e667)));
-                    if (_e705 > _e667) {
-                        phi_1723_ = 1f;
+                let _e697 = phi_1709_;
+                if (_e671 > -8388608f) {
+                    let _e709 = f32(select(0i, select(select(i32(_e671), i32(-2147483648), (_e671 < bitcast<f32>(3472883712u))), 2147483647i, (_e671 > bitcast<f32>(1325400063u))), (_e671 == _e671)));
+                    if (_e709 > _e671) {
+                        phi_1729_ = 1f;
                     } else {
-                        phi_1723_ = 0f;
+                        phi_1729_ = 0f;
                     }
-                    let _e708 = phi_1723_;
-                    if (_e667 < 8388608f) {
-                        phi_1728_ = (_e705 - _e708);
-                        phi_1729_ = false;
+                    let _e712 = phi_1729_;
+                    if (_e671 < 8388608f) {
+                        phi_1734_ = (_e709 - _e712);
+                        phi_1735_ = false;
                     } else {
-                        phi_1728_ = f32();
-                        phi_1729_ = true;
+                        phi_1734_ = f32();
+                        phi_1735_ = true;
                     }
-                    let _e711 = phi_1728_;
-                    let _e713 = phi_1729_;
-                    phi_1730_ = _e711;
-                    phi_1731_ = _e713;
+                    let _e715 = phi_1734_;
+                    let _e717 = phi_1735_;
+                    phi_1736_ = _e715;
+                    phi_1737_ = _e717;
                 } else {
-                    phi_1730_ = f32();
-                    phi_1731_ = true;
+                    phi_1736_ = f32();
+                    phi_1737_ = true;
                 }
-                let _e715 = phi_1730_;
-                let _e717 = phi_1731_;
-                if _e717 {
-                    phi_1735_ = _e667;
+                let _e719 = phi_1736_;
+                let _e721 = phi_1737_;
+                if _e721 {
+                    phi_1741_ = _e671;
                 } else {
-                    phi_1735_ = _e715;
+                    phi_1741_ = _e719;
                 }
-                let _e719 = phi_1735_;
-                let _e720 = (_e666 - _e693);
-                let _e721 = (_e667 - _e719);
-                let _e730 = select(0i, select(select(i32(_e693), i32(-2147483648), (_e693 < bitcast<f32>(3472883712u))), 2147483647i, (_e693 > bitcast<f32>(1325400063u))), (_e693 == _e693));
-                let _e739 = select(0i, select(select(i32(_e719), i32(-2147483648), (_e719 < bitcast<f32>(3472883712u))), 2147483647i, (_e719 > bitcast<f32>(1325400063u))), (_e719 == _e719));
-                let _e742 = ((1f - _e720) * (1f - _e721));
-                let _e744 = (_e720 * (1f - _e721));
-                let _e746 = ((1f - _e720) * _e721);
-                let _e747 = (_e720 * _e721);
-                let _e749 = p.member.test;
-                let _e750 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e749);
-                let _e752 = p.member.map_size;
-                let _e754 = local_5;
-                local_2 = _e750;
-                let _e757 = ((_e754.level * _e752) * _e752);
-                let _e759 = (bitcast<i32>(_e752) - 1i);
-                if (_e730 > 0i) {
-                    phi_1784_ = _e730;
+                let _e723 = phi_1741_;
+                let _e724 = (_e670 - _e697);
+                let _e725 = (_e671 - _e723);
+                let _e734 = select(0i, select(select(i32(_e697), i32(-2147483648), (_e697 < bitcast<f32>(3472883712u))), 2147483647i, (_e697 > bitcast<f32>(1325400063u))), (_e697 == _e697));
+                let _e743 = select(0i, select(select(i32(_e723), i32(-2147483648), (_e723 < bitcast<f32>(3472883712u))), 2147483647i, (_e723 > bitcast<f32>(1325400063u))), (_e723 == _e723));
+                let _e746 = ((1f - _e724) * (1f - _e725));
+                let _e748 = (_e724 * (1f - _e725));
+                let _e750 = ((1f - _e724) * _e725);
+                let _e751 = (_e724 * _e725);
+                let _e753 = p.member.test;
+                let _e754 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e753);
+                let _e756 = p.member.map_size;
+                let _e758 = local_5;
+                local_2 = _e754;
+                let _e761 = ((_e758.level * _e756) * _e756);
+                let _e763 = (bitcast<i32>(_e756) - 1i);
+                if (_e734 > 0i) {
+                    phi_1790_ = _e734;
                 } else {
-                    phi_1784_ = 0i;
+                    phi_1790_ = 0i;
                 }
-                let _e762 = phi_1784_;
-                if (_e739 > 0i) {
-                    phi_1789_ = _e739;
+                let _e766 = phi_1790_;
+                if (_e743 > 0i) {
+                    phi_1795_ = _e743;
                 } else {
-                    phi_1789_ = 0i;
+                    phi_1795_ = 0i;
                 }
-                let _e765 = phi_1789_;
-                if (_e762 < _e759) {
-                    phi_1794_ = _e762;
+                let _e769 = phi_1795_;
+                if (_e766 < _e763) {
+                    phi_1800_ = _e766;
                 } else {
-                    phi_1794_ = _e759;
+                    phi_1800_ = _e763;
                 }
-                let _e768 = phi_1794_;
-                if (_e765 < _e759) {
-                    phi_1799_ = _e765;
+                let _e772 = phi_1800_;
+                if (_e769 < _e763) {
+                    phi_1805_ = _e769;
                 } else {
-                    phi_1799_ = _e759;
+                    phi_1805_ = _e763;
                 }
-                let _e771 = phi_1799_;
-                let _e772 = bitcast<u32>(_e768);
-                let _e774 = (_e730 + 1i);
-                let _e775 = (_e739 + 1i);
-                if (_e774 > 0i) {
-                    phi_1808_ = _e774;
+                let _e775 = phi_1805_;
+                let _e776 = bitcast<u32>(_e772);
+                let _e778 = (_e734 + 1i);
+                let _e779 = (_e743 + 1i);
+                if (_e778 > 0i) {
+                    phi_1814_ = _e778;
                 } else {
-                    phi_1808_ = 0i;
+                    phi_1814_ = 0i;
                 }
-                let _e778 = phi_1808_;
-                if (_e775 > 0i) {
-                    phi_1813_ = _e775;
+                let _e782 = phi_1814_;
+                if (_e779 > 0i) {
+                    phi_1819_ = _e779;
                 } else {
-                    phi_1813_ = 0i;
+                    phi_1819_ = 0i;
                 }
-                let _e781 = phi_1813_;
-                if (_e778 < _e759) {
-                    phi_1818_ = _e778;
+                let _e785 = phi_1819_;
+                if (_e782 < _e763) {
+                    phi_1824_ = _e782;
                 } else {
-                    phi_1818_ = _e759;
+                    phi_1824_ = _e763;
                 }
-                let _e784 = phi_1818_;
-                if (_e781 < _e759) {
-                    phi_1823_ = _e781;
+                let _e788 = phi_1824_;
+                if (_e785 < _e763) {
+                    phi_1829_ = _e785;
                 } else {
-                    phi_1823_ = _e759;
+                    phi_1829_ = _e763;
                 }
-                let _e787 = phi_1823_;
-                let _e788 = bitcast<u32>(_e784);
-                let _e790 = (bitcast<u32>(_e771) * _e752);
-                let _e791 = (bitcast<u32>(_e787) * _e752);
-                let _e796 = ((_e790 + _e772) + _e757);
-                let _e797 = ((_e790 + _e788) + _e757);
-                let _e798 = ((_e791 + _e772) + _e757);
-                let _e799 = ((_e791 + _e788) + _e757);
-                if (_e796 < _e53) {
+                let _e791 = phi_1829_;
+                let _e792 = bitcast<u32>(_e788);
+                let _e794 = (bitcast<u32>(_e775) * _e756);
+                let _e795 = (bitcast<u32>(_e791) * _e756);
+                let _e800 = ((_e794 + _e776) + _e761);
+                let _e801 = ((_e794 + _e792) + _e761);
+                let _e802 = ((_e795 + _e776) + _e761);
+                let _e803 = ((_e795 + _e792) + _e761);
+                if (_e800 < _e57) {
                 } else {
                     return;
                 }
-                let _e803 = map.member[(0u + _e796)];
-                if (_e797 < _e53) {
+                let _e807 = map.member[(0u + _e800)];
+                if (_e801 < _e57) {
                 } else {
                     return;
                 }
-                let _e815 = map.member[(0u + _e797)];
-                if (_e798 < _e53) {
+                let _e819 = map.member[(0u + _e801)];
+                if (_e802 < _e57) {
                 } else {
                     return;
                 }
-                let _e831 = map.member[(0u + _e798)];
-                if (_e799 < _e53) {
+                let _e835 = map.member[(0u + _e802)];
+                if (_e803 < _e57) {
                 } else {
                     return;
                 }
-                let _e847 = map.member[(0u + _e799)];
-                let _e861 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_2), vec4<f32>(((((_e803.x * _e742) + (_e815.x * _e744)) + (_e831.x * _e746)) + (_e847.x * _e747)), ((((_e803.y * _e742) + (_e815.y * _e744)) + (_e831.y * _e746)) + (_e847.y * _e747)), ((((_e803.z * _e742) + (_e815.z * _e744)) + (_e831.z * _e746)) + (_e847.z * _e747)), ((((_e803.w * _e742) + (_e815.w * _e744)) + (_e831.w * _e746)) + (_e847.w * _e747))), _e656);
-                let _e863 = p.member.epsilon;
-                if (_e861 <= _e863) {
-                    phi_1918_ = true;
-                } else {
-                    phi_1918_ = (_e861 >= (1f - _e863));
-                }
-                let _e868 = phi_1918_;
-                if ((bitcast<u32>(_e861) & 2147483647u) > 2139095040u) {
+                let _e851 = map.member[(0u + _e803)];
+                let _e865 = _lt_math_msm_MsmHausdorff_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_2), vec4<f32>(((((_e807.x * _e746) + (_e819.x * _e748)) + (_e835.x * _e750)) + (_e851.x * _e751)), ((((_e807.y * _e746) + (_e819.y * _e748)) + (_e835.y * _e750)) + (_e851.y * _e751)), ((((_e807.z * _e746) + (_e819.z * _e748)) + (_e835.z * _e750)) + (_e851.z * _e751)), ((((_e807.w * _e746) + (_e819.w * _e748)) + (_e835.w * _e750)) + (_e851.w * _e751))), _e660);
+                let _e869 = p.member.epsilon;
+                if (_e865 <= _e869) {
                     phi_1926_ = true;
                 } else {
-                    phi_1926_ = !(_e868);
+                    phi_1926_ = (_e865 >= (1f - _e869));
                 }
                 let _e874 = phi_1926_;
-                if _e874 {
-                    if (_e861 > 0f) {
-                        if (_e861 < 1f) {
-                            phi_1938_ = false;
-                        } else {
-                            phi_1938_ = true;
-                        }
-                        let _e878 = phi_1938_;
-                        phi_1939_ = _e878;
-                    } else {
-                        phi_1939_ = true;
-                    }
-                    let _e880 = phi_1939_;
-                    if _e880 {
-                        phi_1943_ = 0.5f;
-                    } else {
-                        phi_1943_ = _e861;
-                    }
-                    let _e882 = phi_1943_;
-                    phi_1951_ = evaluate_Verdict(_e882, true);
+                if ((bitcast<u32>(_e865) & 2147483647u) > 2139095040u) {
+                    phi_1934_ = true;
                 } else {
-                    if (_e861 > 0.5f) {
-                        phi_1949_ = 1f;
-                    } else {
-                        phi_1949_ = 0f;
-                    }
-                    let _e886 = phi_1949_;
-                    phi_1951_ = evaluate_Verdict(_e886, false);
+                    phi_1934_ = !(_e874);
                 }
-                let _e889 = phi_1951_;
-                phi_1956_ = evaluate_Verdict(_e889.visibility, _e889.is_doubted);
+                let _e880 = phi_1934_;
+                if _e880 {
+                    if (_e865 > 0f) {
+                        if (_e865 < 1f) {
+                            phi_1946_ = false;
+                        } else {
+                            phi_1946_ = true;
+                        }
+                        let _e884 = phi_1946_;
+                        phi_1947_ = _e884;
+                    } else {
+                        phi_1947_ = true;
+                    }
+                    let _e886 = phi_1947_;
+                    if _e886 {
+                        phi_1951_ = 0.5f;
+                    } else {
+                        phi_1951_ = _e865;
+                    }
+                    let _e888 = phi_1951_;
+                    phi_1959_ = evaluate_Verdict(_e888, true);
+                } else {
+                    if (_e865 > 0.5f) {
+                        phi_1957_ = 1f;
+                    } else {
+                        phi_1957_ = 0f;
+                    }
+                    let _e892 = phi_1957_;
+                    phi_1959_ = evaluate_Verdict(_e892, false);
+                }
+                let _e895 = phi_1959_;
+                let _e898 = (_e895.visibility < 0.5f);
+                if _e895.is_doubted {
+                    phi_1982_ = evaluate_Verdict();
+                    phi_1983_ = true;
+                } else {
+                    if _e898 {
+                        phi_1969_ = 2u;
+                    } else {
+                        phi_1969_ = 1u;
+                    }
+                    let _e900 = phi_1969_;
+                    if ((0u & _e900) != 0u) {
+                        if _e898 {
+                            phi_1978_ = 0.000000059604645f;
+                        } else {
+                            phi_1978_ = 0.99999994f;
+                        }
+                        let _e904 = phi_1978_;
+                        phi_1980_ = evaluate_Verdict(_e904, true);
+                        phi_1981_ = false;
+                    } else {
+                        phi_1980_ = evaluate_Verdict();
+                        phi_1981_ = true;
+                    }
+                    let _e907 = phi_1980_;
+                    let _e909 = phi_1981_;
+                    phi_1982_ = _e907;
+                    phi_1983_ = _e909;
+                }
+                let _e911 = phi_1982_;
+                let _e913 = phi_1983_;
+                if _e913 {
+                    phi_1988_ = evaluate_Verdict(_e895.visibility, _e895.is_doubted);
+                } else {
+                    phi_1988_ = _e911;
+                }
+                let _e916 = phi_1988_;
+                phi_1993_ = evaluate_Verdict(_e916.visibility, _e916.is_doubted);
             } else {
-                phi_1956_ = evaluate_Verdict(0.5f, true);
+                phi_1993_ = evaluate_Verdict(0.5f, true);
             }
-            let _e895 = phi_1956_;
-            phi_1957_ = _e895;
+            let _e922 = phi_1993_;
+            phi_1994_ = _e922;
         }
-        let _e897 = phi_1957_;
-        visibility.member[_e64.first_primitive] = _e897.visibility;
-        phi_1961_ = _e897.is_doubted;
-        phi_1962_ = _e64.first_primitive;
+        let _e924 = phi_1994_;
+        visibility.member[_e68.first_primitive] = _e924.visibility;
+        phi_1998_ = _e924.is_doubted;
+        phi_1999_ = _e68.first_primitive;
     } else {
-        phi_1961_ = false;
-        phi_1962_ = 0u;
+        phi_1998_ = false;
+        phi_1999_ = 0u;
     }
-    let _e902 = phi_1961_;
-    let _e904 = phi_1962_;
-    if (_e48 == 0u) {
+    let _e929 = phi_1998_;
+    let _e931 = phi_1999_;
+    if (_e52 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e902 {
-        let _e908 = atomicAdd((&shared_[0u]), 1u);
-        phi_1973_ = _e908;
+    if _e929 {
+        let _e935 = atomicAdd((&shared_[0u]), 1u);
+        phi_2010_ = _e935;
     } else {
-        phi_1973_ = 0u;
+        phi_2010_ = 0u;
     }
-    let _e910 = phi_1973_;
+    let _e937 = phi_2010_;
     workgroupBarrier();
-    if (_e48 == 0u) {
-        let _e914 = atomicLoad((&shared_[0u]));
-        let _e915 = atomicAdd((&list.member[3u]), _e914);
-        atomicStore((&shared_[1u]), _e915);
+    if (_e52 == 0u) {
+        let _e941 = atomicLoad((&shared_[0u]));
+        let _e942 = atomicAdd((&list.member[3u]), _e941);
+        atomicStore((&shared_[1u]), _e942);
     }
     workgroupBarrier();
-    if _e902 {
-        let _e918 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e918) + _e910)]), _e904);
+    if _e929 {
+        if false {
+            phi_2027_ = (_e931 | 2147483648u);
+        } else {
+            phi_2027_ = _e931;
+        }
+        let _e946 = phi_2027_;
+        let _e948 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e948) + _e937)]), _e946);
     }
     return;
 }

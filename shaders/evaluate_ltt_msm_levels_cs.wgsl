@@ -68,24 +68,24 @@ struct type_39 {
     member: abi_ShadowParams,
 }
 
+struct type_43 {
+    member: array<lt_math_LightProjection>,
+}
+
 struct lt_math_LightPoint {
     uv: vec2<f32>,
     depth: f32,
     is_inside: bool,
 }
 
-struct lt_bvh_slab_Span {
-    near: f32,
-    far: f32,
-}
-
-struct type_45 {
-    member: array<lt_math_LightProjection>,
-}
-
 struct lt_math_LevelPoint {
     level: u32,
     point: lt_math_LightPoint,
+}
+
+struct lt_bvh_slab_Span {
+    near: f32,
+    far: f32,
 }
 
 struct type_51 {
@@ -107,40 +107,40 @@ var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_51;
 @group(0) @binding(5) 
-var<storage> levels: type_45;
+var<storage> levels: type_43;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_164_: lt_bvh_traverse_Tree;
-    var phi_165_: bool;
-    var phi_166_: lt_bvh_traverse_Tree;
-    var phi_167_: bool;
+    var phi_170_: lt_bvh_traverse_Tree;
+    var phi_171_: bool;
     var phi_172_: lt_bvh_traverse_Tree;
+    var phi_173_: bool;
+    var phi_178_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_164_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_165_ = false;
+            phi_170_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_171_ = false;
         } else {
-            phi_164_ = lt_bvh_traverse_Tree();
-            phi_165_ = true;
+            phi_170_ = lt_bvh_traverse_Tree();
+            phi_171_ = true;
         }
-        let _e59 = phi_164_;
-        let _e61 = phi_165_;
-        phi_166_ = _e59;
-        phi_167_ = _e61;
-    } else {
-        phi_166_ = lt_bvh_traverse_Tree();
-        phi_167_ = true;
-    }
-    let _e63 = phi_166_;
-    let _e65 = phi_167_;
-    if _e65 {
-        phi_172_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
+        let _e63 = phi_170_;
+        let _e65 = phi_171_;
         phi_172_ = _e63;
+        phi_173_ = _e65;
+    } else {
+        phi_172_ = lt_bvh_traverse_Tree();
+        phi_173_ = true;
     }
-    let _e70 = phi_172_;
-    return lt_bvh_traverse_Tree(_e70.root, _e70.first_primitive);
+    let _e67 = phi_172_;
+    let _e69 = phi_173_;
+    if _e69 {
+        phi_178_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_178_ = _e67;
+    }
+    let _e74 = phi_178_;
+    return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -148,1156 +148,1207 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_199_: f32;
-    var phi_200_: f32;
-    var phi_201_: f32;
-    var phi_218_: f32;
-    var phi_219_: f32;
-    var phi_220_: f32;
-    var phi_236_: f32;
-    var phi_237_: f32;
-    var phi_238_: f32;
-    var phi_254_: f32;
-    var phi_255_: f32;
-    var phi_256_: f32;
-    var phi_272_: f32;
-    var phi_273_: f32;
-    var phi_274_: f32;
-    var phi_309_: bool;
-    var phi_310_: bool;
-    var phi_311_: bool;
-    var phi_312_: bool;
-    var phi_313_: bool;
-    var phi_314_: bool;
+    var phi_205_: f32;
+    var phi_206_: f32;
+    var phi_207_: f32;
+    var phi_224_: f32;
+    var phi_225_: f32;
+    var phi_226_: f32;
+    var phi_242_: f32;
+    var phi_243_: f32;
+    var phi_244_: f32;
+    var phi_260_: f32;
+    var phi_261_: f32;
+    var phi_262_: f32;
+    var phi_278_: f32;
+    var phi_279_: f32;
+    var phi_280_: f32;
+    var phi_315_: bool;
+    var phi_316_: bool;
+    var phi_317_: bool;
     var phi_318_: bool;
-    var phi_629_: f32;
-    var phi_630_: f32;
-    var phi_631_: f32;
-    var phi_648_: f32;
-    var phi_649_: f32;
-    var phi_650_: f32;
-    var phi_667_: f32;
-    var phi_668_: f32;
-    var phi_669_: f32;
-    var phi_686_: f32;
-    var phi_687_: f32;
-    var phi_688_: f32;
-    var phi_711_: f32;
-    var phi_712_: f32;
-    var phi_713_: f32;
-    var phi_724_: f32;
-    var phi_739_: f32;
-    var phi_741_: lt_bvh_slab_Span;
-    var phi_799_: f32;
-    var phi_800_: f32;
-    var phi_801_: f32;
-    var phi_802_: f32;
-    var phi_803_: f32;
-    var phi_804_: bool;
+    var phi_319_: bool;
+    var phi_320_: bool;
+    var phi_324_: bool;
+    var phi_635_: f32;
+    var phi_636_: f32;
+    var phi_637_: f32;
+    var phi_654_: f32;
+    var phi_655_: f32;
+    var phi_656_: f32;
+    var phi_673_: f32;
+    var phi_674_: f32;
+    var phi_675_: f32;
+    var phi_692_: f32;
+    var phi_693_: f32;
+    var phi_694_: f32;
+    var phi_717_: f32;
+    var phi_718_: f32;
+    var phi_719_: f32;
+    var phi_730_: f32;
+    var phi_745_: f32;
+    var phi_747_: lt_bvh_slab_Span;
+    var phi_805_: f32;
+    var phi_806_: f32;
+    var phi_807_: f32;
     var phi_808_: f32;
-    var phi_823_: f32;
-    var phi_824_: f32;
-    var phi_825_: f32;
-    var phi_826_: f32;
-    var phi_827_: f32;
-    var phi_828_: f32;
+    var phi_809_: f32;
+    var phi_810_: bool;
+    var phi_814_: f32;
     var phi_829_: f32;
-    var phi_830_: bool;
+    var phi_830_: f32;
     var phi_831_: f32;
     var phi_832_: f32;
-    var phi_833_: bool;
+    var phi_833_: f32;
+    var phi_834_: f32;
+    var phi_835_: f32;
+    var phi_836_: bool;
     var phi_837_: f32;
+    var phi_838_: f32;
+    var phi_839_: bool;
+    var phi_843_: f32;
 
-    let _e50 = (*param_4);
+    let _e54 = (*param_4);
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_201_ = param_7;
+        phi_207_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_200_ = 0f;
+            phi_206_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_199_ = 1f;
+                phi_205_ = 1f;
             } else {
-                phi_199_ = param_7;
+                phi_205_ = param_7;
             }
-            let _e57 = phi_199_;
-            phi_200_ = _e57;
+            let _e61 = phi_205_;
+            phi_206_ = _e61;
         }
-        let _e59 = phi_200_;
-        phi_201_ = _e59;
+        let _e63 = phi_206_;
+        phi_207_ = _e63;
     }
-    let _e61 = phi_201_;
-    let _e62 = (_e61 - 0.00000047683716f);
+    let _e65 = phi_207_;
+    let _e66 = (_e65 - 0.00000047683716f);
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_220_ = param_5.x;
+        phi_226_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_219_ = 0f;
+            phi_225_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_218_ = 1f;
+                phi_224_ = 1f;
             } else {
-                phi_218_ = param_5.x;
+                phi_224_ = param_5.x;
             }
-            let _e70 = phi_218_;
-            phi_219_ = _e70;
+            let _e74 = phi_224_;
+            phi_225_ = _e74;
         }
-        let _e72 = phi_219_;
-        phi_220_ = _e72;
+        let _e76 = phi_225_;
+        phi_226_ = _e76;
     }
-    let _e74 = phi_220_;
+    let _e78 = phi_226_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_238_ = param_5.y;
+        phi_244_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_237_ = 0f;
+            phi_243_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_236_ = 1f;
+                phi_242_ = 1f;
             } else {
-                phi_236_ = param_5.y;
+                phi_242_ = param_5.y;
             }
-            let _e82 = phi_236_;
-            phi_237_ = _e82;
+            let _e86 = phi_242_;
+            phi_243_ = _e86;
         }
-        let _e84 = phi_237_;
-        phi_238_ = _e84;
+        let _e88 = phi_243_;
+        phi_244_ = _e88;
     }
-    let _e86 = phi_238_;
+    let _e90 = phi_244_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_256_ = param_5.z;
+        phi_262_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_255_ = 0f;
+            phi_261_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_254_ = 1f;
+                phi_260_ = 1f;
             } else {
-                phi_254_ = param_5.z;
+                phi_260_ = param_5.z;
             }
-            let _e94 = phi_254_;
-            phi_255_ = _e94;
+            let _e98 = phi_260_;
+            phi_261_ = _e98;
         }
-        let _e96 = phi_255_;
-        phi_256_ = _e96;
+        let _e100 = phi_261_;
+        phi_262_ = _e100;
     }
-    let _e98 = phi_256_;
+    let _e102 = phi_262_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_274_ = param_5.w;
+        phi_280_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_273_ = 0f;
+            phi_279_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_272_ = 1f;
+                phi_278_ = 1f;
             } else {
-                phi_272_ = param_5.w;
+                phi_278_ = param_5.w;
             }
-            let _e106 = phi_272_;
-            phi_273_ = _e106;
+            let _e110 = phi_278_;
+            phi_279_ = _e110;
         }
-        let _e108 = phi_273_;
-        phi_274_ = _e108;
+        let _e112 = phi_279_;
+        phi_280_ = _e112;
     }
-    let _e110 = phi_274_;
-    let _e111 = (_e74 - _e62);
-    let _e112 = (_e86 - _e62);
-    let _e113 = (_e98 - _e62);
-    let _e114 = (_e110 - _e62);
-    let _e125 = ((((_e111 * param_6.x) + (_e112 * param_6.y)) + (_e113 * param_6.z)) + (_e114 * param_6.w));
-    if ((bitcast<u32>(_e125) & 2147483647u) > 2139095040u) {
-        phi_831_ = _e125;
-        phi_832_ = f32();
-        phi_833_ = true;
+    let _e114 = phi_280_;
+    let _e115 = (_e78 - _e66);
+    let _e116 = (_e90 - _e66);
+    let _e117 = (_e102 - _e66);
+    let _e118 = (_e114 - _e66);
+    let _e129 = ((((_e115 * param_6.x) + (_e116 * param_6.y)) + (_e117 * param_6.z)) + (_e118 * param_6.w));
+    if ((bitcast<u32>(_e129) & 2147483647u) > 2139095040u) {
+        phi_837_ = _e129;
+        phi_838_ = f32();
+        phi_839_ = true;
     } else {
-        if (_e111 >= 0f) {
-            if (_e112 >= 0f) {
-                if (_e113 >= 0f) {
-                    phi_309_ = (_e114 >= 0f);
-                    phi_310_ = false;
+        if (_e115 >= 0f) {
+            if (_e116 >= 0f) {
+                if (_e117 >= 0f) {
+                    phi_315_ = (_e118 >= 0f);
+                    phi_316_ = false;
                 } else {
-                    phi_309_ = bool();
-                    phi_310_ = true;
+                    phi_315_ = bool();
+                    phi_316_ = true;
                 }
-                let _e134 = phi_309_;
-                let _e136 = phi_310_;
-                phi_311_ = _e134;
-                phi_312_ = _e136;
+                let _e138 = phi_315_;
+                let _e140 = phi_316_;
+                phi_317_ = _e138;
+                phi_318_ = _e140;
             } else {
-                phi_311_ = bool();
-                phi_312_ = true;
+                phi_317_ = bool();
+                phi_318_ = true;
             }
-            let _e138 = phi_311_;
-            let _e140 = phi_312_;
-            phi_313_ = _e138;
-            phi_314_ = _e140;
+            let _e142 = phi_317_;
+            let _e144 = phi_318_;
+            phi_319_ = _e142;
+            phi_320_ = _e144;
         } else {
-            phi_313_ = bool();
-            phi_314_ = true;
+            phi_319_ = bool();
+            phi_320_ = true;
         }
-        let _e142 = phi_313_;
-        let _e144 = phi_314_;
-        if _e144 {
-            phi_318_ = false;
+        let _e146 = phi_319_;
+        let _e148 = phi_320_;
+        if _e148 {
+            phi_324_ = false;
         } else {
-            phi_318_ = _e142;
+            phi_324_ = _e146;
         }
-        let _e146 = phi_318_;
-        if _e146 {
-            phi_828_ = 1f;
-            phi_829_ = f32();
-            phi_830_ = true;
+        let _e150 = phi_324_;
+        if _e150 {
+            phi_834_ = 1f;
+            phi_835_ = f32();
+            phi_836_ = true;
         } else {
-            let _e147 = (0.5f * _e50);
-            let _e148 = (1f - _e50);
-            let _e150 = (param_6.x * _e148);
-            let _e152 = (param_6.y * _e148);
-            let _e154 = (param_6.z * _e148);
-            let _e156 = (param_6.w * _e148);
-            let _e157 = -(_e62);
-            let _e158 = (1f - _e62);
-            let _e160 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e74);
-            let _e162 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e86);
-            let _e164 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e98);
-            let _e166 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e110);
-            let _e167 = (_e111 - _e112);
-            let _e168 = (_e112 - _e113);
-            let _e169 = (_e113 - _e114);
-            let _e170 = (_e114 - _e111);
-            let _e171 = (_e167 * _e167);
-            let _e172 = (_e168 * _e168);
-            let _e173 = (_e169 * _e169);
-            let _e174 = (_e170 * _e170);
-            let _e175 = (_e111 - _e113);
-            let _e176 = (_e112 - _e114);
-            let _e177 = (_e113 - _e111);
-            let _e178 = (_e114 - _e112);
-            let _e179 = (_e175 * _e175);
-            let _e180 = (_e176 * _e176);
-            let _e181 = (_e177 * _e177);
-            let _e182 = (_e178 * _e178);
-            let _e187 = ((_e150 * _e152) * _e171);
-            let _e188 = ((_e152 * _e154) * _e172);
-            let _e189 = ((_e154 * _e156) * _e173);
-            let _e190 = ((_e156 * _e150) * _e174);
-            let _e199 = (((0.5f * _e150) * _e154) * _e179);
-            let _e200 = (((0.5f * _e152) * _e156) * _e180);
-            let _e201 = (((0.5f * _e154) * _e150) * _e181);
-            let _e202 = (((0.5f * _e156) * _e152) * _e182);
-            let _e203 = (_e111 * _e112);
-            let _e204 = (_e112 * _e113);
-            let _e205 = (_e113 * _e114);
-            let _e206 = (_e114 * _e111);
-            let _e207 = (_e111 * _e113);
-            let _e208 = (_e112 * _e114);
-            let _e209 = (_e113 * _e111);
-            let _e210 = (_e114 * _e112);
-            let _e211 = (_e187 * _e203);
-            let _e212 = (_e188 * _e204);
-            let _e213 = (_e189 * _e205);
-            let _e214 = (_e190 * _e206);
-            let _e215 = (_e199 * _e207);
-            let _e216 = (_e200 * _e208);
-            let _e217 = (_e201 * _e209);
-            let _e218 = (_e202 * _e210);
-            let _e219 = (_e74 * _e74);
-            let _e220 = (_e86 * _e86);
-            let _e221 = (_e98 * _e98);
-            let _e222 = (_e110 * _e110);
-            let _e223 = (_e160 * _e160);
-            let _e224 = (_e162 * _e162);
-            let _e225 = (_e164 * _e164);
-            let _e226 = (_e166 * _e166);
-            let _e227 = (_e147 * _e150);
-            let _e228 = (_e147 * _e152);
-            let _e229 = (_e147 * _e154);
-            let _e230 = (_e147 * _e156);
-            let _e239 = (((_e227 * _e111) * _e219) * _e157);
-            let _e240 = (((_e228 * _e112) * _e220) * _e157);
-            let _e241 = (((_e229 * _e113) * _e221) * _e157);
-            let _e242 = (((_e230 * _e114) * _e222) * _e157);
-            let _e251 = (((_e227 * _e111) * _e223) * _e158);
-            let _e252 = (((_e228 * _e112) * _e224) * _e158);
-            let _e253 = (((_e229 * _e113) * _e225) * _e158);
-            let _e254 = (((_e230 * _e114) * _e226) * _e158);
-            let _e422 = (((((((_e187 * _e154) * _e172) * _e179) + (_e147 * (((_e187 * ((_e219 * _e220) + (_e223 * _e224))) + (_e199 * ((_e219 * _e221) + (_e223 * _e225)))) + ((_e227 * _e219) * _e223)))) + ((((_e188 * _e156) * _e173) * _e180) + (_e147 * (((_e188 * ((_e220 * _e221) + (_e224 * _e225))) + (_e200 * ((_e220 * _e222) + (_e224 * _e226)))) + ((_e228 * _e220) * _e224))))) + ((((_e189 * _e150) * _e174) * _e181) + (_e147 * (((_e189 * ((_e221 * _e222) + (_e225 * _e226))) + (_e201 * ((_e221 * _e219) + (_e225 * _e223)))) + ((_e229 * _e221) * _e225))))) + ((((_e190 * _e152) * _e171) * _e182) + (_e147 * (((_e190 * ((_e222 * _e219) + (_e226 * _e223))) + (_e202 * ((_e222 * _e220) + (_e226 * _e224)))) + ((_e230 * _e222) * _e226)))));
-            let _e425 = (((_e147 * _e147) * _e157) * _e158);
-            let _e428 = (((((((_e211 * _e203) + (_e215 * _e207)) + (_e111 * ((_e239 * _e157) + (_e251 * _e158)))) + (((_e212 * _e204) + (_e216 * _e208)) + (_e112 * ((_e240 * _e157) + (_e252 * _e158))))) + (((_e213 * _e205) + (_e217 * _e209)) + (_e113 * ((_e241 * _e157) + (_e253 * _e158))))) + (((_e214 * _e206) + (_e218 * _e210)) + (_e114 * ((_e242 * _e157) + (_e254 * _e158))))) + ((_e425 * _e157) * _e158));
-            let _e434 = (_e428 < 0.0000000000000000000000000000000001f);
-            if _e434 {
-                if ((bitcast<u32>(_e111) & 2147483647u) > 2139095040u) {
-                    phi_631_ = _e111;
+            let _e151 = (0.5f * _e54);
+            let _e152 = (1f - _e54);
+            let _e154 = (param_6.x * _e152);
+            let _e156 = (param_6.y * _e152);
+            let _e158 = (param_6.z * _e152);
+            let _e160 = (param_6.w * _e152);
+            let _e161 = -(_e66);
+            let _e162 = (1f - _e66);
+            let _e164 = (vec4<f32>(1f, 1f, 1f, 1f).x - _e78);
+            let _e166 = (vec4<f32>(1f, 1f, 1f, 1f).y - _e90);
+            let _e168 = (vec4<f32>(1f, 1f, 1f, 1f).z - _e102);
+            let _e170 = (vec4<f32>(1f, 1f, 1f, 1f).w - _e114);
+            let _e171 = (_e115 - _e116);
+            let _e172 = (_e116 - _e117);
+            let _e173 = (_e117 - _e118);
+            let _e174 = (_e118 - _e115);
+            let _e175 = (_e171 * _e171);
+            let _e176 = (_e172 * _e172);
+            let _e177 = (_e173 * _e173);
+            let _e178 = (_e174 * _e174);
+            let _e179 = (_e115 - _e117);
+            let _e180 = (_e116 - _e118);
+            let _e181 = (_e117 - _e115);
+            let _e182 = (_e118 - _e116);
+            let _e183 = (_e179 * _e179);
+            let _e184 = (_e180 * _e180);
+            let _e185 = (_e181 * _e181);
+            let _e186 = (_e182 * _e182);
+            let _e191 = ((_e154 * _e156) * _e175);
+            let _e192 = ((_e156 * _e158) * _e176);
+            let _e193 = ((_e158 * _e160) * _e177);
+            let _e194 = ((_e160 * _e154) * _e178);
+            let _e203 = (((0.5f * _e154) * _e158) * _e183);
+            let _e204 = (((0.5f * _e156) * _e160) * _e184);
+            let _e205 = (((0.5f * _e158) * _e154) * _e185);
+            let _e206 = (((0.5f * _e160) * _e156) * _e186);
+            let _e207 = (_e115 * _e116);
+            let _e208 = (_e116 * _e117);
+            let _e209 = (_e117 * _e118);
+            let _e210 = (_e118 * _e115);
+            let _e211 = (_e115 * _e117);
+            let _e212 = (_e116 * _e118);
+            let _e213 = (_e117 * _e115);
+            let _e214 = (_e118 * _e116);
+            let _e215 = (_e191 * _e207);
+            let _e216 = (_e192 * _e208);
+            let _e217 = (_e193 * _e209);
+            let _e218 = (_e194 * _e210);
+            let _e219 = (_e203 * _e211);
+            let _e220 = (_e204 * _e212);
+            let _e221 = (_e205 * _e213);
+            let _e222 = (_e206 * _e214);
+            let _e223 = (_e78 * _e78);
+            let _e224 = (_e90 * _e90);
+            let _e225 = (_e102 * _e102);
+            let _e226 = (_e114 * _e114);
+            let _e227 = (_e164 * _e164);
+            let _e228 = (_e166 * _e166);
+            let _e229 = (_e168 * _e168);
+            let _e230 = (_e170 * _e170);
+            let _e231 = (_e151 * _e154);
+            let _e232 = (_e151 * _e156);
+            let _e233 = (_e151 * _e158);
+            let _e234 = (_e151 * _e160);
+            let _e243 = (((_e231 * _e115) * _e223) * _e161);
+            let _e244 = (((_e232 * _e116) * _e224) * _e161);
+            let _e245 = (((_e233 * _e117) * _e225) * _e161);
+            let _e246 = (((_e234 * _e118) * _e226) * _e161);
+            let _e255 = (((_e231 * _e115) * _e227) * _e162);
+            let _e256 = (((_e232 * _e116) * _e228) * _e162);
+            let _e257 = (((_e233 * _e117) * _e229) * _e162);
+            let _e258 = (((_e234 * _e118) * _e230) * _e162);
+            let _e426 = (((((((_e191 * _e158) * _e176) * _e183) + (_e151 * (((_e191 * ((_e223 * _e224) + (_e227 * _e228))) + (_e203 * ((_e223 * _e225) + (_e227 * _e229)))) + ((_e231 * _e223) * _e227)))) + ((((_e192 * _e160) * _e177) * _e184) + (_e151 * (((_e192 * ((_e224 * _e225) + (_e228 * _e229))) + (_e204 * ((_e224 * _e226) + (_e228 * _e230)))) + ((_e232 * _e224) * _e228))))) + ((((_e193 * _e154) * _e178) * _e185) + (_e151 * (((_e193 * ((_e225 * _e226) + (_e229 * _e230))) + (_e205 * ((_e225 * _e223) + (_e229 * _e227)))) + ((_e233 * _e225) * _e229))))) + ((((_e194 * _e156) * _e175) * _e186) + (_e151 * (((_e194 * ((_e226 * _e223) + (_e230 * _e227))) + (_e206 * ((_e226 * _e224) + (_e230 * _e228)))) + ((_e234 * _e226) * _e230)))));
+            let _e429 = (((_e151 * _e151) * _e161) * _e162);
+            let _e432 = (((((((_e215 * _e207) + (_e219 * _e211)) + (_e115 * ((_e243 * _e161) + (_e255 * _e162)))) + (((_e216 * _e208) + (_e220 * _e212)) + (_e116 * ((_e244 * _e161) + (_e256 * _e162))))) + (((_e217 * _e209) + (_e221 * _e213)) + (_e117 * ((_e245 * _e161) + (_e257 * _e162))))) + (((_e218 * _e210) + (_e222 * _e214)) + (_e118 * ((_e246 * _e161) + (_e258 * _e162))))) + ((_e429 * _e161) * _e162));
+            let _e438 = (_e432 < 0.0000000000000000000000000000000001f);
+            if _e438 {
+                if ((bitcast<u32>(_e115) & 2147483647u) > 2139095040u) {
+                    phi_637_ = _e115;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_630_ = 0f;
+                        phi_636_ = 0f;
                     } else {
-                        if (_e111 < 0f) {
-                            phi_629_ = 0f;
+                        if (_e115 < 0f) {
+                            phi_635_ = 0f;
                         } else {
-                            phi_629_ = 1f;
+                            phi_635_ = 1f;
                         }
-                        let _e443 = phi_629_;
-                        phi_630_ = _e443;
+                        let _e447 = phi_635_;
+                        phi_636_ = _e447;
                     }
-                    let _e445 = phi_630_;
-                    phi_631_ = _e445;
+                    let _e449 = phi_636_;
+                    phi_637_ = _e449;
                 }
-                let _e447 = phi_631_;
-                if ((bitcast<u32>(_e112) & 2147483647u) > 2139095040u) {
-                    phi_650_ = _e112;
+                let _e451 = phi_637_;
+                if ((bitcast<u32>(_e116) & 2147483647u) > 2139095040u) {
+                    phi_656_ = _e116;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_649_ = 0f;
+                        phi_655_ = 0f;
                     } else {
-                        if (_e112 < 0f) {
-                            phi_648_ = 0f;
+                        if (_e116 < 0f) {
+                            phi_654_ = 0f;
                         } else {
-                            phi_648_ = 1f;
+                            phi_654_ = 1f;
                         }
-                        let _e456 = phi_648_;
-                        phi_649_ = _e456;
+                        let _e460 = phi_654_;
+                        phi_655_ = _e460;
                     }
-                    let _e458 = phi_649_;
-                    phi_650_ = _e458;
+                    let _e462 = phi_655_;
+                    phi_656_ = _e462;
                 }
-                let _e460 = phi_650_;
-                if ((bitcast<u32>(_e113) & 2147483647u) > 2139095040u) {
-                    phi_669_ = _e113;
+                let _e464 = phi_656_;
+                if ((bitcast<u32>(_e117) & 2147483647u) > 2139095040u) {
+                    phi_675_ = _e117;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_668_ = 0f;
+                        phi_674_ = 0f;
                     } else {
-                        if (_e113 < 0f) {
-                            phi_667_ = 0f;
+                        if (_e117 < 0f) {
+                            phi_673_ = 0f;
                         } else {
-                            phi_667_ = 1f;
+                            phi_673_ = 1f;
                         }
-                        let _e469 = phi_667_;
-                        phi_668_ = _e469;
+                        let _e473 = phi_673_;
+                        phi_674_ = _e473;
                     }
-                    let _e471 = phi_668_;
-                    phi_669_ = _e471;
+                    let _e475 = phi_674_;
+                    phi_675_ = _e475;
                 }
-                let _e473 = phi_669_;
-                if ((bitcast<u32>(_e114) & 2147483647u) > 2139095040u) {
-                    phi_688_ = _e114;
+                let _e477 = phi_675_;
+                if ((bitcast<u32>(_e118) & 2147483647u) > 2139095040u) {
+                    phi_694_ = _e118;
                 } else {
                     if ((bitcast<u32>(0f) & 2147483647u) > 2139095040u) {
-                        phi_687_ = 0f;
+                        phi_693_ = 0f;
                     } else {
-                        if (_e114 < 0f) {
-                            phi_686_ = 0f;
+                        if (_e118 < 0f) {
+                            phi_692_ = 0f;
                         } else {
-                            phi_686_ = 1f;
+                            phi_692_ = 1f;
                         }
-                        let _e482 = phi_686_;
-                        phi_687_ = _e482;
+                        let _e486 = phi_692_;
+                        phi_693_ = _e486;
                     }
-                    let _e484 = phi_687_;
-                    phi_688_ = _e484;
+                    let _e488 = phi_693_;
+                    phi_694_ = _e488;
                 }
-                let _e486 = phi_688_;
-                let _e494 = (((((_e447 * _e150) + (_e460 * _e152)) + (_e473 * _e154)) + (_e486 * _e156)) + _e147);
-                if ((bitcast<u32>(_e494) & 2147483647u) > 2139095040u) {
-                    phi_713_ = _e494;
+                let _e490 = phi_694_;
+                let _e498 = (((((_e451 * _e154) + (_e464 * _e156)) + (_e477 * _e158)) + (_e490 * _e160)) + _e151);
+                if ((bitcast<u32>(_e498) & 2147483647u) > 2139095040u) {
+                    phi_719_ = _e498;
                 } else {
-                    if (_e494 < 0f) {
-                        phi_712_ = 0f;
+                    if (_e498 < 0f) {
+                        phi_718_ = 0f;
                     } else {
-                        if (_e494 > 1f) {
-                            phi_711_ = 1f;
+                        if (_e498 > 1f) {
+                            phi_717_ = 1f;
                         } else {
-                            phi_711_ = _e494;
+                            phi_717_ = _e498;
                         }
-                        let _e501 = phi_711_;
-                        phi_712_ = _e501;
+                        let _e505 = phi_717_;
+                        phi_718_ = _e505;
                     }
-                    let _e503 = phi_712_;
-                    phi_713_ = _e503;
+                    let _e507 = phi_718_;
+                    phi_719_ = _e507;
                 }
-                let _e505 = phi_713_;
-                phi_826_ = _e505;
-                phi_827_ = f32();
+                let _e509 = phi_719_;
+                phi_832_ = _e509;
+                phi_833_ = f32();
             } else {
-                let _e507 = ((0.5f * -(((((((((_e211 * (_e111 + _e112)) + (_e215 * (_e111 + _e113))) + (_e239 * (_e111 + _e157))) + (_e251 * (_e111 + _e158))) + ((((_e212 * (_e112 + _e113)) + (_e216 * (_e112 + _e114))) + (_e240 * (_e112 + _e157))) + (_e252 * (_e112 + _e158)))) + ((((_e213 * (_e113 + _e114)) + (_e217 * (_e113 + _e111))) + (_e241 * (_e113 + _e157))) + (_e253 * (_e113 + _e158)))) + ((((_e214 * (_e114 + _e111)) + (_e218 * (_e114 + _e112))) + (_e242 * (_e114 + _e157))) + (_e254 * (_e114 + _e158)))) + (_e425 * (_e157 + _e158))))) / _e428);
-                let _e508 = ((((((((_e211 + _e215) + _e239) + _e251) + (((_e212 + _e216) + _e240) + _e252)) + (((_e213 + _e217) + _e241) + _e253)) + (((_e214 + _e218) + _e242) + _e254)) + _e425) / _e428);
-                let _e510 = ((_e507 * _e507) - _e508);
-                if (_e510 > 0f) {
-                    phi_724_ = sqrt(_e510);
+                let _e511 = ((0.5f * -(((((((((_e215 * (_e115 + _e116)) + (_e219 * (_e115 + _e117))) + (_e243 * (_e115 + _e161))) + (_e255 * (_e115 + _e162))) + ((((_e216 * (_e116 + _e117)) + (_e220 * (_e116 + _e118))) + (_e244 * (_e116 + _e161))) + (_e256 * (_e116 + _e162)))) + ((((_e217 * (_e117 + _e118)) + (_e221 * (_e117 + _e115))) + (_e245 * (_e117 + _e161))) + (_e257 * (_e117 + _e162)))) + ((((_e218 * (_e118 + _e115)) + (_e222 * (_e118 + _e116))) + (_e246 * (_e118 + _e161))) + (_e258 * (_e118 + _e162)))) + (_e429 * (_e161 + _e162))))) / _e432);
+                let _e512 = ((((((((_e215 + _e219) + _e243) + _e255) + (((_e216 + _e220) + _e244) + _e256)) + (((_e217 + _e221) + _e245) + _e257)) + (((_e218 + _e222) + _e246) + _e258)) + _e429) / _e432);
+                let _e514 = ((_e511 * _e511) - _e512);
+                if (_e514 > 0f) {
+                    phi_730_ = sqrt(_e514);
                 } else {
-                    phi_724_ = 0f;
+                    phi_730_ = 0f;
                 }
-                let _e514 = phi_724_;
-                if (_e507 > 0f) {
-                    let _e517 = (-(_e507) - _e514);
-                    phi_741_ = lt_bvh_slab_Span(_e517, (_e508 / _e517));
+                let _e518 = phi_730_;
+                if (_e511 > 0f) {
+                    let _e521 = (-(_e511) - _e518);
+                    phi_747_ = lt_bvh_slab_Span(_e521, (_e512 / _e521));
                 } else {
-                    let _e520 = (_e514 - _e507);
-                    if (_e520 > 0f) {
-                        phi_739_ = (_e508 / _e520);
+                    let _e524 = (_e518 - _e511);
+                    if (_e524 > 0f) {
+                        phi_745_ = (_e512 / _e524);
                     } else {
-                        phi_739_ = 0f;
+                        phi_745_ = 0f;
                     }
-                    let _e524 = phi_739_;
-                    phi_741_ = lt_bvh_slab_Span(_e524, _e520);
+                    let _e528 = phi_745_;
+                    phi_747_ = lt_bvh_slab_Span(_e528, _e524);
                 }
-                let _e527 = phi_741_;
-                if (_e527.near >= 0f) {
-                    phi_802_ = 1f;
-                    phi_803_ = f32();
-                    phi_804_ = true;
+                let _e531 = phi_747_;
+                if (_e531.near >= 0f) {
+                    phi_808_ = 1f;
+                    phi_809_ = f32();
+                    phi_810_ = true;
                 } else {
-                    let _e531 = (_e527.far <= 0f);
-                    if _e531 {
-                        phi_800_ = (_e422 / _e428);
-                        phi_801_ = f32();
+                    let _e535 = (_e531.far <= 0f);
+                    if _e535 {
+                        phi_806_ = (_e426 / _e432);
+                        phi_807_ = f32();
                     } else {
-                        let _e542 = (((((_e150 * _e111) + (_e152 * _e112)) + (_e154 * _e113)) + (_e156 * _e114)) + (_e147 * (_e157 + _e158)));
-                        let _e558 = (((((_e150 * (_e111 * _e111)) + (_e152 * (_e112 * _e112))) + (_e154 * (_e113 * _e113))) + (_e156 * (_e114 * _e114))) + (_e147 * ((_e157 * _e157) + (_e158 * _e158))));
-                        if (-(_e527.near) <= _e527.far) {
-                            phi_799_ = (1f - (((_e527.near * _e527.near) * ((_e527.far * _e558) - _e542)) / (_e527.far - _e527.near)));
+                        let _e546 = (((((_e154 * _e115) + (_e156 * _e116)) + (_e158 * _e117)) + (_e160 * _e118)) + (_e151 * (_e161 + _e162)));
+                        let _e562 = (((((_e154 * (_e115 * _e115)) + (_e156 * (_e116 * _e116))) + (_e158 * (_e117 * _e117))) + (_e160 * (_e118 * _e118))) + (_e151 * ((_e161 * _e161) + (_e162 * _e162))));
+                        if (-(_e531.near) <= _e531.far) {
+                            phi_805_ = (1f - (((_e531.near * _e531.near) * ((_e531.far * _e562) - _e546)) / (_e531.far - _e531.near)));
                         } else {
-                            phi_799_ = ((_e422 / _e428) + (((_e527.far * _e527.far) * (_e542 - (_e527.near * _e558))) / (_e527.far - _e527.near)));
+                            phi_805_ = ((_e426 / _e432) + (((_e531.far * _e531.far) * (_e546 - (_e531.near * _e562))) / (_e531.far - _e531.near)));
                         }
-                        let _e577 = phi_799_;
-                        phi_800_ = f32();
-                        phi_801_ = _e577;
+                        let _e581 = phi_805_;
+                        phi_806_ = f32();
+                        phi_807_ = _e581;
                     }
-                    let _e579 = phi_800_;
-                    let _e581 = phi_801_;
-                    phi_802_ = _e579;
-                    phi_803_ = _e581;
-                    phi_804_ = _e531;
-                }
-                let _e583 = phi_802_;
-                let _e585 = phi_803_;
-                let _e587 = phi_804_;
-                if _e587 {
+                    let _e583 = phi_806_;
+                    let _e585 = phi_807_;
                     phi_808_ = _e583;
-                } else {
-                    phi_808_ = _e585;
+                    phi_809_ = _e585;
+                    phi_810_ = _e535;
                 }
-                let _e589 = phi_808_;
-                if ((bitcast<u32>(_e589) & 2147483647u) > 2139095040u) {
-                    phi_825_ = _e589;
+                let _e587 = phi_808_;
+                let _e589 = phi_809_;
+                let _e591 = phi_810_;
+                if _e591 {
+                    phi_814_ = _e587;
                 } else {
-                    if (_e589 < 0f) {
-                        phi_824_ = 0f;
+                    phi_814_ = _e589;
+                }
+                let _e593 = phi_814_;
+                if ((bitcast<u32>(_e593) & 2147483647u) > 2139095040u) {
+                    phi_831_ = _e593;
+                } else {
+                    if (_e593 < 0f) {
+                        phi_830_ = 0f;
                     } else {
-                        if (_e589 > 1f) {
-                            phi_823_ = 1f;
+                        if (_e593 > 1f) {
+                            phi_829_ = 1f;
                         } else {
-                            phi_823_ = _e589;
+                            phi_829_ = _e593;
                         }
-                        let _e596 = phi_823_;
-                        phi_824_ = _e596;
+                        let _e600 = phi_829_;
+                        phi_830_ = _e600;
                     }
-                    let _e598 = phi_824_;
-                    phi_825_ = _e598;
+                    let _e602 = phi_830_;
+                    phi_831_ = _e602;
                 }
-                let _e600 = phi_825_;
-                phi_826_ = f32();
-                phi_827_ = _e600;
+                let _e604 = phi_831_;
+                phi_832_ = f32();
+                phi_833_ = _e604;
             }
-            let _e602 = phi_826_;
-            let _e604 = phi_827_;
-            phi_828_ = _e602;
-            phi_829_ = _e604;
-            phi_830_ = _e434;
+            let _e606 = phi_832_;
+            let _e608 = phi_833_;
+            phi_834_ = _e606;
+            phi_835_ = _e608;
+            phi_836_ = _e438;
         }
-        let _e606 = phi_828_;
-        let _e608 = phi_829_;
-        let _e610 = phi_830_;
-        phi_831_ = _e606;
-        phi_832_ = _e608;
-        phi_833_ = _e610;
+        let _e610 = phi_834_;
+        let _e612 = phi_835_;
+        let _e614 = phi_836_;
+        phi_837_ = _e610;
+        phi_838_ = _e612;
+        phi_839_ = _e614;
     }
-    let _e612 = phi_831_;
-    let _e614 = phi_832_;
-    let _e616 = phi_833_;
-    if _e616 {
-        phi_837_ = _e612;
+    let _e616 = phi_837_;
+    let _e618 = phi_838_;
+    let _e620 = phi_839_;
+    if _e620 {
+        phi_843_ = _e616;
     } else {
-        phi_837_ = _e614;
+        phi_843_ = _e618;
     }
-    let _e618 = phi_837_;
-    return _e618;
+    let _e622 = phi_843_;
+    return _e622;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_892_: bool;
-    var phi_893_: bool;
-    var phi_894_: bool;
-    var phi_895_: bool;
+    var phi_898_: bool;
     var phi_899_: bool;
-    var phi_969_: bool;
-    var phi_970_: bool;
-    var phi_981_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_982_: bool;
-    var phi_983_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_984_: bool;
-    var phi_991_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_995_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_1015_: lt_math_LightPoint;
-    var phi_1018_: u32;
-    var phi_1020_: lt_math_LevelPoint;
-    var phi_1106_: bool;
-    var phi_1115_: bool;
-    var phi_1124_: bool;
-    var phi_1125_: bool;
-    var phi_1126_: bool;
-    var phi_1127_: bool;
-    var phi_1128_: bool;
-    var phi_1129_: bool;
+    var phi_900_: bool;
+    var phi_901_: bool;
+    var phi_905_: bool;
+    var phi_975_: bool;
+    var phi_976_: bool;
+    var phi_987_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_988_: bool;
+    var phi_989_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_990_: bool;
+    var phi_997_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1001_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_1021_: lt_math_LightPoint;
+    var phi_1024_: u32;
+    var phi_1026_: lt_math_LevelPoint;
+    var phi_1112_: bool;
+    var phi_1121_: bool;
     var phi_1130_: bool;
+    var phi_1131_: bool;
+    var phi_1132_: bool;
+    var phi_1133_: bool;
     var phi_1134_: bool;
-    var phi_1161_: bool;
-    var phi_1162_: bool;
-    var phi_1163_: bool;
-    var phi_1164_: bool;
-    var phi_1165_: bool;
-    var phi_1166_: bool;
+    var phi_1135_: bool;
+    var phi_1136_: bool;
+    var phi_1140_: bool;
     var phi_1167_: bool;
     var phi_1168_: bool;
+    var phi_1169_: bool;
+    var phi_1170_: bool;
+    var phi_1171_: bool;
     var phi_1172_: bool;
-    var phi_1181_: lt_math_LightPoint;
-    var phi_1182_: u32;
-    var phi_1183_: lt_math_LevelPoint;
-    var phi_1184_: bool;
-    var phi_1016_: lt_math_LightPoint;
-    var phi_1019_: u32;
-    var phi_1021_: lt_math_LevelPoint;
-    var phi_1185_: bool;
+    var phi_1173_: bool;
+    var phi_1174_: bool;
+    var phi_1178_: bool;
+    var phi_1187_: lt_math_LightPoint;
+    var phi_1188_: u32;
+    var phi_1189_: lt_math_LevelPoint;
+    var phi_1190_: bool;
+    var phi_1022_: lt_math_LightPoint;
+    var phi_1025_: u32;
+    var phi_1027_: lt_math_LevelPoint;
+    var phi_1191_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_1225_: bool;
-    var phi_1226_: bool;
-    var phi_1227_: bool;
-    var phi_1228_: bool;
+    var phi_1231_: bool;
     var phi_1232_: bool;
-    var phi_1314_: f32;
-    var phi_1432_: f32;
-    var phi_1433_: f32;
-    var phi_1436_: f32;
-    var phi_1465_: f32;
-    var phi_1470_: f32;
-    var phi_1471_: bool;
-    var phi_1472_: f32;
-    var phi_1473_: bool;
-    var phi_1477_: f32;
-    var phi_1497_: f32;
-    var phi_1502_: f32;
-    var phi_1503_: bool;
-    var phi_1504_: f32;
-    var phi_1505_: bool;
-    var phi_1509_: f32;
+    var phi_1233_: bool;
+    var phi_1234_: bool;
+    var phi_1238_: bool;
+    var phi_1320_: f32;
+    var phi_1438_: f32;
+    var phi_1439_: f32;
+    var phi_1442_: f32;
+    var phi_1471_: f32;
+    var phi_1476_: f32;
+    var phi_1477_: bool;
+    var phi_1478_: f32;
+    var phi_1479_: bool;
+    var phi_1483_: f32;
+    var phi_1503_: f32;
+    var phi_1508_: f32;
+    var phi_1509_: bool;
+    var phi_1510_: f32;
+    var phi_1511_: bool;
+    var phi_1515_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_1558_: i32;
-    var phi_1563_: i32;
-    var phi_1568_: i32;
-    var phi_1573_: i32;
-    var phi_1582_: i32;
-    var phi_1587_: i32;
-    var phi_1592_: i32;
-    var phi_1597_: i32;
-    var phi_1648_: bool;
+    var phi_1564_: i32;
+    var phi_1569_: i32;
+    var phi_1574_: i32;
+    var phi_1579_: i32;
+    var phi_1588_: i32;
+    var phi_1593_: i32;
+    var phi_1598_: i32;
+    var phi_1603_: i32;
     var phi_1656_: bool;
-    var phi_1668_: bool;
-    var phi_1669_: bool;
-    var phi_1673_: f32;
-    var phi_1679_: f32;
-    var phi_1681_: evaluate_Verdict;
-    var phi_1686_: evaluate_Verdict;
-    var phi_1687_: evaluate_Verdict;
-    var phi_1691_: bool;
-    var phi_1692_: u32;
-    var phi_1703_: u32;
+    var phi_1664_: bool;
+    var phi_1676_: bool;
+    var phi_1677_: bool;
+    var phi_1681_: f32;
+    var phi_1687_: f32;
+    var phi_1689_: evaluate_Verdict;
+    var phi_1699_: u32;
+    var phi_1708_: f32;
+    var phi_1710_: evaluate_Verdict;
+    var phi_1711_: bool;
+    var phi_1712_: evaluate_Verdict;
+    var phi_1713_: bool;
+    var phi_1718_: evaluate_Verdict;
+    var phi_1723_: evaluate_Verdict;
+    var phi_1724_: evaluate_Verdict;
+    var phi_1728_: bool;
+    var phi_1729_: u32;
+    var phi_1740_: u32;
+    var phi_1757_: u32;
 
-    let _e47 = id_1;
-    let _e48 = local_5;
-    let _e53 = arrayLength((&map.member));
-    let _e58 = arrayLength((&levels.member));
-    let _e61 = p.member.size[0u];
-    let _e63 = p.member.size[1u];
-    let _e64 = lt_shaders_entry_pixel_index(_e47, _e61, _e63);
-    if (bitcast<i32>(_e64.root) != 0i) {
-        let _e71 = p.member.level_count;
-        let _e75 = samples.member[_e64.first_primitive].normal[0u];
-        let _e77 = global[0u];
-        if (_e75 == _e77) {
-            let _e80 = samples.member[_e64.first_primitive].normal[1u];
-            let _e82 = global[1u];
-            if (_e80 == _e82) {
-                let _e85 = samples.member[_e64.first_primitive].normal[2u];
-                let _e87 = global[2u];
-                phi_892_ = (_e85 == _e87);
-                phi_893_ = false;
+    let _e51 = id_1;
+    let _e52 = local_5;
+    let _e57 = arrayLength((&map.member));
+    let _e62 = arrayLength((&levels.member));
+    let _e65 = p.member.size[0u];
+    let _e67 = p.member.size[1u];
+    let _e68 = lt_shaders_entry_pixel_index(_e51, _e65, _e67);
+    if (bitcast<i32>(_e68.root) != 0i) {
+        let _e75 = p.member.level_count;
+        let _e79 = samples.member[_e68.first_primitive].normal[0u];
+        let _e81 = global[0u];
+        if (_e79 == _e81) {
+            let _e84 = samples.member[_e68.first_primitive].normal[1u];
+            let _e86 = global[1u];
+            if (_e84 == _e86) {
+                let _e89 = samples.member[_e68.first_primitive].normal[2u];
+                let _e91 = global[2u];
+                phi_898_ = (_e89 == _e91);
+                phi_899_ = false;
             } else {
-                phi_892_ = bool();
-                phi_893_ = true;
+                phi_898_ = bool();
+                phi_899_ = true;
             }
-            let _e90 = phi_892_;
-            let _e92 = phi_893_;
-            phi_894_ = _e90;
-            phi_895_ = _e92;
+            let _e94 = phi_898_;
+            let _e96 = phi_899_;
+            phi_900_ = _e94;
+            phi_901_ = _e96;
         } else {
-            phi_894_ = bool();
-            phi_895_ = true;
+            phi_900_ = bool();
+            phi_901_ = true;
         }
-        let _e94 = phi_894_;
-        let _e96 = phi_895_;
-        if _e96 {
-            phi_899_ = false;
+        let _e98 = phi_900_;
+        let _e100 = phi_901_;
+        if _e100 {
+            phi_905_ = false;
         } else {
-            phi_899_ = _e94;
+            phi_905_ = _e98;
         }
-        let _e98 = phi_899_;
-        if !(_e98) {
-            let _e101 = samples.member[_e64.first_primitive].position;
-            let _e103 = p.member.light.place;
-            let _e109 = p.member.light.place[3u];
-            let _e116 = (_e103.x - (_e101.x * _e109));
-            let _e117 = (_e103.y - (_e101.y * _e109));
-            let _e118 = (_e103.z - (_e101.z * _e109));
-            let _e120 = samples.member[_e64.first_primitive].normal;
-            if ((((_e120.x * _e116) + (_e120.y * _e117)) + (_e120.z * _e118)) > 0f) {
-                let _e134 = (((_e116 * _e116) + (_e117 * _e117)) + (_e118 * _e118));
-                let _e136 = p.member.light.axis;
-                let _e148 = p.member.light.place[3u];
-                if (_e148 == 0f) {
-                    phi_970_ = true;
+        let _e102 = phi_905_;
+        if !(_e102) {
+            let _e105 = samples.member[_e68.first_primitive].position;
+            let _e107 = p.member.light.place;
+            let _e113 = p.member.light.place[3u];
+            let _e120 = (_e107.x - (_e105.x * _e113));
+            let _e121 = (_e107.y - (_e105.y * _e113));
+            let _e122 = (_e107.z - (_e105.z * _e113));
+            let _e124 = samples.member[_e68.first_primitive].normal;
+            if ((((_e124.x * _e120) + (_e124.y * _e121)) + (_e124.z * _e122)) > 0f) {
+                let _e138 = (((_e120 * _e120) + (_e121 * _e121)) + (_e122 * _e122));
+                let _e140 = p.member.light.axis;
+                let _e152 = p.member.light.place[3u];
+                if (_e152 == 0f) {
+                    phi_976_ = true;
                 } else {
-                    let _e151 = p.member.light.range_squared;
-                    if (_e134 <= _e151) {
-                        let _e154 = p.member.light.cos_outer;
-                        phi_969_ = (-((((_e116 * _e136.x) + (_e117 * _e136.y)) + (_e118 * _e136.z))) >= (_e154 * sqrt(_e134)));
+                    let _e155 = p.member.light.range_squared;
+                    if (_e138 <= _e155) {
+                        let _e158 = p.member.light.cos_outer;
+                        phi_975_ = (-((((_e120 * _e140.x) + (_e121 * _e140.y)) + (_e122 * _e140.z))) >= (_e158 * sqrt(_e138)));
                     } else {
-                        phi_969_ = false;
+                        phi_975_ = false;
                     }
-                    let _e159 = phi_969_;
-                    phi_970_ = _e159;
+                    let _e163 = phi_975_;
+                    phi_976_ = _e163;
                 }
-                let _e161 = phi_970_;
-                if _e161 {
-                    let _e163 = samples.member[_e64.first_primitive].flags;
-                    let _e171 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e171.unnamed.visibility, false), _e171.unnamed_1);
-                    phi_981_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e177.unnamed, ((_e163 & 1u) == 0u));
-                    phi_982_ = false;
+                let _e165 = phi_976_;
+                if _e165 {
+                    let _e167 = samples.member[_e68.first_primitive].flags;
+                    let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e181 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e175.unnamed.visibility, false), _e175.unnamed_1);
+                    phi_987_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e181.unnamed, ((_e167 & 1u) == 0u));
+                    phi_988_ = false;
                 } else {
-                    phi_981_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_982_ = true;
+                    phi_987_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_988_ = true;
                 }
-                let _e182 = phi_981_;
-                let _e184 = phi_982_;
-                phi_983_ = _e182;
-                phi_984_ = _e184;
+                let _e186 = phi_987_;
+                let _e188 = phi_988_;
+                phi_989_ = _e186;
+                phi_990_ = _e188;
             } else {
-                phi_983_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_984_ = true;
+                phi_989_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_990_ = true;
             }
-            let _e186 = phi_983_;
-            let _e188 = phi_984_;
-            if _e188 {
-                let _e194 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e194.unnamed.visibility, false), _e194.unnamed_1);
-                phi_991_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e200.unnamed, true);
+            let _e190 = phi_989_;
+            let _e192 = phi_990_;
+            if _e192 {
+                let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e198.unnamed.visibility, false), _e198.unnamed_1);
+                phi_997_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e204.unnamed, true);
             } else {
-                phi_991_ = _e186;
+                phi_997_ = _e190;
             }
-            let _e205 = phi_991_;
-            phi_995_ = _e205;
+            let _e209 = phi_997_;
+            phi_1001_ = _e209;
         } else {
-            let _e211 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e211.unnamed.visibility, false), _e211.unnamed_1);
-            phi_995_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e217.unnamed, true);
+            let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e221 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e215.unnamed.visibility, false), _e215.unnamed_1);
+            phi_1001_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e221.unnamed, true);
         }
-        let _e222 = phi_995_;
-        if _e222.unnamed_1 {
-            phi_1687_ = evaluate_Verdict(_e222.unnamed.visibility, _e222.unnamed.is_doubted);
+        let _e226 = phi_1001_;
+        if _e226.unnamed_1 {
+            phi_1724_ = evaluate_Verdict(_e226.unnamed.visibility, _e226.unnamed.is_doubted);
         } else {
-            let _e230 = samples.member[_e64.first_primitive].position;
-            let _e232 = p.member.map_size;
-            let _e234 = (0.5f / f32(_e232));
-            let _e241 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e248 = lt_math_LightPoint(vec2<f32>(_e241.uv.x, 0f), _e241.depth, _e241.is_inside);
-            let _e252 = lt_math_LightPoint(_e248.uv, 0f, _e248.is_inside);
-            phi_1015_ = lt_math_LightPoint();
-            phi_1018_ = 0u;
-            phi_1020_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e252.uv, _e252.depth, false));
+            let _e234 = samples.member[_e68.first_primitive].position;
+            let _e236 = p.member.map_size;
+            let _e238 = (0.5f / f32(_e236));
+            let _e245 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e252 = lt_math_LightPoint(vec2<f32>(_e245.uv.x, 0f), _e245.depth, _e245.is_inside);
+            let _e256 = lt_math_LightPoint(_e252.uv, 0f, _e252.is_inside);
+            phi_1021_ = lt_math_LightPoint();
+            phi_1024_ = 0u;
+            phi_1026_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e256.uv, _e256.depth, false));
             loop {
-                let _e259 = phi_1015_;
-                let _e261 = phi_1018_;
-                let _e263 = phi_1020_;
-                local_2 = _e263;
-                local_3 = _e263;
-                local_4 = _e263;
-                if (_e261 < _e71) {
-                    if _e263.point.is_inside {
-                        phi_1181_ = lt_math_LightPoint();
-                        phi_1182_ = u32();
-                        phi_1183_ = lt_math_LevelPoint();
-                        phi_1184_ = false;
+                let _e263 = phi_1021_;
+                let _e265 = phi_1024_;
+                let _e267 = phi_1026_;
+                local_2 = _e267;
+                local_3 = _e267;
+                local_4 = _e267;
+                if (_e265 < _e75) {
+                    if _e267.point.is_inside {
+                        phi_1187_ = lt_math_LightPoint();
+                        phi_1188_ = u32();
+                        phi_1189_ = lt_math_LevelPoint();
+                        phi_1190_ = false;
                     } else {
-                        if (_e261 < _e58) {
+                        if (_e265 < _e62) {
                         } else {
                             return;
                         }
-                        let _e274 = levels.member[(0u + _e261)].row_w;
-                        let _e285 = ((((_e274.x * _e230.x) + (_e274.y * _e230.y)) + (_e274.z * _e230.z)) + (_e274.w * 1f));
-                        let _e287 = levels.member[(0u + _e261)].row_x;
-                        let _e299 = (((((_e287.x * _e230.x) + (_e287.y * _e230.y)) + (_e287.z * _e230.z)) + (_e287.w * 1f)) / _e285);
-                        let _e301 = levels.member[(0u + _e261)].row_y;
-                        let _e313 = (((((_e301.x * _e230.x) + (_e301.y * _e230.y)) + (_e301.z * _e230.z)) + (_e301.w * 1f)) / _e285);
-                        let _e315 = levels.member[(0u + _e261)].row_z;
-                        let _e326 = ((((_e315.x * _e230.x) + (_e315.y * _e230.y)) + (_e315.z * _e230.z)) + (_e315.w * 1f));
-                        if (_e285 > 0f) {
-                            if (_e299 >= 0f) {
-                                phi_1106_ = (_e299 <= 1f);
+                        let _e278 = levels.member[(0u + _e265)].row_w;
+                        let _e289 = ((((_e278.x * _e234.x) + (_e278.y * _e234.y)) + (_e278.z * _e234.z)) + (_e278.w * 1f));
+                        let _e291 = levels.member[(0u + _e265)].row_x;
+                        let _e303 = (((((_e291.x * _e234.x) + (_e291.y * _e234.y)) + (_e291.z * _e234.z)) + (_e291.w * 1f)) / _e289);
+                        let _e305 = levels.member[(0u + _e265)].row_y;
+                        let _e317 = (((((_e305.x * _e234.x) + (_e305.y * _e234.y)) + (_e305.z * _e234.z)) + (_e305.w * 1f)) / _e289);
+                        let _e319 = levels.member[(0u + _e265)].row_z;
+                        let _e330 = ((((_e319.x * _e234.x) + (_e319.y * _e234.y)) + (_e319.z * _e234.z)) + (_e319.w * 1f));
+                        if (_e289 > 0f) {
+                            if (_e303 >= 0f) {
+                                phi_1112_ = (_e303 <= 1f);
                             } else {
-                                phi_1106_ = false;
+                                phi_1112_ = false;
                             }
-                            let _e331 = phi_1106_;
-                            if _e331 {
-                                if (_e313 >= 0f) {
-                                    phi_1115_ = (_e313 <= 1f);
+                            let _e335 = phi_1112_;
+                            if _e335 {
+                                if (_e317 >= 0f) {
+                                    phi_1121_ = (_e317 <= 1f);
                                 } else {
-                                    phi_1115_ = false;
+                                    phi_1121_ = false;
                                 }
-                                let _e335 = phi_1115_;
-                                if _e335 {
-                                    if (_e326 >= 0f) {
-                                        phi_1124_ = (_e326 <= 1f);
+                                let _e339 = phi_1121_;
+                                if _e339 {
+                                    if (_e330 >= 0f) {
+                                        phi_1130_ = (_e330 <= 1f);
                                     } else {
-                                        phi_1124_ = false;
+                                        phi_1130_ = false;
                                     }
-                                    let _e339 = phi_1124_;
-                                    phi_1125_ = _e339;
-                                    phi_1126_ = false;
+                                    let _e343 = phi_1130_;
+                                    phi_1131_ = _e343;
+                                    phi_1132_ = false;
                                 } else {
-                                    phi_1125_ = bool();
-                                    phi_1126_ = true;
+                                    phi_1131_ = bool();
+                                    phi_1132_ = true;
                                 }
-                                let _e341 = phi_1125_;
-                                let _e343 = phi_1126_;
-                                phi_1127_ = _e341;
-                                phi_1128_ = _e343;
+                                let _e345 = phi_1131_;
+                                let _e347 = phi_1132_;
+                                phi_1133_ = _e345;
+                                phi_1134_ = _e347;
                             } else {
-                                phi_1127_ = bool();
-                                phi_1128_ = true;
+                                phi_1133_ = bool();
+                                phi_1134_ = true;
                             }
-                            let _e345 = phi_1127_;
-                            let _e347 = phi_1128_;
-                            phi_1129_ = _e345;
-                            phi_1130_ = _e347;
+                            let _e349 = phi_1133_;
+                            let _e351 = phi_1134_;
+                            phi_1135_ = _e349;
+                            phi_1136_ = _e351;
                         } else {
-                            phi_1129_ = bool();
-                            phi_1130_ = true;
+                            phi_1135_ = bool();
+                            phi_1136_ = true;
                         }
-                        let _e349 = phi_1129_;
-                        let _e351 = phi_1130_;
-                        if _e351 {
-                            phi_1134_ = false;
+                        let _e353 = phi_1135_;
+                        let _e355 = phi_1136_;
+                        if _e355 {
+                            phi_1140_ = false;
                         } else {
-                            phi_1134_ = _e349;
+                            phi_1140_ = _e353;
                         }
-                        let _e353 = phi_1134_;
-                        if _e353 {
-                            if (_e299 >= _e234) {
-                                if (_e299 <= (1f - _e234)) {
-                                    if (_e313 >= _e234) {
-                                        phi_1161_ = (_e313 <= (1f - _e234));
-                                        phi_1162_ = false;
+                        let _e357 = phi_1140_;
+                        if _e357 {
+                            if (_e303 >= _e238) {
+                                if (_e303 <= (1f - _e238)) {
+                                    if (_e317 >= _e238) {
+                                        phi_1167_ = (_e317 <= (1f - _e238));
+                                        phi_1168_ = false;
                                     } else {
-                                        phi_1161_ = bool();
-                                        phi_1162_ = true;
+                                        phi_1167_ = bool();
+                                        phi_1168_ = true;
                                     }
-                                    let _e361 = phi_1161_;
-                                    let _e363 = phi_1162_;
-                                    phi_1163_ = _e361;
-                                    phi_1164_ = _e363;
+                                    let _e365 = phi_1167_;
+                                    let _e367 = phi_1168_;
+                                    phi_1169_ = _e365;
+                                    phi_1170_ = _e367;
                                 } else {
-                                    phi_1163_ = bool();
-                                    phi_1164_ = true;
+                                    phi_1169_ = bool();
+                                    phi_1170_ = true;
                                 }
-                                let _e365 = phi_1163_;
-                                let _e367 = phi_1164_;
-                                phi_1165_ = _e365;
-                                phi_1166_ = _e367;
+                                let _e369 = phi_1169_;
+                                let _e371 = phi_1170_;
+                                phi_1171_ = _e369;
+                                phi_1172_ = _e371;
                             } else {
-                                phi_1165_ = bool();
-                                phi_1166_ = true;
+                                phi_1171_ = bool();
+                                phi_1172_ = true;
                             }
-                            let _e369 = phi_1165_;
-                            let _e371 = phi_1166_;
-                            phi_1167_ = _e369;
-                            phi_1168_ = _e371;
+                            let _e373 = phi_1171_;
+                            let _e375 = phi_1172_;
+                            phi_1173_ = _e373;
+                            phi_1174_ = _e375;
                         } else {
-                            phi_1167_ = bool();
-                            phi_1168_ = true;
+                            phi_1173_ = bool();
+                            phi_1174_ = true;
                         }
-                        let _e373 = phi_1167_;
-                        let _e375 = phi_1168_;
-                        if _e375 {
-                            phi_1172_ = false;
+                        let _e377 = phi_1173_;
+                        let _e379 = phi_1174_;
+                        if _e379 {
+                            phi_1178_ = false;
                         } else {
-                            phi_1172_ = _e373;
+                            phi_1178_ = _e377;
                         }
-                        let _e377 = phi_1172_;
-                        let _e384 = lt_math_LightPoint(vec2<f32>(_e299, _e259.uv.y), _e259.depth, _e259.is_inside);
-                        let _e391 = lt_math_LightPoint(vec2<f32>(_e384.uv.x, _e313), _e384.depth, _e384.is_inside);
-                        let _e395 = lt_math_LightPoint(_e391.uv, _e326, _e391.is_inside);
-                        let _e399 = lt_math_LightPoint(_e395.uv, _e395.depth, _e377);
-                        phi_1181_ = _e399;
-                        phi_1182_ = (_e261 + 1u);
-                        phi_1183_ = lt_math_LevelPoint(_e261, _e399);
-                        phi_1184_ = true;
+                        let _e381 = phi_1178_;
+                        let _e388 = lt_math_LightPoint(vec2<f32>(_e303, _e263.uv.y), _e263.depth, _e263.is_inside);
+                        let _e395 = lt_math_LightPoint(vec2<f32>(_e388.uv.x, _e317), _e388.depth, _e388.is_inside);
+                        let _e399 = lt_math_LightPoint(_e395.uv, _e330, _e395.is_inside);
+                        let _e403 = lt_math_LightPoint(_e399.uv, _e399.depth, _e381);
+                        phi_1187_ = _e403;
+                        phi_1188_ = (_e265 + 1u);
+                        phi_1189_ = lt_math_LevelPoint(_e265, _e403);
+                        phi_1190_ = true;
                     }
-                    let _e403 = phi_1181_;
-                    let _e405 = phi_1182_;
-                    let _e407 = phi_1183_;
-                    let _e409 = phi_1184_;
-                    phi_1016_ = _e403;
-                    phi_1019_ = _e405;
-                    phi_1021_ = _e407;
-                    phi_1185_ = _e409;
+                    let _e407 = phi_1187_;
+                    let _e409 = phi_1188_;
+                    let _e411 = phi_1189_;
+                    let _e413 = phi_1190_;
+                    phi_1022_ = _e407;
+                    phi_1025_ = _e409;
+                    phi_1027_ = _e411;
+                    phi_1191_ = _e413;
                 } else {
-                    phi_1016_ = lt_math_LightPoint();
-                    phi_1019_ = u32();
-                    phi_1021_ = lt_math_LevelPoint();
-                    phi_1185_ = false;
+                    phi_1022_ = lt_math_LightPoint();
+                    phi_1025_ = u32();
+                    phi_1027_ = lt_math_LevelPoint();
+                    phi_1191_ = false;
                 }
-                let _e411 = phi_1016_;
-                let _e413 = phi_1019_;
-                let _e415 = phi_1021_;
-                let _e417 = phi_1185_;
+                let _e415 = phi_1022_;
+                let _e417 = phi_1025_;
+                let _e419 = phi_1027_;
+                let _e421 = phi_1191_;
                 continue;
                 continuing {
-                    phi_1015_ = _e411;
-                    phi_1018_ = _e413;
-                    phi_1020_ = _e415;
-                    break if !(_e417);
+                    phi_1021_ = _e415;
+                    phi_1024_ = _e417;
+                    phi_1026_ = _e419;
+                    break if !(_e421);
                 }
             }
-            let _e420 = local_2;
-            if _e420.point.is_inside {
+            let _e424 = local_2;
+            if _e424.point.is_inside {
                 if (0f > 0f) {
-                    let _e426 = local_3;
-                    if (_e426.level < _e58) {
+                    let _e430 = local_3;
+                    if (_e430.level < _e62) {
                     } else {
                         return;
                     }
-                    let _e431 = levels.member[(0u + _e426.level)];
-                    let _e437 = global[0u];
-                    if (_e431.row_w.x == _e437) {
-                        let _e440 = global[1u];
-                        if (_e431.row_w.y == _e440) {
-                            let _e443 = global[2u];
-                            phi_1225_ = (_e431.row_w.z == _e443);
-                            phi_1226_ = false;
+                    let _e435 = levels.member[(0u + _e430.level)];
+                    let _e441 = global[0u];
+                    if (_e435.row_w.x == _e441) {
+                        let _e444 = global[1u];
+                        if (_e435.row_w.y == _e444) {
+                            let _e447 = global[2u];
+                            phi_1231_ = (_e435.row_w.z == _e447);
+                            phi_1232_ = false;
                         } else {
-                            phi_1225_ = bool();
-                            phi_1226_ = true;
+                            phi_1231_ = bool();
+                            phi_1232_ = true;
                         }
-                        let _e446 = phi_1225_;
-                        let _e448 = phi_1226_;
-                        phi_1227_ = _e446;
-                        phi_1228_ = _e448;
+                        let _e450 = phi_1231_;
+                        let _e452 = phi_1232_;
+                        phi_1233_ = _e450;
+                        phi_1234_ = _e452;
                     } else {
-                        phi_1227_ = bool();
-                        phi_1228_ = true;
+                        phi_1233_ = bool();
+                        phi_1234_ = true;
                     }
-                    let _e450 = phi_1227_;
-                    let _e452 = phi_1228_;
-                    if _e452 {
-                        phi_1232_ = false;
+                    let _e454 = phi_1233_;
+                    let _e456 = phi_1234_;
+                    if _e456 {
+                        phi_1238_ = false;
                     } else {
-                        phi_1232_ = _e450;
+                        phi_1238_ = _e454;
                     }
-                    let _e454 = phi_1232_;
-                    if _e454 {
-                        let _e456 = samples.member[_e64.first_primitive].normal;
-                        let _e458 = p.member.map_size;
-                        let _e528 = ((abs(((((_e431.row_x.x * _e456.x) + (_e431.row_x.y * _e456.y)) + (_e431.row_x.z * _e456.z)) / (((_e431.row_x.x * _e431.row_x.x) + (_e431.row_x.y * _e431.row_x.y)) + (_e431.row_x.z * _e431.row_x.z)))) + abs(((((_e431.row_y.x * _e456.x) + (_e431.row_y.y * _e456.y)) + (_e431.row_y.z * _e456.z)) / (((_e431.row_y.x * _e431.row_y.x) + (_e431.row_y.y * _e431.row_y.y)) + (_e431.row_y.z * _e431.row_y.z))))) / (abs(((((_e431.row_z.x * _e456.x) + (_e431.row_z.y * _e456.y)) + (_e431.row_z.z * _e456.z)) / (((_e431.row_z.x * _e431.row_z.x) + (_e431.row_z.y * _e431.row_z.y)) + (_e431.row_z.z * _e431.row_z.z)))) * f32(_e458)));
-                        if (_e528 < 0.002f) {
-                            phi_1314_ = _e528;
+                    let _e458 = phi_1238_;
+                    if _e458 {
+                        let _e460 = samples.member[_e68.first_primitive].normal;
+                        let _e462 = p.member.map_size;
+                        let _e532 = ((abs(((((_e435.row_x.x * _e460.x) + (_e435.row_x.y * _e460.y)) + (_e435.row_x.z * _e460.z)) / (((_e435.row_x.x * _e435.row_x.x) + (_e435.row_x.y * _e435.row_x.y)) + (_e435.row_x.z * _e435.row_x.z)))) + abs(((((_e435.row_y.x * _e460.x) + (_e435.row_y.y * _e460.y)) + (_e435.row_y.z * _e460.z)) / (((_e435.row_y.x * _e435.row_y.x) + (_e435.row_y.y * _e435.row_y.y)) + (_e435.row_y.z * _e435.row_y.z))))) / (abs(((((_e435.row_z.x * _e460.x) + (_e435.row_z.y * _e460.y)) + (_e435.row_z.z * _e460.z)) / (((_e435.row_z.x * _e435.row_z.x) + (_e435.row_z.y * _e435.row_z.y)) + (_e435.row_z.z * _e435.row_z.z)))) * f32(_e462)));
+                        if (_e532 < 0.002f) {
+                            phi_1320_ = _e532;
                         } else {
-                            phi_1314_ = 0.002f;
+                            phi_1320_ = 0.002f;
                         }
-                        let _e531 = phi_1314_;
-                        phi_1433_ = _e531;
+                        let _e535 = phi_1320_;
+                        phi_1439_ = _e535;
                     } else {
-                        let _e533 = p.member.map_size;
-                        let _e539 = samples.member[_e64.first_primitive].position;
-                        let _e550 = ((((_e431.row_w.x * _e539.x) + (_e431.row_w.y * _e539.y)) + (_e431.row_w.z * _e539.z)) + _e431.row_w.w);
-                        let _e563 = ((_e431.row_x.x - (_e431.row_w.x * _e420.point.uv.x)) / _e550);
-                        let _e564 = ((_e431.row_x.y - (_e431.row_w.y * _e420.point.uv.x)) / _e550);
-                        let _e565 = ((_e431.row_x.z - (_e431.row_w.z * _e420.point.uv.x)) / _e550);
-                        let _e578 = ((_e431.row_y.x - (_e431.row_w.x * _e420.point.uv.y)) / _e550);
-                        let _e579 = ((_e431.row_y.y - (_e431.row_w.y * _e420.point.uv.y)) / _e550);
-                        let _e580 = ((_e431.row_y.z - (_e431.row_w.z * _e420.point.uv.y)) / _e550);
-                        let _e586 = samples.member[_e64.first_primitive].normal;
-                        let _e591 = ((_e579 * _e586.z) - (_e586.y * _e580));
-                        let _e596 = ((_e580 * _e586.x) - (_e586.z * _e578));
-                        let _e601 = ((_e578 * _e586.y) - (_e586.x * _e579));
-                        let _e603 = samples.member[_e64.first_primitive].normal;
-                        let _e608 = ((_e564 * _e603.z) - (_e603.y * _e565));
-                        let _e613 = ((_e565 * _e603.x) - (_e603.z * _e563));
-                        let _e618 = ((_e563 * _e603.y) - (_e603.x * _e564));
-                        let _e645 = ((abs(((((_e431.row_z.x * _e591) + (_e431.row_z.y * _e596)) + (_e431.row_z.z * _e601)) / (((_e563 * _e591) + (_e564 * _e596)) + (_e565 * _e601)))) + abs(((((_e431.row_z.x * _e608) + (_e431.row_z.y * _e613)) + (_e431.row_z.z * _e618)) / (((_e578 * _e608) + (_e579 * _e613)) + (_e580 * _e618))))) / f32(_e533));
-                        let _e647 = (16f / f32(_e533));
-                        if (_e645 < _e647) {
-                            phi_1432_ = _e645;
+                        let _e537 = p.member.map_size;
+                        let _e543 = samples.member[_e68.first_primitive].position;
+                        let _e554 = ((((_e435.row_w.x * _e543.x) + (_e435.row_w.y * _e543.y)) + (_e435.row_w.z * _e543.z)) + _e435.row_w.w);
+                        let _e567 = ((_e435.row_x.x - (_e435.row_w.x * _e424.point.uv.x)) / _e554);
+                        let _e568 = ((_e435.row_x.y - (_e435.row_w.y * _e424.point.uv.x)) / _e554);
+                        let _e569 = ((_e435.row_x.z - (_e435.row_w.z * _e424.point.uv.x)) / _e554);
+                        let _e582 = ((_e435.row_y.x - (_e435.row_w.x * _e424.point.uv.y)) / _e554);
+                        let _e583 = ((_e435.row_y.y - (_e435.row_w.y * _e424.point.uv.y)) / _e554);
+                        let _e584 = ((_e435.row_y.z - (_e435.row_w.z * _e424.point.uv.y)) / _e554);
+                        let _e590 = samples.member[_e68.first_primitive].normal;
+                        let _e595 = ((_e583 * _e590.z) - (_e590.y * _e584));
+                        let _e600 = ((_e584 * _e590.x) - (_e590.z * _e582));
+                        let _e605 = ((_e582 * _e590.y) - (_e590.x * _e583));
+                        let _e607 = samples.member[_e68.first_primitive].normal;
+                        let _e612 = ((_e568 * _e607.z) - (_e607.y * _e569));
+                        let _e617 = ((_e569 * _e607.x) - (_e607.z * _e567));
+                        let _e622 = ((_e567 * _e607.y) - (_e607.x * _e568));
+                        let _e649 = ((abs(((((_e435.row_z.x * _e595) + (_e435.row_z.y * _e600)) + (_e435.row_z.z * _e605)) / (((_e567 * _e595) + (_e568 * _e600)) + (_e569 * _e605)))) + abs(((((_e435.row_z.x * _e612) + (_e435.row_z.y * _e617)) + (_e435.row_z.z * _e622)) / (((_e582 * _e612) + (_e583 * _e617)) + (_e584 * _e622))))) / f32(_e537));
+                        let _e651 = (16f / f32(_e537));
+                        if (_e649 < _e651) {
+                            phi_1438_ = _e649;
                         } else {
-                            phi_1432_ = _e647;
+                            phi_1438_ = _e651;
                         }
-                        let _e650 = phi_1432_;
-                        phi_1433_ = _e650;
+                        let _e654 = phi_1438_;
+                        phi_1439_ = _e654;
                     }
-                    let _e652 = phi_1433_;
-                    phi_1436_ = (_e420.point.depth - (0f * _e652));
+                    let _e656 = phi_1439_;
+                    phi_1442_ = (_e424.point.depth - (0f * _e656));
                 } else {
-                    phi_1436_ = _e420.point.depth;
+                    phi_1442_ = _e424.point.depth;
                 }
-                let _e656 = phi_1436_;
-                let _e662 = p.member.map_size;
-                let _e663 = f32(_e662);
-                let _e666 = ((_e420.point.uv.x * _e663) - 0.5f);
-                let _e667 = ((_e420.point.uv.y * _e663) - 0.5f);
-                if (_e666 > -8388608f) {
-                    let _e679 = f32(select(0i, select(select(i32(_e666), i32(-2147483648), (_e666 < bitcast<f32>(3472883712u))), 2147483647i, (_e666 > bitcast<f32>(1325400063u))), (_e666 == _e666)));
-                    if (_e679 > _e666) {
-                        phi_1465_ = 1f;
+                let _e660 = phi_1442_;
+                let _e666 = p.member.map_size;
+                let _e667 = f32(_e666);
+                let _e670 = ((_e424.point.uv.x * _e667) - 0.5f);
+                let _e671 = ((_e424.point.uv.y * _e667) - 0.5f);
+                if (_e670 > -8388608f) {
+                    let _e683 = f32(select(0i, select(select(i32(_e670), i32(-2147483648), (_e670 < bitcast<f32>(3472883712u))), 2147483647i, (_e670 > bitcast<f32>(1325400063u))), (_e670 == _e670)));
+                    if (_e683 > _e670) {
+                        phi_1471_ = 1f;
                     } else {
-                        phi_1465_ = 0f;
+                        phi_1471_ = 0f;
                     }
-                    let _e682 = phi_1465_;
-                    if (_e666 < 8388608f) {
-                        phi_1470_ = (_e679 - _e682);
-                        phi_1471_ = false;
+                    let _e686 = phi_1471_;
+                    if (_e670 < 8388608f) {
+                        phi_1476_ = (_e683 - _e686);
+                        phi_1477_ = false;
                     } else {
-                        phi_1470_ = f32();
-                        phi_1471_ = true;
+                        phi_1476_ = f32();
+                        phi_1477_ = true;
                     }
-                    let _e685 = phi_1470_;
-                    let _e687 = phi_1471_;
-                    phi_1472_ = _e685;
-                    phi_1473_ = _e687;
+                    let _e689 = phi_1476_;
+                    let _e691 = phi_1477_;
+                    phi_1478_ = _e689;
+                    phi_1479_ = _e691;
                 } else {
-                    phi_1472_ = f32();
-                    phi_1473_ = true;
+                    phi_1478_ = f32();
+                    phi_1479_ = true;
                 }
-                let _e689 = phi_1472_;
-                let _e691 = phi_1473_;
-                if _e691 {
-                    phi_1477_ = _e666;
+                let _e693 = phi_1478_;
+                let _e695 = phi_1479_;
+                if _e695 {
+                    phi_1483_ = _e670;
                 } else {
-                    phi_1477_ = _e689;
+                    phi_1483_ = _e693;
                 }
-                let _e693 = phi_1477_;
-                if (_e667 > -8388608f) {
-                    let _e705 = f32(select(0i, select(select(i32(_e667), i32(-2147483648), (_e667 < bitcast<f32>(3472883712u))), 2147483647i, (_e667 > bitcast<f32>(1325400063u))), (_e667 == _e667)));
-                    if (_e705 > _e667) {
-                        phi_1497_ = 1f;
+                let _e697 = phi_1483_;
+                if (_e671 > -8388608f) {
+                    let _e709 = f32(select(0i, select(select(i32(_e671), i32(-2147483648), (_e671 < bitcast<f32>(3472883712u))), 2147483647i, (_e671 > bitcast<f32>(1325400063u))), (_e671 == _e671)));
+                    if (_e709 > _e671) {
+                        phi_1503_ = 1f;
                     } else {
-                        phi_1497_ = 0f;
+                        phi_1503_ = 0f;
                     }
-                    let _e708 = phi_1497_;
-                    if (_e667 < 8388608f) {
-                        phi_1502_ = (_e705 - _e708);
-                        phi_1503_ = false;
+                    let _e712 = phi_1503_;
+                    if (_e671 < 8388608f) {
+                        phi_1508_ = (_e709 - _e712);
+                        phi_1509_ = false;
                     } else {
-                        phi_1502_ = f32();
-                        phi_1503_ = true;
+                        phi_1508_ = f32();
+                        phi_1509_ = true;
                     }
-                    let _e711 = phi_1502_;
-                    let _e713 = phi_1503_;
-                    phi_1504_ = _e711;
-                    phi_1505_ = _e713;
+                    let _e715 = phi_1508_;
+                    let _e717 = phi_1509_;
+                    phi_1510_ = _e715;
+                    phi_1511_ = _e717;
                 } else {
-                    phi_1504_ = f32();
-                    phi_1505_ = true;
+                    phi_1510_ = f32();
+                    phi_1511_ = true;
                 }
-                let _e715 = phi_1504_;
-                let _e717 = phi_1505_;
-                if _e717 {
-                    phi_1509_ = _e667;
+                let _e719 = phi_1510_;
+                let _e721 = phi_1511_;
+                if _e721 {
+                    phi_1515_ = _e671;
                 } else {
-                    phi_1509_ = _e715;
+                    phi_1515_ = _e719;
                 }
-                let _e719 = phi_1509_;
-                let _e720 = (_e666 - _e693);
-                let _e721 = (_e667 - _e719);
-                let _e730 = select(0i, select(select(i32(_e693), i32(-2147483648), (_e693 < bitcast<f32>(3472883712u))), 2147483647i, (_e693 > bitcast<f32>(1325400063u))), (_e693 == _e693));
-                let _e739 = select(0i, select(select(i32(_e719), i32(-2147483648), (_e719 < bitcast<f32>(3472883712u))), 2147483647i, (_e719 > bitcast<f32>(1325400063u))), (_e719 == _e719));
-                let _e750 = p.member.test;
-                let _e751 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e750);
-                let _e753 = p.member.map_size;
-                let _e755 = local_4;
-                local_1 = _e751;
-                let _e758 = ((_e755.level * _e753) * _e753);
-                let _e760 = (bitcast<i32>(_e753) - 1i);
-                if (_e730 > 0i) {
-                    phi_1558_ = _e730;
+                let _e723 = phi_1515_;
+                let _e724 = (_e670 - _e697);
+                let _e725 = (_e671 - _e723);
+                let _e734 = select(0i, select(select(i32(_e697), i32(-2147483648), (_e697 < bitcast<f32>(3472883712u))), 2147483647i, (_e697 > bitcast<f32>(1325400063u))), (_e697 == _e697));
+                let _e743 = select(0i, select(select(i32(_e723), i32(-2147483648), (_e723 < bitcast<f32>(3472883712u))), 2147483647i, (_e723 > bitcast<f32>(1325400063u))), (_e723 == _e723));
+                let _e754 = p.member.test;
+                let _e755 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e754);
+                let _e757 = p.member.map_size;
+                let _e759 = local_4;
+                local_1 = _e755;
+                let _e762 = ((_e759.level * _e757) * _e757);
+                let _e764 = (bitcast<i32>(_e757) - 1i);
+                if (_e734 > 0i) {
+                    phi_1564_ = _e734;
                 } else {
-                    phi_1558_ = 0i;
+                    phi_1564_ = 0i;
                 }
-                let _e763 = phi_1558_;
-                if (_e739 > 0i) {
-                    phi_1563_ = _e739;
+                let _e767 = phi_1564_;
+                if (_e743 > 0i) {
+                    phi_1569_ = _e743;
                 } else {
-                    phi_1563_ = 0i;
+                    phi_1569_ = 0i;
                 }
-                let _e766 = phi_1563_;
-                if (_e763 < _e760) {
-                    phi_1568_ = _e763;
+                let _e770 = phi_1569_;
+                if (_e767 < _e764) {
+                    phi_1574_ = _e767;
                 } else {
-                    phi_1568_ = _e760;
+                    phi_1574_ = _e764;
                 }
-                let _e769 = phi_1568_;
-                if (_e766 < _e760) {
-                    phi_1573_ = _e766;
+                let _e773 = phi_1574_;
+                if (_e770 < _e764) {
+                    phi_1579_ = _e770;
                 } else {
-                    phi_1573_ = _e760;
+                    phi_1579_ = _e764;
                 }
-                let _e772 = phi_1573_;
-                let _e773 = bitcast<u32>(_e769);
-                let _e775 = (_e730 + 1i);
-                let _e776 = (_e739 + 1i);
-                if (_e775 > 0i) {
-                    phi_1582_ = _e775;
+                let _e776 = phi_1579_;
+                let _e777 = bitcast<u32>(_e773);
+                let _e779 = (_e734 + 1i);
+                let _e780 = (_e743 + 1i);
+                if (_e779 > 0i) {
+                    phi_1588_ = _e779;
                 } else {
-                    phi_1582_ = 0i;
+                    phi_1588_ = 0i;
                 }
-                let _e779 = phi_1582_;
-                if (_e776 > 0i) {
-                    phi_1587_ = _e776;
+                let _e783 = phi_1588_;
+                if (_e780 > 0i) {
+                    phi_1593_ = _e780;
                 } else {
-                    phi_1587_ = 0i;
+                    phi_1593_ = 0i;
                 }
-                let _e782 = phi_1587_;
-                if (_e779 < _e760) {
-                    phi_1592_ = _e779;
+                let _e786 = phi_1593_;
+                if (_e783 < _e764) {
+                    phi_1598_ = _e783;
                 } else {
-                    phi_1592_ = _e760;
+                    phi_1598_ = _e764;
                 }
-                let _e785 = phi_1592_;
-                if (_e782 < _e760) {
-                    phi_1597_ = _e782;
+                let _e789 = phi_1598_;
+                if (_e786 < _e764) {
+                    phi_1603_ = _e786;
                 } else {
-                    phi_1597_ = _e760;
+                    phi_1603_ = _e764;
                 }
-                let _e788 = phi_1597_;
-                let _e789 = bitcast<u32>(_e785);
-                let _e791 = (bitcast<u32>(_e772) * _e753);
-                let _e792 = (bitcast<u32>(_e788) * _e753);
-                let _e797 = ((_e791 + _e773) + _e758);
-                let _e798 = ((_e791 + _e789) + _e758);
-                let _e799 = ((_e792 + _e773) + _e758);
-                let _e800 = ((_e792 + _e789) + _e758);
-                if (_e797 < _e53) {
+                let _e792 = phi_1603_;
+                let _e793 = bitcast<u32>(_e789);
+                let _e795 = (bitcast<u32>(_e776) * _e757);
+                let _e796 = (bitcast<u32>(_e792) * _e757);
+                let _e801 = ((_e795 + _e777) + _e762);
+                let _e802 = ((_e795 + _e793) + _e762);
+                let _e803 = ((_e796 + _e777) + _e762);
+                let _e804 = ((_e796 + _e793) + _e762);
+                if (_e801 < _e57) {
                 } else {
                     return;
                 }
-                let _e804 = map.member[(0u + _e797)];
-                if (_e798 < _e53) {
+                let _e808 = map.member[(0u + _e801)];
+                if (_e802 < _e57) {
                 } else {
                     return;
                 }
-                let _e808 = map.member[(0u + _e798)];
-                if (_e799 < _e53) {
+                let _e812 = map.member[(0u + _e802)];
+                if (_e803 < _e57) {
                 } else {
                     return;
                 }
-                let _e812 = map.member[(0u + _e799)];
-                if (_e800 < _e53) {
+                let _e816 = map.member[(0u + _e803)];
+                if (_e804 < _e57) {
                 } else {
                     return;
                 }
-                let _e816 = map.member[(0u + _e800)];
-                let _e818 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e804, _e808, _e812, _e816), vec4<f32>(((1f - _e720) * (1f - _e721)), (_e720 * (1f - _e721)), ((1f - _e720) * _e721), (_e720 * _e721)), _e656);
-                let _e820 = p.member.epsilon;
-                if (_e818 <= _e820) {
-                    phi_1648_ = true;
-                } else {
-                    phi_1648_ = (_e818 >= (1f - _e820));
-                }
-                let _e825 = phi_1648_;
-                if ((bitcast<u32>(_e818) & 2147483647u) > 2139095040u) {
+                let _e820 = map.member[(0u + _e804)];
+                let _e822 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e808, _e812, _e816, _e820), vec4<f32>(((1f - _e724) * (1f - _e725)), (_e724 * (1f - _e725)), ((1f - _e724) * _e725), (_e724 * _e725)), _e660);
+                let _e826 = p.member.epsilon;
+                if (_e822 <= _e826) {
                     phi_1656_ = true;
                 } else {
-                    phi_1656_ = !(_e825);
+                    phi_1656_ = (_e822 >= (1f - _e826));
                 }
                 let _e831 = phi_1656_;
-                if _e831 {
-                    if (_e818 > 0f) {
-                        if (_e818 < 1f) {
-                            phi_1668_ = false;
-                        } else {
-                            phi_1668_ = true;
-                        }
-                        let _e835 = phi_1668_;
-                        phi_1669_ = _e835;
-                    } else {
-                        phi_1669_ = true;
-                    }
-                    let _e837 = phi_1669_;
-                    if _e837 {
-                        phi_1673_ = 0.5f;
-                    } else {
-                        phi_1673_ = _e818;
-                    }
-                    let _e839 = phi_1673_;
-                    phi_1681_ = evaluate_Verdict(_e839, true);
+                if ((bitcast<u32>(_e822) & 2147483647u) > 2139095040u) {
+                    phi_1664_ = true;
                 } else {
-                    if (_e818 > 0.5f) {
-                        phi_1679_ = 1f;
-                    } else {
-                        phi_1679_ = 0f;
-                    }
-                    let _e843 = phi_1679_;
-                    phi_1681_ = evaluate_Verdict(_e843, false);
+                    phi_1664_ = !(_e831);
                 }
-                let _e846 = phi_1681_;
-                phi_1686_ = evaluate_Verdict(_e846.visibility, _e846.is_doubted);
+                let _e837 = phi_1664_;
+                if _e837 {
+                    if (_e822 > 0f) {
+                        if (_e822 < 1f) {
+                            phi_1676_ = false;
+                        } else {
+                            phi_1676_ = true;
+                        }
+                        let _e841 = phi_1676_;
+                        phi_1677_ = _e841;
+                    } else {
+                        phi_1677_ = true;
+                    }
+                    let _e843 = phi_1677_;
+                    if _e843 {
+                        phi_1681_ = 0.5f;
+                    } else {
+                        phi_1681_ = _e822;
+                    }
+                    let _e845 = phi_1681_;
+                    phi_1689_ = evaluate_Verdict(_e845, true);
+                } else {
+                    if (_e822 > 0.5f) {
+                        phi_1687_ = 1f;
+                    } else {
+                        phi_1687_ = 0f;
+                    }
+                    let _e849 = phi_1687_;
+                    phi_1689_ = evaluate_Verdict(_e849, false);
+                }
+                let _e852 = phi_1689_;
+                let _e855 = (_e852.visibility < 0.5f);
+                if _e852.is_doubted {
+                    phi_1712_ = evaluate_Verdict();
+                    phi_1713_ = true;
+                } else {
+                    if _e855 {
+                        phi_1699_ = 2u;
+                    } else {
+                        phi_1699_ = 1u;
+                    }
+                    let _e857 = phi_1699_;
+                    if ((0u & _e857) != 0u) {
+                        if _e855 {
+                            phi_1708_ = 0.000000059604645f;
+                        } else {
+                            phi_1708_ = 0.99999994f;
+                        }
+                        let _e861 = phi_1708_;
+                        phi_1710_ = evaluate_Verdict(_e861, true);
+                        phi_1711_ = false;
+                    } else {
+                        phi_1710_ = evaluate_Verdict();
+                        phi_1711_ = true;
+                    }
+                    let _e864 = phi_1710_;
+                    let _e866 = phi_1711_;
+                    phi_1712_ = _e864;
+                    phi_1713_ = _e866;
+                }
+                let _e868 = phi_1712_;
+                let _e870 = phi_1713_;
+                if _e870 {
+                    phi_1718_ = evaluate_Verdict(_e852.visibility, _e852.is_doubted);
+                } else {
+                    phi_1718_ = _e868;
+                }
+                let _e873 = phi_1718_;
+                phi_1723_ = evaluate_Verdict(_e873.visibility, _e873.is_doubted);
             } else {
-                phi_1686_ = evaluate_Verdict(0.5f, true);
+                phi_1723_ = evaluate_Verdict(0.5f, true);
             }
-            let _e852 = phi_1686_;
-            phi_1687_ = _e852;
+            let _e879 = phi_1723_;
+            phi_1724_ = _e879;
         }
-        let _e854 = phi_1687_;
-        visibility.member[_e64.first_primitive] = _e854.visibility;
-        phi_1691_ = _e854.is_doubted;
-        phi_1692_ = _e64.first_primitive;
+        let _e881 = phi_1724_;
+        visibility.member[_e68.first_primitive] = _e881.visibility;
+        phi_1728_ = _e881.is_doubted;
+        phi_1729_ = _e68.first_primitive;
     } else {
-        phi_1691_ = false;
-        phi_1692_ = 0u;
+        phi_1728_ = false;
+        phi_1729_ = 0u;
     }
-    let _e859 = phi_1691_;
-    let _e861 = phi_1692_;
-    if (_e48 == 0u) {
+    let _e886 = phi_1728_;
+    let _e888 = phi_1729_;
+    if (_e52 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e859 {
-        let _e865 = atomicAdd((&shared_[0u]), 1u);
-        phi_1703_ = _e865;
+    if _e886 {
+        let _e892 = atomicAdd((&shared_[0u]), 1u);
+        phi_1740_ = _e892;
     } else {
-        phi_1703_ = 0u;
+        phi_1740_ = 0u;
     }
-    let _e867 = phi_1703_;
+    let _e894 = phi_1740_;
     workgroupBarrier();
-    if (_e48 == 0u) {
-        let _e871 = atomicLoad((&shared_[0u]));
-        let _e872 = atomicAdd((&list.member[3u]), _e871);
-        atomicStore((&shared_[1u]), _e872);
+    if (_e52 == 0u) {
+        let _e898 = atomicLoad((&shared_[0u]));
+        let _e899 = atomicAdd((&list.member[3u]), _e898);
+        atomicStore((&shared_[1u]), _e899);
     }
     workgroupBarrier();
-    if _e859 {
-        let _e875 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e875) + _e867)]), _e861);
+    if _e886 {
+        if false {
+            phi_1757_ = (_e888 | 2147483648u);
+        } else {
+            phi_1757_ = _e888;
+        }
+        let _e903 = phi_1757_;
+        let _e905 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e905) + _e894)]), _e903);
     }
     return;
 }

@@ -72,14 +72,14 @@ struct type_43 {
     member: abi_ShadowParams,
 }
 
+struct type_47 {
+    member: array<lt_math_LightProjection>,
+}
+
 struct lt_math_LightPoint {
     uv: vec2<f32>,
     depth: f32,
     is_inside: bool,
-}
-
-struct type_49 {
-    member: array<lt_math_LightProjection>,
 }
 
 struct lt_math_LevelPoint {
@@ -104,42 +104,42 @@ var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_55;
 @group(0) @binding(5) 
-var<storage> levels: type_49;
+var<storage> levels: type_47;
 @group(0) @binding(2) 
 var<storage> map: type_39;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_166_: lt_bvh_traverse_Tree;
-    var phi_167_: bool;
-    var phi_168_: lt_bvh_traverse_Tree;
-    var phi_169_: bool;
+    var phi_172_: lt_bvh_traverse_Tree;
+    var phi_173_: bool;
     var phi_174_: lt_bvh_traverse_Tree;
+    var phi_175_: bool;
+    var phi_180_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_166_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_167_ = false;
+            phi_172_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_173_ = false;
         } else {
-            phi_166_ = lt_bvh_traverse_Tree();
-            phi_167_ = true;
+            phi_172_ = lt_bvh_traverse_Tree();
+            phi_173_ = true;
         }
-        let _e57 = phi_166_;
-        let _e59 = phi_167_;
-        phi_168_ = _e57;
-        phi_169_ = _e59;
-    } else {
-        phi_168_ = lt_bvh_traverse_Tree();
-        phi_169_ = true;
-    }
-    let _e61 = phi_168_;
-    let _e63 = phi_169_;
-    if _e63 {
-        phi_174_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
+        let _e61 = phi_172_;
+        let _e63 = phi_173_;
         phi_174_ = _e61;
+        phi_175_ = _e63;
+    } else {
+        phi_174_ = lt_bvh_traverse_Tree();
+        phi_175_ = true;
     }
-    let _e68 = phi_174_;
-    return lt_bvh_traverse_Tree(_e68.root, _e68.first_primitive);
+    let _e65 = phi_174_;
+    let _e67 = phi_175_;
+    if _e67 {
+        phi_180_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_180_ = _e65;
+    }
+    let _e72 = phi_180_;
+    return lt_bvh_traverse_Tree(_e72.root, _e72.first_primitive);
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -147,853 +147,904 @@ fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_f
 }
 
 fn _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_223_: f32;
-    var phi_224_: f32;
-    var phi_225_: f32;
-    var phi_231_: bool;
-    var phi_253_: f32;
-    var phi_254_: f32;
-    var phi_255_: f32;
-    var phi_256_: f32;
-    var phi_257_: bool;
-    var phi_258_: f32;
-    var phi_259_: bool;
-    var phi_297_: vec2<f32>;
-    var phi_331_: f32;
-    var phi_332_: f32;
-    var phi_333_: f32;
-    var phi_362_: f32;
-    var phi_363_: f32;
-    var phi_364_: f32;
+    var phi_229_: f32;
+    var phi_230_: f32;
+    var phi_231_: f32;
+    var phi_237_: bool;
+    var phi_259_: f32;
+    var phi_260_: f32;
+    var phi_261_: f32;
+    var phi_262_: f32;
+    var phi_263_: bool;
+    var phi_264_: f32;
+    var phi_265_: bool;
+    var phi_303_: vec2<f32>;
+    var phi_337_: f32;
+    var phi_338_: f32;
+    var phi_339_: f32;
     var phi_368_: f32;
     var phi_369_: f32;
     var phi_370_: f32;
-    var phi_371_: f32;
+    var phi_374_: f32;
+    var phi_375_: f32;
+    var phi_376_: f32;
+    var phi_377_: f32;
 
-    let _e47 = (*param_4);
-    let _e48 = (1f - _e47);
-    let _e57 = (0.5f * _e47);
-    let _e58 = ((param_5.x * _e48) + _e57);
-    let _e59 = ((param_5.y * _e48) + _e57);
-    let _e61 = ((param_5.w * _e48) + _e57);
-    let _e63 = (_e59 - (_e58 * _e58));
-    let _e65 = (((param_5.z * _e48) + _e57) - (_e58 * _e59));
+    let _e51 = (*param_4);
+    let _e52 = (1f - _e51);
+    let _e61 = (0.5f * _e51);
+    let _e62 = ((param_5.x * _e52) + _e61);
+    let _e63 = ((param_5.y * _e52) + _e61);
+    let _e65 = ((param_5.w * _e52) + _e61);
+    let _e67 = (_e63 - (_e62 * _e62));
+    let _e69 = (((param_5.z * _e52) + _e61) - (_e62 * _e63));
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_225_ = param_6;
+        phi_231_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_224_ = 0f;
+            phi_230_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_223_ = 1f;
+                phi_229_ = 1f;
             } else {
-                phi_223_ = param_6;
+                phi_229_ = param_6;
             }
-            let _e77 = phi_223_;
-            phi_224_ = _e77;
+            let _e81 = phi_229_;
+            phi_230_ = _e81;
         }
-        let _e79 = phi_224_;
-        phi_225_ = _e79;
-    }
-    let _e81 = phi_225_;
-    if (_e58 == _e61) {
-        phi_231_ = (_e58 > 0.5f);
-    } else {
-        phi_231_ = false;
+        let _e83 = phi_230_;
+        phi_231_ = _e83;
     }
     let _e85 = phi_231_;
-    if _e85 {
-        if (_e81 > 0f) {
-            if ((bitcast<u32>(_e58) & 2147483647u) > 2139095040u) {
-                phi_255_ = _e58;
-            } else {
-                if (_e58 < 0f) {
-                    phi_254_ = 0f;
-                } else {
-                    if (_e58 > 1f) {
-                        phi_253_ = 1f;
-                    } else {
-                        phi_253_ = _e58;
-                    }
-                    let _e93 = phi_253_;
-                    phi_254_ = _e93;
-                }
-                let _e95 = phi_254_;
-                phi_255_ = _e95;
-            }
-            let _e97 = phi_255_;
-            phi_256_ = _e97;
-            phi_257_ = false;
-        } else {
-            phi_256_ = f32();
-            phi_257_ = true;
-        }
-        let _e99 = phi_256_;
-        let _e101 = phi_257_;
-        phi_258_ = _e99;
-        phi_259_ = _e101;
+    if (_e62 == _e65) {
+        phi_237_ = (_e62 > 0.5f);
     } else {
-        phi_258_ = f32();
-        phi_259_ = true;
+        phi_237_ = false;
     }
-    let _e103 = phi_258_;
-    let _e105 = phi_259_;
-    if _e105 {
-        let _e106 = (_e65 / _e63);
-        let _e107 = (_e81 - _e58);
-        let _e113 = (((((_e81 * _e81) - _e59) - (_e106 * _e107)) * _e63) / (((_e61 - (_e59 * _e59)) * _e63) - (_e65 * _e65)));
-        let _e116 = ((_e107 / _e63) - (_e106 * _e113));
-        let _e122 = ((0.5f * _e116) / _e113);
-        let _e125 = ((_e122 * _e122) - (((1f - (_e116 * _e58)) - (_e113 * _e59)) / _e113));
-        if (_e125 >= 0f) {
-            let _e127 = sqrt(_e125);
-            phi_297_ = vec2<f32>((-(_e122) - _e127), (-(_e122) + _e127));
-        } else {
-            phi_297_ = vec2(bitcast<f32>((bitcast<u32>(_e125) | 2143289344u)));
-        }
-        let _e138 = phi_297_;
-        if (_e81 <= _e138.x) {
-            phi_370_ = 1f;
-        } else {
-            if (_e81 > _e138.y) {
-                let _e151 = (((_e59 - (_e58 * (_e138.x + _e138.y))) + (_e138.x * _e138.y)) / ((_e81 - _e138.x) * (_e81 - _e138.y)));
-                if ((bitcast<u32>(_e151) & 2147483647u) > 2139095040u) {
-                    phi_333_ = _e151;
-                } else {
-                    if (_e151 < 0f) {
-                        phi_332_ = 0f;
-                    } else {
-                        if (_e151 > 1f) {
-                            phi_331_ = 1f;
-                        } else {
-                            phi_331_ = _e151;
-                        }
-                        let _e158 = phi_331_;
-                        phi_332_ = _e158;
-                    }
-                    let _e160 = phi_332_;
-                    phi_333_ = _e160;
-                }
-                let _e162 = phi_333_;
-                phi_369_ = _e162;
+    let _e89 = phi_237_;
+    if _e89 {
+        if (_e85 > 0f) {
+            if ((bitcast<u32>(_e62) & 2147483647u) > 2139095040u) {
+                phi_261_ = _e62;
             } else {
-                if (_e81 > _e138.x) {
-                    let _e173 = (1f - (((_e59 - (_e58 * (_e81 + _e138.y))) + (_e81 * _e138.y)) / ((_e138.x - _e81) * (_e138.x - _e138.y))));
-                    if ((bitcast<u32>(_e173) & 2147483647u) > 2139095040u) {
-                        phi_364_ = _e173;
+                if (_e62 < 0f) {
+                    phi_260_ = 0f;
+                } else {
+                    if (_e62 > 1f) {
+                        phi_259_ = 1f;
                     } else {
-                        if (_e173 < 0f) {
-                            phi_363_ = 0f;
+                        phi_259_ = _e62;
+                    }
+                    let _e97 = phi_259_;
+                    phi_260_ = _e97;
+                }
+                let _e99 = phi_260_;
+                phi_261_ = _e99;
+            }
+            let _e101 = phi_261_;
+            phi_262_ = _e101;
+            phi_263_ = false;
+        } else {
+            phi_262_ = f32();
+            phi_263_ = true;
+        }
+        let _e103 = phi_262_;
+        let _e105 = phi_263_;
+        phi_264_ = _e103;
+        phi_265_ = _e105;
+    } else {
+        phi_264_ = f32();
+        phi_265_ = true;
+    }
+    let _e107 = phi_264_;
+    let _e109 = phi_265_;
+    if _e109 {
+        let _e110 = (_e69 / _e67);
+        let _e111 = (_e85 - _e62);
+        let _e117 = (((((_e85 * _e85) - _e63) - (_e110 * _e111)) * _e67) / (((_e65 - (_e63 * _e63)) * _e67) - (_e69 * _e69)));
+        let _e120 = ((_e111 / _e67) - (_e110 * _e117));
+        let _e126 = ((0.5f * _e120) / _e117);
+        let _e129 = ((_e126 * _e126) - (((1f - (_e120 * _e62)) - (_e117 * _e63)) / _e117));
+        if (_e129 >= 0f) {
+            let _e131 = sqrt(_e129);
+            phi_303_ = vec2<f32>((-(_e126) - _e131), (-(_e126) + _e131));
+        } else {
+            phi_303_ = vec2(bitcast<f32>((bitcast<u32>(_e129) | 2143289344u)));
+        }
+        let _e142 = phi_303_;
+        if (_e85 <= _e142.x) {
+            phi_376_ = 1f;
+        } else {
+            if (_e85 > _e142.y) {
+                let _e155 = (((_e63 - (_e62 * (_e142.x + _e142.y))) + (_e142.x * _e142.y)) / ((_e85 - _e142.x) * (_e85 - _e142.y)));
+                if ((bitcast<u32>(_e155) & 2147483647u) > 2139095040u) {
+                    phi_339_ = _e155;
+                } else {
+                    if (_e155 < 0f) {
+                        phi_338_ = 0f;
+                    } else {
+                        if (_e155 > 1f) {
+                            phi_337_ = 1f;
                         } else {
-                            if (_e173 > 1f) {
-                                phi_362_ = 1f;
+                            phi_337_ = _e155;
+                        }
+                        let _e162 = phi_337_;
+                        phi_338_ = _e162;
+                    }
+                    let _e164 = phi_338_;
+                    phi_339_ = _e164;
+                }
+                let _e166 = phi_339_;
+                phi_375_ = _e166;
+            } else {
+                if (_e85 > _e142.x) {
+                    let _e177 = (1f - (((_e63 - (_e62 * (_e85 + _e142.y))) + (_e85 * _e142.y)) / ((_e142.x - _e85) * (_e142.x - _e142.y))));
+                    if ((bitcast<u32>(_e177) & 2147483647u) > 2139095040u) {
+                        phi_370_ = _e177;
+                    } else {
+                        if (_e177 < 0f) {
+                            phi_369_ = 0f;
+                        } else {
+                            if (_e177 > 1f) {
+                                phi_368_ = 1f;
                             } else {
-                                phi_362_ = _e173;
+                                phi_368_ = _e177;
                             }
-                            let _e180 = phi_362_;
-                            phi_363_ = _e180;
+                            let _e184 = phi_368_;
+                            phi_369_ = _e184;
                         }
-                        let _e182 = phi_363_;
-                        phi_364_ = _e182;
+                        let _e186 = phi_369_;
+                        phi_370_ = _e186;
                     }
-                    let _e184 = phi_364_;
-                    phi_368_ = _e184;
+                    let _e188 = phi_370_;
+                    phi_374_ = _e188;
                 } else {
-                    phi_368_ = bitcast<f32>((bitcast<u32>(_e138.x) | 2143289344u));
+                    phi_374_ = bitcast<f32>((bitcast<u32>(_e142.x) | 2143289344u));
                 }
-                let _e189 = phi_368_;
-                phi_369_ = _e189;
+                let _e193 = phi_374_;
+                phi_375_ = _e193;
             }
-            let _e191 = phi_369_;
-            phi_370_ = _e191;
+            let _e195 = phi_375_;
+            phi_376_ = _e195;
         }
-        let _e193 = phi_370_;
-        phi_371_ = _e193;
+        let _e197 = phi_376_;
+        phi_377_ = _e197;
     } else {
-        phi_371_ = _e103;
+        phi_377_ = _e107;
     }
-    let _e195 = phi_371_;
-    return _e195;
+    let _e199 = phi_377_;
+    return _e199;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_426_: bool;
-    var phi_427_: bool;
-    var phi_428_: bool;
-    var phi_429_: bool;
+    var phi_432_: bool;
     var phi_433_: bool;
-    var phi_503_: bool;
-    var phi_504_: bool;
-    var phi_515_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_516_: bool;
-    var phi_517_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_518_: bool;
-    var phi_525_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_529_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_549_: lt_math_LightPoint;
-    var phi_552_: u32;
-    var phi_554_: lt_math_LevelPoint;
-    var phi_640_: bool;
-    var phi_649_: bool;
-    var phi_658_: bool;
-    var phi_659_: bool;
-    var phi_660_: bool;
-    var phi_661_: bool;
-    var phi_662_: bool;
-    var phi_663_: bool;
+    var phi_434_: bool;
+    var phi_435_: bool;
+    var phi_439_: bool;
+    var phi_509_: bool;
+    var phi_510_: bool;
+    var phi_521_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_522_: bool;
+    var phi_523_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_524_: bool;
+    var phi_531_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_535_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_555_: lt_math_LightPoint;
+    var phi_558_: u32;
+    var phi_560_: lt_math_LevelPoint;
+    var phi_646_: bool;
+    var phi_655_: bool;
     var phi_664_: bool;
+    var phi_665_: bool;
+    var phi_666_: bool;
+    var phi_667_: bool;
     var phi_668_: bool;
-    var phi_695_: bool;
-    var phi_696_: bool;
-    var phi_697_: bool;
-    var phi_698_: bool;
-    var phi_699_: bool;
-    var phi_700_: bool;
+    var phi_669_: bool;
+    var phi_670_: bool;
+    var phi_674_: bool;
     var phi_701_: bool;
     var phi_702_: bool;
+    var phi_703_: bool;
+    var phi_704_: bool;
+    var phi_705_: bool;
     var phi_706_: bool;
-    var phi_715_: lt_math_LightPoint;
-    var phi_716_: u32;
-    var phi_717_: lt_math_LevelPoint;
-    var phi_718_: bool;
-    var phi_550_: lt_math_LightPoint;
-    var phi_553_: u32;
-    var phi_555_: lt_math_LevelPoint;
-    var phi_719_: bool;
+    var phi_707_: bool;
+    var phi_708_: bool;
+    var phi_712_: bool;
+    var phi_721_: lt_math_LightPoint;
+    var phi_722_: u32;
+    var phi_723_: lt_math_LevelPoint;
+    var phi_724_: bool;
+    var phi_556_: lt_math_LightPoint;
+    var phi_559_: u32;
+    var phi_561_: lt_math_LevelPoint;
+    var phi_725_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_759_: bool;
-    var phi_760_: bool;
-    var phi_761_: bool;
-    var phi_762_: bool;
+    var phi_765_: bool;
     var phi_766_: bool;
-    var phi_848_: f32;
-    var phi_966_: f32;
-    var phi_967_: f32;
-    var phi_970_: f32;
-    var phi_999_: f32;
-    var phi_1004_: f32;
-    var phi_1005_: bool;
-    var phi_1006_: f32;
-    var phi_1007_: bool;
-    var phi_1011_: f32;
-    var phi_1031_: f32;
-    var phi_1036_: f32;
-    var phi_1037_: bool;
-    var phi_1038_: f32;
-    var phi_1039_: bool;
-    var phi_1043_: f32;
+    var phi_767_: bool;
+    var phi_768_: bool;
+    var phi_772_: bool;
+    var phi_854_: f32;
+    var phi_972_: f32;
+    var phi_973_: f32;
+    var phi_976_: f32;
+    var phi_1005_: f32;
+    var phi_1010_: f32;
+    var phi_1011_: bool;
+    var phi_1012_: f32;
+    var phi_1013_: bool;
+    var phi_1017_: f32;
+    var phi_1037_: f32;
+    var phi_1042_: f32;
+    var phi_1043_: bool;
+    var phi_1044_: f32;
+    var phi_1045_: bool;
+    var phi_1049_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_1092_: i32;
-    var phi_1097_: i32;
-    var phi_1102_: i32;
-    var phi_1107_: i32;
-    var phi_1116_: i32;
-    var phi_1121_: i32;
-    var phi_1126_: i32;
-    var phi_1131_: i32;
-    var phi_1226_: bool;
+    var phi_1098_: i32;
+    var phi_1103_: i32;
+    var phi_1108_: i32;
+    var phi_1113_: i32;
+    var phi_1122_: i32;
+    var phi_1127_: i32;
+    var phi_1132_: i32;
+    var phi_1137_: i32;
     var phi_1234_: bool;
-    var phi_1246_: bool;
-    var phi_1247_: bool;
-    var phi_1251_: f32;
-    var phi_1257_: f32;
-    var phi_1259_: evaluate_Verdict;
-    var phi_1264_: evaluate_Verdict;
-    var phi_1265_: evaluate_Verdict;
-    var phi_1269_: bool;
-    var phi_1270_: u32;
-    var phi_1281_: u32;
+    var phi_1242_: bool;
+    var phi_1254_: bool;
+    var phi_1255_: bool;
+    var phi_1259_: f32;
+    var phi_1265_: f32;
+    var phi_1267_: evaluate_Verdict;
+    var phi_1277_: u32;
+    var phi_1286_: f32;
+    var phi_1288_: evaluate_Verdict;
+    var phi_1289_: bool;
+    var phi_1290_: evaluate_Verdict;
+    var phi_1291_: bool;
+    var phi_1296_: evaluate_Verdict;
+    var phi_1301_: evaluate_Verdict;
+    var phi_1302_: evaluate_Verdict;
+    var phi_1306_: bool;
+    var phi_1307_: u32;
+    var phi_1318_: u32;
+    var phi_1335_: u32;
 
-    let _e45 = id_1;
-    let _e46 = local_5;
-    let _e51 = arrayLength((&map.member));
-    let _e56 = arrayLength((&levels.member));
-    let _e59 = p.member.size[0u];
-    let _e61 = p.member.size[1u];
-    let _e62 = lt_shaders_entry_pixel_index(_e45, _e59, _e61);
-    if (bitcast<i32>(_e62.root) != 0i) {
-        let _e69 = p.member.level_count;
-        let _e73 = samples.member[_e62.first_primitive].normal[0u];
-        let _e75 = global[0u];
-        if (_e73 == _e75) {
-            let _e78 = samples.member[_e62.first_primitive].normal[1u];
-            let _e80 = global[1u];
-            if (_e78 == _e80) {
-                let _e83 = samples.member[_e62.first_primitive].normal[2u];
-                let _e85 = global[2u];
-                phi_426_ = (_e83 == _e85);
-                phi_427_ = false;
+    let _e49 = id_1;
+    let _e50 = local_5;
+    let _e55 = arrayLength((&map.member));
+    let _e60 = arrayLength((&levels.member));
+    let _e63 = p.member.size[0u];
+    let _e65 = p.member.size[1u];
+    let _e66 = lt_shaders_entry_pixel_index(_e49, _e63, _e65);
+    if (bitcast<i32>(_e66.root) != 0i) {
+        let _e73 = p.member.level_count;
+        let _e77 = samples.member[_e66.first_primitive].normal[0u];
+        let _e79 = global[0u];
+        if (_e77 == _e79) {
+            let _e82 = samples.member[_e66.first_primitive].normal[1u];
+            let _e84 = global[1u];
+            if (_e82 == _e84) {
+                let _e87 = samples.member[_e66.first_primitive].normal[2u];
+                let _e89 = global[2u];
+                phi_432_ = (_e87 == _e89);
+                phi_433_ = false;
             } else {
-                phi_426_ = bool();
-                phi_427_ = true;
+                phi_432_ = bool();
+                phi_433_ = true;
             }
-            let _e88 = phi_426_;
-            let _e90 = phi_427_;
-            phi_428_ = _e88;
-            phi_429_ = _e90;
+            let _e92 = phi_432_;
+            let _e94 = phi_433_;
+            phi_434_ = _e92;
+            phi_435_ = _e94;
         } else {
-            phi_428_ = bool();
-            phi_429_ = true;
+            phi_434_ = bool();
+            phi_435_ = true;
         }
-        let _e92 = phi_428_;
-        let _e94 = phi_429_;
-        if _e94 {
-            phi_433_ = false;
+        let _e96 = phi_434_;
+        let _e98 = phi_435_;
+        if _e98 {
+            phi_439_ = false;
         } else {
-            phi_433_ = _e92;
+            phi_439_ = _e96;
         }
-        let _e96 = phi_433_;
-        if !(_e96) {
-            let _e99 = samples.member[_e62.first_primitive].position;
-            let _e101 = p.member.light.place;
-            let _e107 = p.member.light.place[3u];
-            let _e114 = (_e101.x - (_e99.x * _e107));
-            let _e115 = (_e101.y - (_e99.y * _e107));
-            let _e116 = (_e101.z - (_e99.z * _e107));
-            let _e118 = samples.member[_e62.first_primitive].normal;
-            if ((((_e118.x * _e114) + (_e118.y * _e115)) + (_e118.z * _e116)) > 0f) {
-                let _e132 = (((_e114 * _e114) + (_e115 * _e115)) + (_e116 * _e116));
-                let _e134 = p.member.light.axis;
-                let _e146 = p.member.light.place[3u];
-                if (_e146 == 0f) {
-                    phi_504_ = true;
+        let _e100 = phi_439_;
+        if !(_e100) {
+            let _e103 = samples.member[_e66.first_primitive].position;
+            let _e105 = p.member.light.place;
+            let _e111 = p.member.light.place[3u];
+            let _e118 = (_e105.x - (_e103.x * _e111));
+            let _e119 = (_e105.y - (_e103.y * _e111));
+            let _e120 = (_e105.z - (_e103.z * _e111));
+            let _e122 = samples.member[_e66.first_primitive].normal;
+            if ((((_e122.x * _e118) + (_e122.y * _e119)) + (_e122.z * _e120)) > 0f) {
+                let _e136 = (((_e118 * _e118) + (_e119 * _e119)) + (_e120 * _e120));
+                let _e138 = p.member.light.axis;
+                let _e150 = p.member.light.place[3u];
+                if (_e150 == 0f) {
+                    phi_510_ = true;
                 } else {
-                    let _e149 = p.member.light.range_squared;
-                    if (_e132 <= _e149) {
-                        let _e152 = p.member.light.cos_outer;
-                        phi_503_ = (-((((_e114 * _e134.x) + (_e115 * _e134.y)) + (_e116 * _e134.z))) >= (_e152 * sqrt(_e132)));
+                    let _e153 = p.member.light.range_squared;
+                    if (_e136 <= _e153) {
+                        let _e156 = p.member.light.cos_outer;
+                        phi_509_ = (-((((_e118 * _e138.x) + (_e119 * _e138.y)) + (_e120 * _e138.z))) >= (_e156 * sqrt(_e136)));
                     } else {
-                        phi_503_ = false;
+                        phi_509_ = false;
                     }
-                    let _e157 = phi_503_;
-                    phi_504_ = _e157;
+                    let _e161 = phi_509_;
+                    phi_510_ = _e161;
                 }
-                let _e159 = phi_504_;
-                if _e159 {
-                    let _e161 = samples.member[_e62.first_primitive].flags;
-                    let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e169.unnamed.visibility, false), _e169.unnamed_1);
-                    phi_515_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e175.unnamed, ((_e161 & 1u) == 0u));
-                    phi_516_ = false;
+                let _e163 = phi_510_;
+                if _e163 {
+                    let _e165 = samples.member[_e66.first_primitive].flags;
+                    let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
+                    phi_521_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
+                    phi_522_ = false;
                 } else {
-                    phi_515_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_516_ = true;
+                    phi_521_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_522_ = true;
                 }
-                let _e180 = phi_515_;
-                let _e182 = phi_516_;
-                phi_517_ = _e180;
-                phi_518_ = _e182;
+                let _e184 = phi_521_;
+                let _e186 = phi_522_;
+                phi_523_ = _e184;
+                phi_524_ = _e186;
             } else {
-                phi_517_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_518_ = true;
+                phi_523_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_524_ = true;
             }
-            let _e184 = phi_517_;
-            let _e186 = phi_518_;
-            if _e186 {
-                let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
-                phi_525_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, true);
+            let _e188 = phi_523_;
+            let _e190 = phi_524_;
+            if _e190 {
+                let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e202 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e196.unnamed.visibility, false), _e196.unnamed_1);
+                phi_531_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e202.unnamed, true);
             } else {
-                phi_525_ = _e184;
+                phi_531_ = _e188;
             }
-            let _e203 = phi_525_;
-            phi_529_ = _e203;
+            let _e207 = phi_531_;
+            phi_535_ = _e207;
         } else {
-            let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e209.unnamed.visibility, false), _e209.unnamed_1);
-            phi_529_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e215.unnamed, true);
+            let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
+            phi_535_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
         }
-        let _e220 = phi_529_;
-        if _e220.unnamed_1 {
-            phi_1265_ = evaluate_Verdict(_e220.unnamed.visibility, _e220.unnamed.is_doubted);
+        let _e224 = phi_535_;
+        if _e224.unnamed_1 {
+            phi_1302_ = evaluate_Verdict(_e224.unnamed.visibility, _e224.unnamed.is_doubted);
         } else {
-            let _e228 = samples.member[_e62.first_primitive].position;
-            let _e230 = p.member.map_size;
-            let _e232 = (0.5f / f32(_e230));
-            let _e239 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e246 = lt_math_LightPoint(vec2<f32>(_e239.uv.x, 0f), _e239.depth, _e239.is_inside);
-            let _e250 = lt_math_LightPoint(_e246.uv, 0f, _e246.is_inside);
-            phi_549_ = lt_math_LightPoint();
-            phi_552_ = 0u;
-            phi_554_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e250.uv, _e250.depth, false));
+            let _e232 = samples.member[_e66.first_primitive].position;
+            let _e234 = p.member.map_size;
+            let _e236 = (0.5f / f32(_e234));
+            let _e243 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e250 = lt_math_LightPoint(vec2<f32>(_e243.uv.x, 0f), _e243.depth, _e243.is_inside);
+            let _e254 = lt_math_LightPoint(_e250.uv, 0f, _e250.is_inside);
+            phi_555_ = lt_math_LightPoint();
+            phi_558_ = 0u;
+            phi_560_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e254.uv, _e254.depth, false));
             loop {
-                let _e257 = phi_549_;
-                let _e259 = phi_552_;
-                let _e261 = phi_554_;
-                local_2 = _e261;
-                local_3 = _e261;
-                local_4 = _e261;
-                if (_e259 < _e69) {
-                    if _e261.point.is_inside {
-                        phi_715_ = lt_math_LightPoint();
-                        phi_716_ = u32();
-                        phi_717_ = lt_math_LevelPoint();
-                        phi_718_ = false;
+                let _e261 = phi_555_;
+                let _e263 = phi_558_;
+                let _e265 = phi_560_;
+                local_2 = _e265;
+                local_3 = _e265;
+                local_4 = _e265;
+                if (_e263 < _e73) {
+                    if _e265.point.is_inside {
+                        phi_721_ = lt_math_LightPoint();
+                        phi_722_ = u32();
+                        phi_723_ = lt_math_LevelPoint();
+                        phi_724_ = false;
                     } else {
-                        if (_e259 < _e56) {
+                        if (_e263 < _e60) {
                         } else {
                             return;
                         }
-                        let _e272 = levels.member[(0u + _e259)].row_w;
-                        let _e283 = ((((_e272.x * _e228.x) + (_e272.y * _e228.y)) + (_e272.z * _e228.z)) + (_e272.w * 1f));
-                        let _e285 = levels.member[(0u + _e259)].row_x;
-                        let _e297 = (((((_e285.x * _e228.x) + (_e285.y * _e228.y)) + (_e285.z * _e228.z)) + (_e285.w * 1f)) / _e283);
-                        let _e299 = levels.member[(0u + _e259)].row_y;
-                        let _e311 = (((((_e299.x * _e228.x) + (_e299.y * _e228.y)) + (_e299.z * _e228.z)) + (_e299.w * 1f)) / _e283);
-                        let _e313 = levels.member[(0u + _e259)].row_z;
-                        let _e324 = ((((_e313.x * _e228.x) + (_e313.y * _e228.y)) + (_e313.z * _e228.z)) + (_e313.w * 1f));
-                        if (_e283 > 0f) {
-                            if (_e297 >= 0f) {
-                                phi_640_ = (_e297 <= 1f);
+                        let _e276 = levels.member[(0u + _e263)].row_w;
+                        let _e287 = ((((_e276.x * _e232.x) + (_e276.y * _e232.y)) + (_e276.z * _e232.z)) + (_e276.w * 1f));
+                        let _e289 = levels.member[(0u + _e263)].row_x;
+                        let _e301 = (((((_e289.x * _e232.x) + (_e289.y * _e232.y)) + (_e289.z * _e232.z)) + (_e289.w * 1f)) / _e287);
+                        let _e303 = levels.member[(0u + _e263)].row_y;
+                        let _e315 = (((((_e303.x * _e232.x) + (_e303.y * _e232.y)) + (_e303.z * _e232.z)) + (_e303.w * 1f)) / _e287);
+                        let _e317 = levels.member[(0u + _e263)].row_z;
+                        let _e328 = ((((_e317.x * _e232.x) + (_e317.y * _e232.y)) + (_e317.z * _e232.z)) + (_e317.w * 1f));
+                        if (_e287 > 0f) {
+                            if (_e301 >= 0f) {
+                                phi_646_ = (_e301 <= 1f);
                             } else {
-                                phi_640_ = false;
+                                phi_646_ = false;
                             }
-                            let _e329 = phi_640_;
-                            if _e329 {
-                                if (_e311 >= 0f) {
-                                    phi_649_ = (_e311 <= 1f);
+                            let _e333 = phi_646_;
+                            if _e333 {
+                                if (_e315 >= 0f) {
+                                    phi_655_ = (_e315 <= 1f);
                                 } else {
-                                    phi_649_ = false;
+                                    phi_655_ = false;
                                 }
-                                let _e333 = phi_649_;
-                                if _e333 {
-                                    if (_e324 >= 0f) {
-                                        phi_658_ = (_e324 <= 1f);
+                                let _e337 = phi_655_;
+                                if _e337 {
+                                    if (_e328 >= 0f) {
+                                        phi_664_ = (_e328 <= 1f);
                                     } else {
-                                        phi_658_ = false;
+                                        phi_664_ = false;
                                     }
-                                    let _e337 = phi_658_;
-                                    phi_659_ = _e337;
-                                    phi_660_ = false;
+                                    let _e341 = phi_664_;
+                                    phi_665_ = _e341;
+                                    phi_666_ = false;
                                 } else {
-                                    phi_659_ = bool();
-                                    phi_660_ = true;
+                                    phi_665_ = bool();
+                                    phi_666_ = true;
                                 }
-                                let _e339 = phi_659_;
-                                let _e341 = phi_660_;
-                                phi_661_ = _e339;
-                                phi_662_ = _e341;
+                                let _e343 = phi_665_;
+                                let _e345 = phi_666_;
+                                phi_667_ = _e343;
+                                phi_668_ = _e345;
                             } else {
-                                phi_661_ = bool();
-                                phi_662_ = true;
+                                phi_667_ = bool();
+                                phi_668_ = true;
                             }
-                            let _e343 = phi_661_;
-                            let _e345 = phi_662_;
-                            phi_663_ = _e343;
-                            phi_664_ = _e345;
+                            let _e347 = phi_667_;
+                            let _e349 = phi_668_;
+                            phi_669_ = _e347;
+                            phi_670_ = _e349;
                         } else {
-                            phi_663_ = bool();
-                            phi_664_ = true;
+                            phi_669_ = bool();
+                            phi_670_ = true;
                         }
-                        let _e347 = phi_663_;
-                        let _e349 = phi_664_;
-                        if _e349 {
-                            phi_668_ = false;
+                        let _e351 = phi_669_;
+                        let _e353 = phi_670_;
+                        if _e353 {
+                            phi_674_ = false;
                         } else {
-                            phi_668_ = _e347;
+                            phi_674_ = _e351;
                         }
-                        let _e351 = phi_668_;
-                        if _e351 {
-                            if (_e297 >= _e232) {
-                                if (_e297 <= (1f - _e232)) {
-                                    if (_e311 >= _e232) {
-                                        phi_695_ = (_e311 <= (1f - _e232));
-                                        phi_696_ = false;
+                        let _e355 = phi_674_;
+                        if _e355 {
+                            if (_e301 >= _e236) {
+                                if (_e301 <= (1f - _e236)) {
+                                    if (_e315 >= _e236) {
+                                        phi_701_ = (_e315 <= (1f - _e236));
+                                        phi_702_ = false;
                                     } else {
-                                        phi_695_ = bool();
-                                        phi_696_ = true;
+                                        phi_701_ = bool();
+                                        phi_702_ = true;
                                     }
-                                    let _e359 = phi_695_;
-                                    let _e361 = phi_696_;
-                                    phi_697_ = _e359;
-                                    phi_698_ = _e361;
+                                    let _e363 = phi_701_;
+                                    let _e365 = phi_702_;
+                                    phi_703_ = _e363;
+                                    phi_704_ = _e365;
                                 } else {
-                                    phi_697_ = bool();
-                                    phi_698_ = true;
+                                    phi_703_ = bool();
+                                    phi_704_ = true;
                                 }
-                                let _e363 = phi_697_;
-                                let _e365 = phi_698_;
-                                phi_699_ = _e363;
-                                phi_700_ = _e365;
+                                let _e367 = phi_703_;
+                                let _e369 = phi_704_;
+                                phi_705_ = _e367;
+                                phi_706_ = _e369;
                             } else {
-                                phi_699_ = bool();
-                                phi_700_ = true;
+                                phi_705_ = bool();
+                                phi_706_ = true;
                             }
-                            let _e367 = phi_699_;
-                            let _e369 = phi_700_;
-                            phi_701_ = _e367;
-                            phi_702_ = _e369;
+                            let _e371 = phi_705_;
+                            let _e373 = phi_706_;
+                            phi_707_ = _e371;
+                            phi_708_ = _e373;
                         } else {
-                            phi_701_ = bool();
-                            phi_702_ = true;
+                            phi_707_ = bool();
+                            phi_708_ = true;
                         }
-                        let _e371 = phi_701_;
-                        let _e373 = phi_702_;
-                        if _e373 {
-                            phi_706_ = false;
+                        let _e375 = phi_707_;
+                        let _e377 = phi_708_;
+                        if _e377 {
+                            phi_712_ = false;
                         } else {
-                            phi_706_ = _e371;
+                            phi_712_ = _e375;
                         }
-                        let _e375 = phi_706_;
-                        let _e382 = lt_math_LightPoint(vec2<f32>(_e297, _e257.uv.y), _e257.depth, _e257.is_inside);
-                        let _e389 = lt_math_LightPoint(vec2<f32>(_e382.uv.x, _e311), _e382.depth, _e382.is_inside);
-                        let _e393 = lt_math_LightPoint(_e389.uv, _e324, _e389.is_inside);
-                        let _e397 = lt_math_LightPoint(_e393.uv, _e393.depth, _e375);
-                        phi_715_ = _e397;
-                        phi_716_ = (_e259 + 1u);
-                        phi_717_ = lt_math_LevelPoint(_e259, _e397);
-                        phi_718_ = true;
+                        let _e379 = phi_712_;
+                        let _e386 = lt_math_LightPoint(vec2<f32>(_e301, _e261.uv.y), _e261.depth, _e261.is_inside);
+                        let _e393 = lt_math_LightPoint(vec2<f32>(_e386.uv.x, _e315), _e386.depth, _e386.is_inside);
+                        let _e397 = lt_math_LightPoint(_e393.uv, _e328, _e393.is_inside);
+                        let _e401 = lt_math_LightPoint(_e397.uv, _e397.depth, _e379);
+                        phi_721_ = _e401;
+                        phi_722_ = (_e263 + 1u);
+                        phi_723_ = lt_math_LevelPoint(_e263, _e401);
+                        phi_724_ = true;
                     }
-                    let _e401 = phi_715_;
-                    let _e403 = phi_716_;
-                    let _e405 = phi_717_;
-                    let _e407 = phi_718_;
-                    phi_550_ = _e401;
-                    phi_553_ = _e403;
-                    phi_555_ = _e405;
-                    phi_719_ = _e407;
+                    let _e405 = phi_721_;
+                    let _e407 = phi_722_;
+                    let _e409 = phi_723_;
+                    let _e411 = phi_724_;
+                    phi_556_ = _e405;
+                    phi_559_ = _e407;
+                    phi_561_ = _e409;
+                    phi_725_ = _e411;
                 } else {
-                    phi_550_ = lt_math_LightPoint();
-                    phi_553_ = u32();
-                    phi_555_ = lt_math_LevelPoint();
-                    phi_719_ = false;
+                    phi_556_ = lt_math_LightPoint();
+                    phi_559_ = u32();
+                    phi_561_ = lt_math_LevelPoint();
+                    phi_725_ = false;
                 }
-                let _e409 = phi_550_;
-                let _e411 = phi_553_;
-                let _e413 = phi_555_;
-                let _e415 = phi_719_;
+                let _e413 = phi_556_;
+                let _e415 = phi_559_;
+                let _e417 = phi_561_;
+                let _e419 = phi_725_;
                 continue;
                 continuing {
-                    phi_549_ = _e409;
-                    phi_552_ = _e411;
-                    phi_554_ = _e413;
-                    break if !(_e415);
+                    phi_555_ = _e413;
+                    phi_558_ = _e415;
+                    phi_560_ = _e417;
+                    break if !(_e419);
                 }
             }
-            let _e418 = local_2;
-            if _e418.point.is_inside {
+            let _e422 = local_2;
+            if _e422.point.is_inside {
                 if (0f > 0f) {
-                    let _e424 = local_3;
-                    if (_e424.level < _e56) {
+                    let _e428 = local_3;
+                    if (_e428.level < _e60) {
                     } else {
                         return;
                     }
-                    let _e429 = levels.member[(0u + _e424.level)];
-                    let _e435 = global[0u];
-                    if (_e429.row_w.x == _e435) {
-                        let _e438 = global[1u];
-                        if (_e429.row_w.y == _e438) {
-                            let _e441 = global[2u];
-                            phi_759_ = (_e429.row_w.z == _e441);
-                            phi_760_ = false;
+                    let _e433 = levels.member[(0u + _e428.level)];
+                    let _e439 = global[0u];
+                    if (_e433.row_w.x == _e439) {
+                        let _e442 = global[1u];
+                        if (_e433.row_w.y == _e442) {
+                            let _e445 = global[2u];
+                            phi_765_ = (_e433.row_w.z == _e445);
+                            phi_766_ = false;
                         } else {
-                            phi_759_ = bool();
-                            phi_760_ = true;
+                            phi_765_ = bool();
+                            phi_766_ = true;
                         }
-                        let _e444 = phi_759_;
-                        let _e446 = phi_760_;
-                        phi_761_ = _e444;
-                        phi_762_ = _e446;
+                        let _e448 = phi_765_;
+                        let _e450 = phi_766_;
+                        phi_767_ = _e448;
+                        phi_768_ = _e450;
                     } else {
-                        phi_761_ = bool();
-                        phi_762_ = true;
+                        phi_767_ = bool();
+                        phi_768_ = true;
                     }
-                    let _e448 = phi_761_;
-                    let _e450 = phi_762_;
-                    if _e450 {
-                        phi_766_ = false;
+                    let _e452 = phi_767_;
+                    let _e454 = phi_768_;
+                    if _e454 {
+                        phi_772_ = false;
                     } else {
-                        phi_766_ = _e448;
+                        phi_772_ = _e452;
                     }
-                    let _e452 = phi_766_;
-                    if _e452 {
-                        let _e454 = samples.member[_e62.first_primitive].normal;
-                        let _e456 = p.member.map_size;
-                        let _e526 = ((abs(((((_e429.row_x.x * _e454.x) + (_e429.row_x.y * _e454.y)) + (_e429.row_x.z * _e454.z)) / (((_e429.row_x.x * _e429.row_x.x) + (_e429.row_x.y * _e429.row_x.y)) + (_e429.row_x.z * _e429.row_x.z)))) + abs(((((_e429.row_y.x * _e454.x) + (_e429.row_y.y * _e454.y)) + (_e429.row_y.z * _e454.z)) / (((_e429.row_y.x * _e429.row_y.x) + (_e429.row_y.y * _e429.row_y.y)) + (_e429.row_y.z * _e429.row_y.z))))) / (abs(((((_e429.row_z.x * _e454.x) + (_e429.row_z.y * _e454.y)) + (_e429.row_z.z * _e454.z)) / (((_e429.row_z.x * _e429.row_z.x) + (_e429.row_z.y * _e429.row_z.y)) + (_e429.row_z.z * _e429.row_z.z)))) * f32(_e456)));
-                        if (_e526 < 0.002f) {
-                            phi_848_ = _e526;
+                    let _e456 = phi_772_;
+                    if _e456 {
+                        let _e458 = samples.member[_e66.first_primitive].normal;
+                        let _e460 = p.member.map_size;
+                        let _e530 = ((abs(((((_e433.row_x.x * _e458.x) + (_e433.row_x.y * _e458.y)) + (_e433.row_x.z * _e458.z)) / (((_e433.row_x.x * _e433.row_x.x) + (_e433.row_x.y * _e433.row_x.y)) + (_e433.row_x.z * _e433.row_x.z)))) + abs(((((_e433.row_y.x * _e458.x) + (_e433.row_y.y * _e458.y)) + (_e433.row_y.z * _e458.z)) / (((_e433.row_y.x * _e433.row_y.x) + (_e433.row_y.y * _e433.row_y.y)) + (_e433.row_y.z * _e433.row_y.z))))) / (abs(((((_e433.row_z.x * _e458.x) + (_e433.row_z.y * _e458.y)) + (_e433.row_z.z * _e458.z)) / (((_e433.row_z.x * _e433.row_z.x) + (_e433.row_z.y * _e433.row_z.y)) + (_e433.row_z.z * _e433.row_z.z)))) * f32(_e460)));
+                        if (_e530 < 0.002f) {
+                            phi_854_ = _e530;
                         } else {
-                            phi_848_ = 0.002f;
+                            phi_854_ = 0.002f;
                         }
-                        let _e529 = phi_848_;
-                        phi_967_ = _e529;
+                        let _e533 = phi_854_;
+                        phi_973_ = _e533;
                     } else {
-                        let _e531 = p.member.map_size;
-                        let _e537 = samples.member[_e62.first_primitive].position;
-                        let _e548 = ((((_e429.row_w.x * _e537.x) + (_e429.row_w.y * _e537.y)) + (_e429.row_w.z * _e537.z)) + _e429.row_w.w);
-                        let _e561 = ((_e429.row_x.x - (_e429.row_w.x * _e418.point.uv.x)) / _e548);
-                        let _e562 = ((_e429.row_x.y - (_e429.row_w.y * _e418.point.uv.x)) / _e548);
-                        let _e563 = ((_e429.row_x.z - (_e429.row_w.z * _e418.point.uv.x)) / _e548);
-                        let _e576 = ((_e429.row_y.x - (_e429.row_w.x * _e418.point.uv.y)) / _e548);
-                        let _e577 = ((_e429.row_y.y - (_e429.row_w.y * _e418.point.uv.y)) / _e548);
-                        let _e578 = ((_e429.row_y.z - (_e429.row_w.z * _e418.point.uv.y)) / _e548);
-                        let _e584 = samples.member[_e62.first_primitive].normal;
-                        let _e589 = ((_e577 * _e584.z) - (_e584.y * _e578));
-                        let _e594 = ((_e578 * _e584.x) - (_e584.z * _e576));
-                        let _e599 = ((_e576 * _e584.y) - (_e584.x * _e577));
-                        let _e601 = samples.member[_e62.first_primitive].normal;
-                        let _e606 = ((_e562 * _e601.z) - (_e601.y * _e563));
-                        let _e611 = ((_e563 * _e601.x) - (_e601.z * _e561));
-                        let _e616 = ((_e561 * _e601.y) - (_e601.x * _e562));
-                        let _e643 = ((abs(((((_e429.row_z.x * _e589) + (_e429.row_z.y * _e594)) + (_e429.row_z.z * _e599)) / (((_e561 * _e589) + (_e562 * _e594)) + (_e563 * _e599)))) + abs(((((_e429.row_z.x * _e606) + (_e429.row_z.y * _e611)) + (_e429.row_z.z * _e616)) / (((_e576 * _e606) + (_e577 * _e611)) + (_e578 * _e616))))) / f32(_e531));
-                        let _e645 = (16f / f32(_e531));
-                        if (_e643 < _e645) {
-                            phi_966_ = _e643;
+                        let _e535 = p.member.map_size;
+                        let _e541 = samples.member[_e66.first_primitive].position;
+                        let _e552 = ((((_e433.row_w.x * _e541.x) + (_e433.row_w.y * _e541.y)) + (_e433.row_w.z * _e541.z)) + _e433.row_w.w);
+                        let _e565 = ((_e433.row_x.x - (_e433.row_w.x * _e422.point.uv.x)) / _e552);
+                        let _e566 = ((_e433.row_x.y - (_e433.row_w.y * _e422.point.uv.x)) / _e552);
+                        let _e567 = ((_e433.row_x.z - (_e433.row_w.z * _e422.point.uv.x)) / _e552);
+                        let _e580 = ((_e433.row_y.x - (_e433.row_w.x * _e422.point.uv.y)) / _e552);
+                        let _e581 = ((_e433.row_y.y - (_e433.row_w.y * _e422.point.uv.y)) / _e552);
+                        let _e582 = ((_e433.row_y.z - (_e433.row_w.z * _e422.point.uv.y)) / _e552);
+                        let _e588 = samples.member[_e66.first_primitive].normal;
+                        let _e593 = ((_e581 * _e588.z) - (_e588.y * _e582));
+                        let _e598 = ((_e582 * _e588.x) - (_e588.z * _e580));
+                        let _e603 = ((_e580 * _e588.y) - (_e588.x * _e581));
+                        let _e605 = samples.member[_e66.first_primitive].normal;
+                        let _e610 = ((_e566 * _e605.z) - (_e605.y * _e567));
+                        let _e615 = ((_e567 * _e605.x) - (_e605.z * _e565));
+                        let _e620 = ((_e565 * _e605.y) - (_e605.x * _e566));
+                        let _e647 = ((abs(((((_e433.row_z.x * _e593) + (_e433.row_z.y * _e598)) + (_e433.row_z.z * _e603)) / (((_e565 * _e593) + (_e566 * _e598)) + (_e567 * _e603)))) + abs(((((_e433.row_z.x * _e610) + (_e433.row_z.y * _e615)) + (_e433.row_z.z * _e620)) / (((_e580 * _e610) + (_e581 * _e615)) + (_e582 * _e620))))) / f32(_e535));
+                        let _e649 = (16f / f32(_e535));
+                        if (_e647 < _e649) {
+                            phi_972_ = _e647;
                         } else {
-                            phi_966_ = _e645;
+                            phi_972_ = _e649;
                         }
-                        let _e648 = phi_966_;
-                        phi_967_ = _e648;
+                        let _e652 = phi_972_;
+                        phi_973_ = _e652;
                     }
-                    let _e650 = phi_967_;
-                    phi_970_ = (_e418.point.depth - (0f * _e650));
+                    let _e654 = phi_973_;
+                    phi_976_ = (_e422.point.depth - (0f * _e654));
                 } else {
-                    phi_970_ = _e418.point.depth;
+                    phi_976_ = _e422.point.depth;
                 }
-                let _e654 = phi_970_;
-                let _e660 = p.member.map_size;
-                let _e661 = f32(_e660);
-                let _e664 = ((_e418.point.uv.x * _e661) - 0.5f);
-                let _e665 = ((_e418.point.uv.y * _e661) - 0.5f);
-                if (_e664 > -8388608f) {
-                    let _e677 = f32(select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < bitcast<f32>(3472883712u))), 2147483647i, (_e664 > bitcast<f32>(1325400063u))), (_e664 == _e664)));
-                    if (_e677 > _e664) {
-                        phi_999_ = 1f;
+                let _e658 = phi_976_;
+                let _e664 = p.member.map_size;
+                let _e665 = f32(_e664);
+                let _e668 = ((_e422.point.uv.x * _e665) - 0.5f);
+                let _e669 = ((_e422.point.uv.y * _e665) - 0.5f);
+                if (_e668 > -8388608f) {
+                    let _e681 = f32(select(0i, select(select(i32(_e668), i32(-2147483648), (_e668 < bitcast<f32>(3472883712u))), 2147483647i, (_e668 > bitcast<f32>(1325400063u))), (_e668 == _e668)));
+                    if (_e681 > _e668) {
+                        phi_1005_ = 1f;
                     } else {
-                        phi_999_ = 0f;
+                        phi_1005_ = 0f;
                     }
-                    let _e680 = phi_999_;
-                    if (_e664 < 8388608f) {
-                        phi_1004_ = (_e677 - _e680);
-                        phi_1005_ = false;
+                    let _e684 = phi_1005_;
+                    if (_e668 < 8388608f) {
+                        phi_1010_ = (_e681 - _e684);
+                        phi_1011_ = false;
                     } else {
-                        phi_1004_ = f32();
-                        phi_1005_ = true;
+                        phi_1010_ = f32();
+                        phi_1011_ = true;
                     }
-                    let _e683 = phi_1004_;
-                    let _e685 = phi_1005_;
-                    phi_1006_ = _e683;
-                    phi_1007_ = _e685;
+                    let _e687 = phi_1010_;
+                    let _e689 = phi_1011_;
+                    phi_1012_ = _e687;
+                    phi_1013_ = _e689;
                 } else {
-                    phi_1006_ = f32();
-                    phi_1007_ = true;
+                    phi_1012_ = f32();
+                    phi_1013_ = true;
                 }
-                let _e687 = phi_1006_;
-                let _e689 = phi_1007_;
-                if _e689 {
-                    phi_1011_ = _e664;
+                let _e691 = phi_1012_;
+                let _e693 = phi_1013_;
+                if _e693 {
+                    phi_1017_ = _e668;
                 } else {
-                    phi_1011_ = _e687;
+                    phi_1017_ = _e691;
                 }
-                let _e691 = phi_1011_;
-                if (_e665 > -8388608f) {
-                    let _e703 = f32(select(0i, select(select(i32(_e665), i32(-2147483648), (_e665 < bitcast<f32>(3472883712u))), 2147483647i, (_e665 > bitcast<f32>(1325400063u))), (_e665 == _e665)));
-                    if (_e703 > _e665) {
-                        phi_1031_ = 1f;
+                let _e695 = phi_1017_;
+                if (_e669 > -8388608f) {
+                    let _e707 = f32(select(0i, select(select(i32(_e669), i32(-2147483648), (_e669 < bitcast<f32>(3472883712u))), 2147483647i, (_e669 > bitcast<f32>(1325400063u))), (_e669 == _e669)));
+                    if (_e707 > _e669) {
+                        phi_1037_ = 1f;
                     } else {
-                        phi_1031_ = 0f;
+                        phi_1037_ = 0f;
                     }
-                    let _e706 = phi_1031_;
-                    if (_e665 < 8388608f) {
-                        phi_1036_ = (_e703 - _e706);
-                        phi_1037_ = false;
+                    let _e710 = phi_1037_;
+                    if (_e669 < 8388608f) {
+                        phi_1042_ = (_e707 - _e710);
+                        phi_1043_ = false;
                     } else {
-                        phi_1036_ = f32();
-                        phi_1037_ = true;
+                        phi_1042_ = f32();
+                        phi_1043_ = true;
                     }
-                    let _e709 = phi_1036_;
-                    let _e711 = phi_1037_;
-                    phi_1038_ = _e709;
-                    phi_1039_ = _e711;
+                    let _e713 = phi_1042_;
+                    let _e715 = phi_1043_;
+                    phi_1044_ = _e713;
+                    phi_1045_ = _e715;
                 } else {
-                    phi_1038_ = f32();
-                    phi_1039_ = true;
+                    phi_1044_ = f32();
+                    phi_1045_ = true;
                 }
-                let _e713 = phi_1038_;
-                let _e715 = phi_1039_;
-                if _e715 {
-                    phi_1043_ = _e665;
+                let _e717 = phi_1044_;
+                let _e719 = phi_1045_;
+                if _e719 {
+                    phi_1049_ = _e669;
                 } else {
-                    phi_1043_ = _e713;
+                    phi_1049_ = _e717;
                 }
-                let _e717 = phi_1043_;
-                let _e718 = (_e664 - _e691);
-                let _e719 = (_e665 - _e717);
-                let _e728 = select(0i, select(select(i32(_e691), i32(-2147483648), (_e691 < bitcast<f32>(3472883712u))), 2147483647i, (_e691 > bitcast<f32>(1325400063u))), (_e691 == _e691));
-                let _e737 = select(0i, select(select(i32(_e717), i32(-2147483648), (_e717 < bitcast<f32>(3472883712u))), 2147483647i, (_e717 > bitcast<f32>(1325400063u))), (_e717 == _e717));
-                let _e740 = ((1f - _e718) * (1f - _e719));
-                let _e742 = (_e718 * (1f - _e719));
-                let _e744 = ((1f - _e718) * _e719);
-                let _e745 = (_e718 * _e719);
-                let _e747 = p.member.test;
-                let _e748 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e747);
-                let _e750 = p.member.map_size;
-                let _e752 = local_4;
-                local_1 = _e748;
-                let _e755 = ((_e752.level * _e750) * _e750);
-                let _e757 = (bitcast<i32>(_e750) - 1i);
-                if (_e728 > 0i) {
-                    phi_1092_ = _e728;
+                let _e721 = phi_1049_;
+                let _e722 = (_e668 - _e695);
+                let _e723 = (_e669 - _e721);
+                let _e732 = select(0i, select(select(i32(_e695), i32(-2147483648), (_e695 < bitcast<f32>(3472883712u))), 2147483647i, (_e695 > bitcast<f32>(1325400063u))), (_e695 == _e695));
+                let _e741 = select(0i, select(select(i32(_e721), i32(-2147483648), (_e721 < bitcast<f32>(3472883712u))), 2147483647i, (_e721 > bitcast<f32>(1325400063u))), (_e721 == _e721));
+                let _e744 = ((1f - _e722) * (1f - _e723));
+                let _e746 = (_e722 * (1f - _e723));
+                let _e748 = ((1f - _e722) * _e723);
+                let _e749 = (_e722 * _e723);
+                let _e751 = p.member.test;
+                let _e752 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e751);
+                let _e754 = p.member.map_size;
+                let _e756 = local_4;
+                local_1 = _e752;
+                let _e759 = ((_e756.level * _e754) * _e754);
+                let _e761 = (bitcast<i32>(_e754) - 1i);
+                if (_e732 > 0i) {
+                    phi_1098_ = _e732;
                 } else {
-                    phi_1092_ = 0i;
+                    phi_1098_ = 0i;
                 }
-                let _e760 = phi_1092_;
-                if (_e737 > 0i) {
-                    phi_1097_ = _e737;
+                let _e764 = phi_1098_;
+                if (_e741 > 0i) {
+                    phi_1103_ = _e741;
                 } else {
-                    phi_1097_ = 0i;
+                    phi_1103_ = 0i;
                 }
-                let _e763 = phi_1097_;
-                if (_e760 < _e757) {
-                    phi_1102_ = _e760;
+                let _e767 = phi_1103_;
+                if (_e764 < _e761) {
+                    phi_1108_ = _e764;
                 } else {
-                    phi_1102_ = _e757;
+                    phi_1108_ = _e761;
                 }
-                let _e766 = phi_1102_;
-                if (_e763 < _e757) {
-                    phi_1107_ = _e763;
+                let _e770 = phi_1108_;
+                if (_e767 < _e761) {
+                    phi_1113_ = _e767;
                 } else {
-                    phi_1107_ = _e757;
+                    phi_1113_ = _e761;
                 }
-                let _e769 = phi_1107_;
-                let _e770 = bitcast<u32>(_e766);
-                let _e772 = (_e728 + 1i);
-                let _e773 = (_e737 + 1i);
-                if (_e772 > 0i) {
-                    phi_1116_ = _e772;
+                let _e773 = phi_1113_;
+                let _e774 = bitcast<u32>(_e770);
+                let _e776 = (_e732 + 1i);
+                let _e777 = (_e741 + 1i);
+                if (_e776 > 0i) {
+                    phi_1122_ = _e776;
                 } else {
-                    phi_1116_ = 0i;
+                    phi_1122_ = 0i;
                 }
-                let _e776 = phi_1116_;
-                if (_e773 > 0i) {
-                    phi_1121_ = _e773;
+                let _e780 = phi_1122_;
+                if (_e777 > 0i) {
+                    phi_1127_ = _e777;
                 } else {
-                    phi_1121_ = 0i;
+                    phi_1127_ = 0i;
                 }
-                let _e779 = phi_1121_;
-                if (_e776 < _e757) {
-                    phi_1126_ = _e776;
+                let _e783 = phi_1127_;
+                if (_e780 < _e761) {
+                    phi_1132_ = _e780;
                 } else {
-                    phi_1126_ = _e757;
+                    phi_1132_ = _e761;
                 }
-                let _e782 = phi_1126_;
-                if (_e779 < _e757) {
-                    phi_1131_ = _e779;
+                let _e786 = phi_1132_;
+                if (_e783 < _e761) {
+                    phi_1137_ = _e783;
                 } else {
-                    phi_1131_ = _e757;
+                    phi_1137_ = _e761;
                 }
-                let _e785 = phi_1131_;
-                let _e786 = bitcast<u32>(_e782);
-                let _e788 = (bitcast<u32>(_e769) * _e750);
-                let _e789 = (bitcast<u32>(_e785) * _e750);
-                let _e794 = ((_e788 + _e770) + _e755);
-                let _e795 = ((_e788 + _e786) + _e755);
-                let _e796 = ((_e789 + _e770) + _e755);
-                let _e797 = ((_e789 + _e786) + _e755);
-                if (_e794 < _e51) {
+                let _e789 = phi_1137_;
+                let _e790 = bitcast<u32>(_e786);
+                let _e792 = (bitcast<u32>(_e773) * _e754);
+                let _e793 = (bitcast<u32>(_e789) * _e754);
+                let _e798 = ((_e792 + _e774) + _e759);
+                let _e799 = ((_e792 + _e790) + _e759);
+                let _e800 = ((_e793 + _e774) + _e759);
+                let _e801 = ((_e793 + _e790) + _e759);
+                if (_e798 < _e55) {
                 } else {
                     return;
                 }
-                let _e801 = map.member[(0u + _e794)];
-                if (_e795 < _e51) {
+                let _e805 = map.member[(0u + _e798)];
+                if (_e799 < _e55) {
                 } else {
                     return;
                 }
-                let _e813 = map.member[(0u + _e795)];
-                if (_e796 < _e51) {
+                let _e817 = map.member[(0u + _e799)];
+                if (_e800 < _e55) {
                 } else {
                     return;
                 }
-                let _e829 = map.member[(0u + _e796)];
-                if (_e797 < _e51) {
+                let _e833 = map.member[(0u + _e800)];
+                if (_e801 < _e55) {
                 } else {
                     return;
                 }
-                let _e845 = map.member[(0u + _e797)];
-                let _e859 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e801.x * _e740) + (_e813.x * _e742)) + (_e829.x * _e744)) + (_e845.x * _e745)), ((((_e801.y * _e740) + (_e813.y * _e742)) + (_e829.y * _e744)) + (_e845.y * _e745)), ((((_e801.z * _e740) + (_e813.z * _e742)) + (_e829.z * _e744)) + (_e845.z * _e745)), ((((_e801.w * _e740) + (_e813.w * _e742)) + (_e829.w * _e744)) + (_e845.w * _e745))), _e654);
-                let _e861 = p.member.epsilon;
-                if (_e859 <= _e861) {
-                    phi_1226_ = true;
-                } else {
-                    phi_1226_ = (_e859 >= (1f - _e861));
-                }
-                let _e866 = phi_1226_;
-                if ((bitcast<u32>(_e859) & 2147483647u) > 2139095040u) {
+                let _e849 = map.member[(0u + _e801)];
+                let _e863 = _lt_math_msm_MsmHamburger_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e805.x * _e744) + (_e817.x * _e746)) + (_e833.x * _e748)) + (_e849.x * _e749)), ((((_e805.y * _e744) + (_e817.y * _e746)) + (_e833.y * _e748)) + (_e849.y * _e749)), ((((_e805.z * _e744) + (_e817.z * _e746)) + (_e833.z * _e748)) + (_e849.z * _e749)), ((((_e805.w * _e744) + (_e817.w * _e746)) + (_e833.w * _e748)) + (_e849.w * _e749))), _e658);
+                let _e867 = p.member.epsilon;
+                if (_e863 <= _e867) {
                     phi_1234_ = true;
                 } else {
-                    phi_1234_ = !(_e866);
+                    phi_1234_ = (_e863 >= (1f - _e867));
                 }
                 let _e872 = phi_1234_;
-                if _e872 {
-                    if (_e859 > 0f) {
-                        if (_e859 < 1f) {
-                            phi_1246_ = false;
-                        } else {
-                            phi_1246_ = true;
-                        }
-                        let _e876 = phi_1246_;
-                        phi_1247_ = _e876;
-                    } else {
-                        phi_1247_ = true;
-                    }
-                    let _e878 = phi_1247_;
-                    if _e878 {
-                        phi_1251_ = 0.5f;
-                    } else {
-                        phi_1251_ = _e859;
-                    }
-                    let _e880 = phi_1251_;
-                    phi_1259_ = evaluate_Verdict(_e880, true);
+                if ((bitcast<u32>(_e863) & 2147483647u) > 2139095040u) {
+                    phi_1242_ = true;
                 } else {
-                    if (_e859 > 0.5f) {
-                        phi_1257_ = 1f;
-                    } else {
-                        phi_1257_ = 0f;
-                    }
-                    let _e884 = phi_1257_;
-                    phi_1259_ = evaluate_Verdict(_e884, false);
+                    phi_1242_ = !(_e872);
                 }
-                let _e887 = phi_1259_;
-                phi_1264_ = evaluate_Verdict(_e887.visibility, _e887.is_doubted);
+                let _e878 = phi_1242_;
+                if _e878 {
+                    if (_e863 > 0f) {
+                        if (_e863 < 1f) {
+                            phi_1254_ = false;
+                        } else {
+                            phi_1254_ = true;
+                        }
+                        let _e882 = phi_1254_;
+                        phi_1255_ = _e882;
+                    } else {
+                        phi_1255_ = true;
+                    }
+                    let _e884 = phi_1255_;
+                    if _e884 {
+                        phi_1259_ = 0.5f;
+                    } else {
+                        phi_1259_ = _e863;
+                    }
+                    let _e886 = phi_1259_;
+                    phi_1267_ = evaluate_Verdict(_e886, true);
+                } else {
+                    if (_e863 > 0.5f) {
+                        phi_1265_ = 1f;
+                    } else {
+                        phi_1265_ = 0f;
+                    }
+                    let _e890 = phi_1265_;
+                    phi_1267_ = evaluate_Verdict(_e890, false);
+                }
+                let _e893 = phi_1267_;
+                let _e896 = (_e893.visibility < 0.5f);
+                if _e893.is_doubted {
+                    phi_1290_ = evaluate_Verdict();
+                    phi_1291_ = true;
+                } else {
+                    if _e896 {
+                        phi_1277_ = 2u;
+                    } else {
+                        phi_1277_ = 1u;
+                    }
+                    let _e898 = phi_1277_;
+                    if ((0u & _e898) != 0u) {
+                        if _e896 {
+                            phi_1286_ = 0.000000059604645f;
+                        } else {
+                            phi_1286_ = 0.99999994f;
+                        }
+                        let _e902 = phi_1286_;
+                        phi_1288_ = evaluate_Verdict(_e902, true);
+                        phi_1289_ = false;
+                    } else {
+                        phi_1288_ = evaluate_Verdict();
+                        phi_1289_ = true;
+                    }
+                    let _e905 = phi_1288_;
+                    let _e907 = phi_1289_;
+                    phi_1290_ = _e905;
+                    phi_1291_ = _e907;
+                }
+                let _e909 = phi_1290_;
+                let _e911 = phi_1291_;
+                if _e911 {
+                    phi_1296_ = evaluate_Verdict(_e893.visibility, _e893.is_doubted);
+                } else {
+                    phi_1296_ = _e909;
+                }
+                let _e914 = phi_1296_;
+                phi_1301_ = evaluate_Verdict(_e914.visibility, _e914.is_doubted);
             } else {
-                phi_1264_ = evaluate_Verdict(0.5f, true);
+                phi_1301_ = evaluate_Verdict(0.5f, true);
             }
-            let _e893 = phi_1264_;
-            phi_1265_ = _e893;
+            let _e920 = phi_1301_;
+            phi_1302_ = _e920;
         }
-        let _e895 = phi_1265_;
-        visibility.member[_e62.first_primitive] = _e895.visibility;
-        phi_1269_ = _e895.is_doubted;
-        phi_1270_ = _e62.first_primitive;
+        let _e922 = phi_1302_;
+        visibility.member[_e66.first_primitive] = _e922.visibility;
+        phi_1306_ = _e922.is_doubted;
+        phi_1307_ = _e66.first_primitive;
     } else {
-        phi_1269_ = false;
-        phi_1270_ = 0u;
+        phi_1306_ = false;
+        phi_1307_ = 0u;
     }
-    let _e900 = phi_1269_;
-    let _e902 = phi_1270_;
-    if (_e46 == 0u) {
+    let _e927 = phi_1306_;
+    let _e929 = phi_1307_;
+    if (_e50 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e900 {
-        let _e906 = atomicAdd((&shared_[0u]), 1u);
-        phi_1281_ = _e906;
+    if _e927 {
+        let _e933 = atomicAdd((&shared_[0u]), 1u);
+        phi_1318_ = _e933;
     } else {
-        phi_1281_ = 0u;
+        phi_1318_ = 0u;
     }
-    let _e908 = phi_1281_;
+    let _e935 = phi_1318_;
     workgroupBarrier();
-    if (_e46 == 0u) {
-        let _e912 = atomicLoad((&shared_[0u]));
-        let _e913 = atomicAdd((&list.member[3u]), _e912);
-        atomicStore((&shared_[1u]), _e913);
+    if (_e50 == 0u) {
+        let _e939 = atomicLoad((&shared_[0u]));
+        let _e940 = atomicAdd((&list.member[3u]), _e939);
+        atomicStore((&shared_[1u]), _e940);
     }
     workgroupBarrier();
-    if _e900 {
-        let _e916 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e916) + _e908)]), _e902);
+    if _e927 {
+        if false {
+            phi_1335_ = (_e929 | 2147483648u);
+        } else {
+            phi_1335_ = _e929;
+        }
+        let _e944 = phi_1335_;
+        let _e946 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e946) + _e935)]), _e944);
     }
     return;
 }

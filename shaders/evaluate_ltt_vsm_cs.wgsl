@@ -92,37 +92,37 @@ var<storage, read_write> visibility: type_24;
 var<storage, read_write> list: type_45;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_146_: lt_bvh_traverse_Tree;
-    var phi_147_: bool;
-    var phi_148_: lt_bvh_traverse_Tree;
-    var phi_149_: bool;
+    var phi_152_: lt_bvh_traverse_Tree;
+    var phi_153_: bool;
     var phi_154_: lt_bvh_traverse_Tree;
+    var phi_155_: bool;
+    var phi_160_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_146_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_147_ = false;
+            phi_152_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_153_ = false;
         } else {
-            phi_146_ = lt_bvh_traverse_Tree();
-            phi_147_ = true;
+            phi_152_ = lt_bvh_traverse_Tree();
+            phi_153_ = true;
         }
-        let _e50 = phi_146_;
-        let _e52 = phi_147_;
-        phi_148_ = _e50;
-        phi_149_ = _e52;
-    } else {
-        phi_148_ = lt_bvh_traverse_Tree();
-        phi_149_ = true;
-    }
-    let _e54 = phi_148_;
-    let _e56 = phi_149_;
-    if _e56 {
-        phi_154_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
+        let _e54 = phi_152_;
+        let _e56 = phi_153_;
         phi_154_ = _e54;
+        phi_155_ = _e56;
+    } else {
+        phi_154_ = lt_bvh_traverse_Tree();
+        phi_155_ = true;
     }
-    let _e61 = phi_154_;
-    return lt_bvh_traverse_Tree(_e61.root, _e61.first_primitive);
+    let _e58 = phi_154_;
+    let _e60 = phi_155_;
+    if _e60 {
+        phi_160_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_160_ = _e58;
+    }
+    let _e65 = phi_160_;
+    return lt_bvh_traverse_Tree(_e65.root, _e65.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -130,653 +130,704 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_180_: f32;
-    var phi_181_: f32;
-    var phi_182_: f32;
-    var phi_198_: f32;
-    var phi_199_: f32;
-    var phi_200_: f32;
-    var phi_216_: f32;
-    var phi_217_: f32;
-    var phi_218_: f32;
-    var phi_234_: f32;
-    var phi_235_: f32;
-    var phi_236_: f32;
-    var phi_252_: f32;
-    var phi_253_: f32;
-    var phi_254_: f32;
-    var phi_300_: bool;
-    var phi_304_: f32;
-    var phi_316_: bool;
-    var phi_323_: f32;
-    var phi_338_: f32;
-    var phi_339_: f32;
-    var phi_340_: f32;
+    var phi_186_: f32;
+    var phi_187_: f32;
+    var phi_188_: f32;
+    var phi_204_: f32;
+    var phi_205_: f32;
+    var phi_206_: f32;
+    var phi_222_: f32;
+    var phi_223_: f32;
+    var phi_224_: f32;
+    var phi_240_: f32;
+    var phi_241_: f32;
+    var phi_242_: f32;
+    var phi_258_: f32;
+    var phi_259_: f32;
+    var phi_260_: f32;
+    var phi_306_: bool;
+    var phi_310_: f32;
+    var phi_322_: bool;
+    var phi_329_: f32;
+    var phi_344_: f32;
+    var phi_345_: f32;
+    var phi_346_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_182_ = param_7;
+        phi_188_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_181_ = 0f;
+            phi_187_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_180_ = 1f;
+                phi_186_ = 1f;
             } else {
-                phi_180_ = param_7;
+                phi_186_ = param_7;
             }
-            let _e47 = phi_180_;
-            phi_181_ = _e47;
+            let _e51 = phi_186_;
+            phi_187_ = _e51;
         }
-        let _e49 = phi_181_;
-        phi_182_ = _e49;
+        let _e53 = phi_187_;
+        phi_188_ = _e53;
     }
-    let _e51 = phi_182_;
+    let _e55 = phi_188_;
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_200_ = param_5.x;
+        phi_206_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_199_ = 0f;
+            phi_205_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_198_ = 1f;
+                phi_204_ = 1f;
             } else {
-                phi_198_ = param_5.x;
+                phi_204_ = param_5.x;
             }
-            let _e59 = phi_198_;
-            phi_199_ = _e59;
+            let _e63 = phi_204_;
+            phi_205_ = _e63;
         }
-        let _e61 = phi_199_;
-        phi_200_ = _e61;
+        let _e65 = phi_205_;
+        phi_206_ = _e65;
     }
-    let _e63 = phi_200_;
+    let _e67 = phi_206_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_218_ = param_5.y;
+        phi_224_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_217_ = 0f;
+            phi_223_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_216_ = 1f;
+                phi_222_ = 1f;
             } else {
-                phi_216_ = param_5.y;
+                phi_222_ = param_5.y;
             }
-            let _e71 = phi_216_;
-            phi_217_ = _e71;
+            let _e75 = phi_222_;
+            phi_223_ = _e75;
         }
-        let _e73 = phi_217_;
-        phi_218_ = _e73;
+        let _e77 = phi_223_;
+        phi_224_ = _e77;
     }
-    let _e75 = phi_218_;
+    let _e79 = phi_224_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_236_ = param_5.z;
+        phi_242_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_235_ = 0f;
+            phi_241_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_234_ = 1f;
+                phi_240_ = 1f;
             } else {
-                phi_234_ = param_5.z;
+                phi_240_ = param_5.z;
             }
-            let _e83 = phi_234_;
-            phi_235_ = _e83;
+            let _e87 = phi_240_;
+            phi_241_ = _e87;
         }
-        let _e85 = phi_235_;
-        phi_236_ = _e85;
+        let _e89 = phi_241_;
+        phi_242_ = _e89;
     }
-    let _e87 = phi_236_;
+    let _e91 = phi_242_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_254_ = param_5.w;
+        phi_260_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_253_ = 0f;
+            phi_259_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_252_ = 1f;
+                phi_258_ = 1f;
             } else {
-                phi_252_ = param_5.w;
+                phi_258_ = param_5.w;
             }
-            let _e95 = phi_252_;
-            phi_253_ = _e95;
+            let _e99 = phi_258_;
+            phi_259_ = _e99;
         }
-        let _e97 = phi_253_;
-        phi_254_ = _e97;
+        let _e101 = phi_259_;
+        phi_260_ = _e101;
     }
-    let _e99 = phi_254_;
-    let _e100 = (_e63 - _e51);
-    let _e101 = (_e75 - _e51);
-    let _e102 = (_e87 - _e51);
-    let _e103 = (_e99 - _e51);
-    let _e104 = (*param_4);
-    let _e115 = ((((_e100 * param_6.x) + (_e101 * param_6.y)) + (_e102 * param_6.z)) + (_e103 * param_6.w));
-    let _e116 = (_e100 - _e115);
-    let _e117 = (_e101 - _e115);
-    let _e118 = (_e102 - _e115);
-    let _e119 = (_e103 - _e115);
-    let _e134 = (((((_e116 * _e116) * param_6.x) + ((_e117 * _e117) * param_6.y)) + ((_e118 * _e118) * param_6.z)) + ((_e119 * _e119) * param_6.w));
-    if ((bitcast<u32>(_e104) & 2147483647u) > 2139095040u) {
-        phi_300_ = true;
+    let _e103 = phi_260_;
+    let _e104 = (_e67 - _e55);
+    let _e105 = (_e79 - _e55);
+    let _e106 = (_e91 - _e55);
+    let _e107 = (_e103 - _e55);
+    let _e108 = (*param_4);
+    let _e119 = ((((_e104 * param_6.x) + (_e105 * param_6.y)) + (_e106 * param_6.z)) + (_e107 * param_6.w));
+    let _e120 = (_e104 - _e119);
+    let _e121 = (_e105 - _e119);
+    let _e122 = (_e106 - _e119);
+    let _e123 = (_e107 - _e119);
+    let _e138 = (((((_e120 * _e120) * param_6.x) + ((_e121 * _e121) * param_6.y)) + ((_e122 * _e122) * param_6.z)) + ((_e123 * _e123) * param_6.w));
+    if ((bitcast<u32>(_e108) & 2147483647u) > 2139095040u) {
+        phi_306_ = true;
     } else {
-        let _e138 = (_e104 > _e134);
-        if _e138 {
+        let _e142 = (_e108 > _e138);
+        if _e142 {
         }
-        phi_300_ = _e138;
+        phi_306_ = _e142;
     }
-    let _e140 = phi_300_;
-    if _e140 {
-        phi_304_ = _e104;
+    let _e144 = phi_306_;
+    if _e144 {
+        phi_310_ = _e108;
     } else {
-        phi_304_ = _e134;
+        phi_310_ = _e138;
     }
-    let _e142 = phi_304_;
-    let _e143 = -(_e115);
-    if (_e143 <= 0f) {
-        let _e147 = ((bitcast<u32>(_e142) & 2147483647u) > 2139095040u);
-        if _e147 {
+    let _e146 = phi_310_;
+    let _e147 = -(_e119);
+    if (_e147 <= 0f) {
+        let _e151 = ((bitcast<u32>(_e146) & 2147483647u) > 2139095040u);
+        if _e151 {
         }
-        phi_316_ = _e147;
+        phi_322_ = _e151;
     } else {
-        phi_316_ = true;
+        phi_322_ = true;
     }
-    let _e149 = phi_316_;
-    if _e149 {
-        phi_323_ = (_e142 / (_e142 + (_e143 * _e143)));
+    let _e153 = phi_322_;
+    if _e153 {
+        phi_329_ = (_e146 / (_e146 + (_e147 * _e147)));
     } else {
-        phi_323_ = 1f;
+        phi_329_ = 1f;
     }
-    let _e154 = phi_323_;
-    if ((bitcast<u32>(_e154) & 2147483647u) > 2139095040u) {
-        phi_340_ = _e154;
+    let _e158 = phi_329_;
+    if ((bitcast<u32>(_e158) & 2147483647u) > 2139095040u) {
+        phi_346_ = _e158;
     } else {
-        if (_e154 < 0f) {
-            phi_339_ = 0f;
+        if (_e158 < 0f) {
+            phi_345_ = 0f;
         } else {
-            if (_e154 > 1f) {
-                phi_338_ = 1f;
+            if (_e158 > 1f) {
+                phi_344_ = 1f;
             } else {
-                phi_338_ = _e154;
+                phi_344_ = _e158;
             }
-            let _e161 = phi_338_;
-            phi_339_ = _e161;
+            let _e165 = phi_344_;
+            phi_345_ = _e165;
         }
-        let _e163 = phi_339_;
-        phi_340_ = _e163;
+        let _e167 = phi_345_;
+        phi_346_ = _e167;
     }
-    let _e165 = phi_340_;
-    return _e165;
+    let _e169 = phi_346_;
+    return _e169;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_391_: bool;
-    var phi_392_: bool;
-    var phi_393_: bool;
-    var phi_394_: bool;
+    var phi_397_: bool;
     var phi_398_: bool;
-    var phi_468_: bool;
-    var phi_469_: bool;
-    var phi_480_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_481_: bool;
-    var phi_482_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_483_: bool;
-    var phi_490_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_494_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_568_: bool;
-    var phi_577_: bool;
-    var phi_586_: bool;
-    var phi_587_: bool;
-    var phi_588_: bool;
-    var phi_589_: bool;
-    var phi_590_: bool;
-    var phi_591_: bool;
+    var phi_399_: bool;
+    var phi_400_: bool;
+    var phi_404_: bool;
+    var phi_474_: bool;
+    var phi_475_: bool;
+    var phi_486_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_487_: bool;
+    var phi_488_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_489_: bool;
+    var phi_496_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_500_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_574_: bool;
+    var phi_583_: bool;
     var phi_592_: bool;
+    var phi_593_: bool;
+    var phi_594_: bool;
+    var phi_595_: bool;
     var phi_596_: bool;
-    var phi_686_: f32;
-    var phi_689_: f32;
-    var phi_718_: f32;
-    var phi_723_: f32;
-    var phi_724_: bool;
-    var phi_725_: f32;
-    var phi_726_: bool;
-    var phi_730_: f32;
-    var phi_750_: f32;
-    var phi_755_: f32;
-    var phi_756_: bool;
-    var phi_757_: f32;
-    var phi_758_: bool;
-    var phi_762_: f32;
-    var phi_810_: i32;
-    var phi_815_: i32;
-    var phi_820_: i32;
-    var phi_825_: i32;
-    var phi_834_: i32;
-    var phi_839_: i32;
-    var phi_844_: i32;
-    var phi_849_: i32;
-    var phi_900_: bool;
+    var phi_597_: bool;
+    var phi_598_: bool;
+    var phi_602_: bool;
+    var phi_692_: f32;
+    var phi_695_: f32;
+    var phi_724_: f32;
+    var phi_729_: f32;
+    var phi_730_: bool;
+    var phi_731_: f32;
+    var phi_732_: bool;
+    var phi_736_: f32;
+    var phi_756_: f32;
+    var phi_761_: f32;
+    var phi_762_: bool;
+    var phi_763_: f32;
+    var phi_764_: bool;
+    var phi_768_: f32;
+    var phi_816_: i32;
+    var phi_821_: i32;
+    var phi_826_: i32;
+    var phi_831_: i32;
+    var phi_840_: i32;
+    var phi_845_: i32;
+    var phi_850_: i32;
+    var phi_855_: i32;
     var phi_908_: bool;
-    var phi_920_: bool;
-    var phi_921_: bool;
-    var phi_925_: f32;
-    var phi_931_: f32;
-    var phi_933_: evaluate_Verdict;
-    var phi_938_: evaluate_Verdict;
-    var phi_939_: evaluate_Verdict;
-    var phi_943_: bool;
-    var phi_944_: u32;
-    var phi_955_: u32;
+    var phi_916_: bool;
+    var phi_928_: bool;
+    var phi_929_: bool;
+    var phi_933_: f32;
+    var phi_939_: f32;
+    var phi_941_: evaluate_Verdict;
+    var phi_951_: u32;
+    var phi_960_: f32;
+    var phi_962_: evaluate_Verdict;
+    var phi_963_: bool;
+    var phi_964_: evaluate_Verdict;
+    var phi_965_: bool;
+    var phi_970_: evaluate_Verdict;
+    var phi_975_: evaluate_Verdict;
+    var phi_976_: evaluate_Verdict;
+    var phi_980_: bool;
+    var phi_981_: u32;
+    var phi_992_: u32;
+    var phi_1009_: u32;
 
-    let _e38 = id_1;
-    let _e39 = local_2;
-    let _e44 = arrayLength((&map.member));
-    let _e49 = p.member.size[0u];
-    let _e51 = p.member.size[1u];
-    let _e52 = lt_shaders_entry_pixel_index(_e38, _e49, _e51);
-    if (bitcast<i32>(_e52.root) != 0i) {
-        let _e59 = p.member.projection;
-        let _e60 = lt_math_OneLevel(_e59);
-        let _e64 = samples.member[_e52.first_primitive].normal[0u];
-        let _e66 = global[0u];
-        if (_e64 == _e66) {
-            let _e69 = samples.member[_e52.first_primitive].normal[1u];
-            let _e71 = global[1u];
-            if (_e69 == _e71) {
-                let _e74 = samples.member[_e52.first_primitive].normal[2u];
-                let _e76 = global[2u];
-                phi_391_ = (_e74 == _e76);
-                phi_392_ = false;
+    let _e42 = id_1;
+    let _e43 = local_2;
+    let _e48 = arrayLength((&map.member));
+    let _e53 = p.member.size[0u];
+    let _e55 = p.member.size[1u];
+    let _e56 = lt_shaders_entry_pixel_index(_e42, _e53, _e55);
+    if (bitcast<i32>(_e56.root) != 0i) {
+        let _e63 = p.member.projection;
+        let _e64 = lt_math_OneLevel(_e63);
+        let _e68 = samples.member[_e56.first_primitive].normal[0u];
+        let _e70 = global[0u];
+        if (_e68 == _e70) {
+            let _e73 = samples.member[_e56.first_primitive].normal[1u];
+            let _e75 = global[1u];
+            if (_e73 == _e75) {
+                let _e78 = samples.member[_e56.first_primitive].normal[2u];
+                let _e80 = global[2u];
+                phi_397_ = (_e78 == _e80);
+                phi_398_ = false;
             } else {
-                phi_391_ = bool();
-                phi_392_ = true;
+                phi_397_ = bool();
+                phi_398_ = true;
             }
-            let _e79 = phi_391_;
-            let _e81 = phi_392_;
-            phi_393_ = _e79;
-            phi_394_ = _e81;
+            let _e83 = phi_397_;
+            let _e85 = phi_398_;
+            phi_399_ = _e83;
+            phi_400_ = _e85;
         } else {
-            phi_393_ = bool();
-            phi_394_ = true;
+            phi_399_ = bool();
+            phi_400_ = true;
         }
-        let _e83 = phi_393_;
-        let _e85 = phi_394_;
-        if _e85 {
-            phi_398_ = false;
+        let _e87 = phi_399_;
+        let _e89 = phi_400_;
+        if _e89 {
+            phi_404_ = false;
         } else {
-            phi_398_ = _e83;
+            phi_404_ = _e87;
         }
-        let _e87 = phi_398_;
-        if !(_e87) {
-            let _e90 = samples.member[_e52.first_primitive].position;
-            let _e92 = p.member.light.place;
-            let _e98 = p.member.light.place[3u];
-            let _e105 = (_e92.x - (_e90.x * _e98));
-            let _e106 = (_e92.y - (_e90.y * _e98));
-            let _e107 = (_e92.z - (_e90.z * _e98));
-            let _e109 = samples.member[_e52.first_primitive].normal;
-            if ((((_e109.x * _e105) + (_e109.y * _e106)) + (_e109.z * _e107)) > 0f) {
-                let _e123 = (((_e105 * _e105) + (_e106 * _e106)) + (_e107 * _e107));
-                let _e125 = p.member.light.axis;
-                let _e137 = p.member.light.place[3u];
-                if (_e137 == 0f) {
-                    phi_469_ = true;
+        let _e91 = phi_404_;
+        if !(_e91) {
+            let _e94 = samples.member[_e56.first_primitive].position;
+            let _e96 = p.member.light.place;
+            let _e102 = p.member.light.place[3u];
+            let _e109 = (_e96.x - (_e94.x * _e102));
+            let _e110 = (_e96.y - (_e94.y * _e102));
+            let _e111 = (_e96.z - (_e94.z * _e102));
+            let _e113 = samples.member[_e56.first_primitive].normal;
+            if ((((_e113.x * _e109) + (_e113.y * _e110)) + (_e113.z * _e111)) > 0f) {
+                let _e127 = (((_e109 * _e109) + (_e110 * _e110)) + (_e111 * _e111));
+                let _e129 = p.member.light.axis;
+                let _e141 = p.member.light.place[3u];
+                if (_e141 == 0f) {
+                    phi_475_ = true;
                 } else {
-                    let _e140 = p.member.light.range_squared;
-                    if (_e123 <= _e140) {
-                        let _e143 = p.member.light.cos_outer;
-                        phi_468_ = (-((((_e105 * _e125.x) + (_e106 * _e125.y)) + (_e107 * _e125.z))) >= (_e143 * sqrt(_e123)));
+                    let _e144 = p.member.light.range_squared;
+                    if (_e127 <= _e144) {
+                        let _e147 = p.member.light.cos_outer;
+                        phi_474_ = (-((((_e109 * _e129.x) + (_e110 * _e129.y)) + (_e111 * _e129.z))) >= (_e147 * sqrt(_e127)));
                     } else {
-                        phi_468_ = false;
+                        phi_474_ = false;
                     }
-                    let _e148 = phi_468_;
-                    phi_469_ = _e148;
+                    let _e152 = phi_474_;
+                    phi_475_ = _e152;
                 }
-                let _e150 = phi_469_;
-                if _e150 {
-                    let _e152 = samples.member[_e52.first_primitive].flags;
-                    let _e160 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e166 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e160.unnamed.visibility, false), _e160.unnamed_1);
-                    phi_480_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e166.unnamed, ((_e152 & 1u) == 0u));
-                    phi_481_ = false;
+                let _e154 = phi_475_;
+                if _e154 {
+                    let _e156 = samples.member[_e56.first_primitive].flags;
+                    let _e164 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e170 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e164.unnamed.visibility, false), _e164.unnamed_1);
+                    phi_486_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e170.unnamed, ((_e156 & 1u) == 0u));
+                    phi_487_ = false;
                 } else {
-                    phi_480_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_481_ = true;
+                    phi_486_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_487_ = true;
                 }
-                let _e171 = phi_480_;
-                let _e173 = phi_481_;
-                phi_482_ = _e171;
-                phi_483_ = _e173;
+                let _e175 = phi_486_;
+                let _e177 = phi_487_;
+                phi_488_ = _e175;
+                phi_489_ = _e177;
             } else {
-                phi_482_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_483_ = true;
+                phi_488_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_489_ = true;
             }
-            let _e175 = phi_482_;
-            let _e177 = phi_483_;
-            if _e177 {
-                let _e183 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e189 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e183.unnamed.visibility, false), _e183.unnamed_1);
-                phi_490_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e189.unnamed, true);
+            let _e179 = phi_488_;
+            let _e181 = phi_489_;
+            if _e181 {
+                let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e187.unnamed.visibility, false), _e187.unnamed_1);
+                phi_496_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e193.unnamed, true);
             } else {
-                phi_490_ = _e175;
+                phi_496_ = _e179;
             }
-            let _e194 = phi_490_;
-            phi_494_ = _e194;
+            let _e198 = phi_496_;
+            phi_500_ = _e198;
         } else {
-            let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e206 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e200.unnamed.visibility, false), _e200.unnamed_1);
-            phi_494_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e206.unnamed, true);
+            let _e204 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e204.unnamed.visibility, false), _e204.unnamed_1);
+            phi_500_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e210.unnamed, true);
         }
-        let _e211 = phi_494_;
-        if _e211.unnamed_1 {
-            phi_939_ = evaluate_Verdict(_e211.unnamed.visibility, _e211.unnamed.is_doubted);
+        let _e215 = phi_500_;
+        if _e215.unnamed_1 {
+            phi_976_ = evaluate_Verdict(_e215.unnamed.visibility, _e215.unnamed.is_doubted);
         } else {
-            let _e219 = samples.member[_e52.first_primitive].position;
-            let _e237 = ((((_e60.projection.row_w.x * _e219.x) + (_e60.projection.row_w.y * _e219.y)) + (_e60.projection.row_w.z * _e219.z)) + (_e60.projection.row_w.w * 1f));
-            let _e251 = (((((_e60.projection.row_x.x * _e219.x) + (_e60.projection.row_x.y * _e219.y)) + (_e60.projection.row_x.z * _e219.z)) + (_e60.projection.row_x.w * 1f)) / _e237);
-            let _e265 = (((((_e60.projection.row_y.x * _e219.x) + (_e60.projection.row_y.y * _e219.y)) + (_e60.projection.row_y.z * _e219.z)) + (_e60.projection.row_y.w * 1f)) / _e237);
-            let _e278 = ((((_e60.projection.row_z.x * _e219.x) + (_e60.projection.row_z.y * _e219.y)) + (_e60.projection.row_z.z * _e219.z)) + (_e60.projection.row_z.w * 1f));
-            if (_e237 > 0f) {
-                if (_e251 >= 0f) {
-                    phi_568_ = (_e251 <= 1f);
+            let _e223 = samples.member[_e56.first_primitive].position;
+            let _e241 = ((((_e64.projection.row_w.x * _e223.x) + (_e64.projection.row_w.y * _e223.y)) + (_e64.projection.row_w.z * _e223.z)) + (_e64.projection.row_w.w * 1f));
+            let _e255 = (((((_e64.projection.row_x.x * _e223.x) + (_e64.projection.row_x.y * _e223.y)) + (_e64.projection.row_x.z * _e223.z)) + (_e64.projection.row_x.w * 1f)) / _e241);
+            let _e269 = (((((_e64.projection.row_y.x * _e223.x) + (_e64.projection.row_y.y * _e223.y)) + (_e64.projection.row_y.z * _e223.z)) + (_e64.projection.row_y.w * 1f)) / _e241);
+            let _e282 = ((((_e64.projection.row_z.x * _e223.x) + (_e64.projection.row_z.y * _e223.y)) + (_e64.projection.row_z.z * _e223.z)) + (_e64.projection.row_z.w * 1f));
+            if (_e241 > 0f) {
+                if (_e255 >= 0f) {
+                    phi_574_ = (_e255 <= 1f);
                 } else {
-                    phi_568_ = false;
+                    phi_574_ = false;
                 }
-                let _e283 = phi_568_;
-                if _e283 {
-                    if (_e265 >= 0f) {
-                        phi_577_ = (_e265 <= 1f);
+                let _e287 = phi_574_;
+                if _e287 {
+                    if (_e269 >= 0f) {
+                        phi_583_ = (_e269 <= 1f);
                     } else {
-                        phi_577_ = false;
+                        phi_583_ = false;
                     }
-                    let _e287 = phi_577_;
-                    if _e287 {
-                        if (_e278 >= 0f) {
-                            phi_586_ = (_e278 <= 1f);
+                    let _e291 = phi_583_;
+                    if _e291 {
+                        if (_e282 >= 0f) {
+                            phi_592_ = (_e282 <= 1f);
                         } else {
-                            phi_586_ = false;
+                            phi_592_ = false;
                         }
-                        let _e291 = phi_586_;
-                        phi_587_ = _e291;
-                        phi_588_ = false;
+                        let _e295 = phi_592_;
+                        phi_593_ = _e295;
+                        phi_594_ = false;
                     } else {
-                        phi_587_ = bool();
-                        phi_588_ = true;
+                        phi_593_ = bool();
+                        phi_594_ = true;
                     }
-                    let _e293 = phi_587_;
-                    let _e295 = phi_588_;
-                    phi_589_ = _e293;
-                    phi_590_ = _e295;
+                    let _e297 = phi_593_;
+                    let _e299 = phi_594_;
+                    phi_595_ = _e297;
+                    phi_596_ = _e299;
                 } else {
-                    phi_589_ = bool();
-                    phi_590_ = true;
+                    phi_595_ = bool();
+                    phi_596_ = true;
                 }
-                let _e297 = phi_589_;
-                let _e299 = phi_590_;
-                phi_591_ = _e297;
-                phi_592_ = _e299;
+                let _e301 = phi_595_;
+                let _e303 = phi_596_;
+                phi_597_ = _e301;
+                phi_598_ = _e303;
             } else {
-                phi_591_ = bool();
-                phi_592_ = true;
+                phi_597_ = bool();
+                phi_598_ = true;
             }
-            let _e301 = phi_591_;
-            let _e303 = phi_592_;
-            if _e303 {
-                phi_596_ = false;
+            let _e305 = phi_597_;
+            let _e307 = phi_598_;
+            if _e307 {
+                phi_602_ = false;
             } else {
-                phi_596_ = _e301;
+                phi_602_ = _e305;
             }
-            let _e305 = phi_596_;
-            if _e305 {
+            let _e309 = phi_602_;
+            if _e309 {
                 if (0f > 0f) {
-                    let _e308 = samples.member[_e52.first_primitive].normal;
-                    let _e310 = p.member.map_size;
-                    let _e380 = ((abs(((((_e59.row_x.x * _e308.x) + (_e59.row_x.y * _e308.y)) + (_e59.row_x.z * _e308.z)) / (((_e59.row_x.x * _e59.row_x.x) + (_e59.row_x.y * _e59.row_x.y)) + (_e59.row_x.z * _e59.row_x.z)))) + abs(((((_e59.row_y.x * _e308.x) + (_e59.row_y.y * _e308.y)) + (_e59.row_y.z * _e308.z)) / (((_e59.row_y.x * _e59.row_y.x) + (_e59.row_y.y * _e59.row_y.y)) + (_e59.row_y.z * _e59.row_y.z))))) / (abs(((((_e59.row_z.x * _e308.x) + (_e59.row_z.y * _e308.y)) + (_e59.row_z.z * _e308.z)) / (((_e59.row_z.x * _e59.row_z.x) + (_e59.row_z.y * _e59.row_z.y)) + (_e59.row_z.z * _e59.row_z.z)))) * f32(_e310)));
-                    if (_e380 < 0.002f) {
-                        phi_686_ = _e380;
+                    let _e312 = samples.member[_e56.first_primitive].normal;
+                    let _e314 = p.member.map_size;
+                    let _e384 = ((abs(((((_e63.row_x.x * _e312.x) + (_e63.row_x.y * _e312.y)) + (_e63.row_x.z * _e312.z)) / (((_e63.row_x.x * _e63.row_x.x) + (_e63.row_x.y * _e63.row_x.y)) + (_e63.row_x.z * _e63.row_x.z)))) + abs(((((_e63.row_y.x * _e312.x) + (_e63.row_y.y * _e312.y)) + (_e63.row_y.z * _e312.z)) / (((_e63.row_y.x * _e63.row_y.x) + (_e63.row_y.y * _e63.row_y.y)) + (_e63.row_y.z * _e63.row_y.z))))) / (abs(((((_e63.row_z.x * _e312.x) + (_e63.row_z.y * _e312.y)) + (_e63.row_z.z * _e312.z)) / (((_e63.row_z.x * _e63.row_z.x) + (_e63.row_z.y * _e63.row_z.y)) + (_e63.row_z.z * _e63.row_z.z)))) * f32(_e314)));
+                    if (_e384 < 0.002f) {
+                        phi_692_ = _e384;
                     } else {
-                        phi_686_ = 0.002f;
+                        phi_692_ = 0.002f;
                     }
-                    let _e383 = phi_686_;
-                    phi_689_ = (_e278 - (0f * _e383));
+                    let _e387 = phi_692_;
+                    phi_695_ = (_e282 - (0f * _e387));
                 } else {
-                    phi_689_ = _e278;
+                    phi_695_ = _e282;
                 }
-                let _e387 = phi_689_;
-                let _e389 = p.member.map_size;
-                let _e390 = f32(_e389);
-                let _e393 = ((_e251 * _e390) - 0.5f);
-                let _e394 = ((_e265 * _e390) - 0.5f);
-                if (_e393 > -8388608f) {
-                    let _e406 = f32(select(0i, select(select(i32(_e393), i32(-2147483648), (_e393 < bitcast<f32>(3472883712u))), 2147483647i, (_e393 > bitcast<f32>(1325400063u))), (_e393 == _e393)));
-                    if (_e406 > _e393) {
-                        phi_718_ = 1f;
+                let _e391 = phi_695_;
+                let _e393 = p.member.map_size;
+                let _e394 = f32(_e393);
+                let _e397 = ((_e255 * _e394) - 0.5f);
+                let _e398 = ((_e269 * _e394) - 0.5f);
+                if (_e397 > -8388608f) {
+                    let _e410 = f32(select(0i, select(select(i32(_e397), i32(-2147483648), (_e397 < bitcast<f32>(3472883712u))), 2147483647i, (_e397 > bitcast<f32>(1325400063u))), (_e397 == _e397)));
+                    if (_e410 > _e397) {
+                        phi_724_ = 1f;
                     } else {
-                        phi_718_ = 0f;
+                        phi_724_ = 0f;
                     }
-                    let _e409 = phi_718_;
-                    if (_e393 < 8388608f) {
-                        phi_723_ = (_e406 - _e409);
-                        phi_724_ = false;
+                    let _e413 = phi_724_;
+                    if (_e397 < 8388608f) {
+                        phi_729_ = (_e410 - _e413);
+                        phi_730_ = false;
                     } else {
-                        phi_723_ = f32();
-                        phi_724_ = true;
+                        phi_729_ = f32();
+                        phi_730_ = true;
                     }
-                    let _e412 = phi_723_;
-                    let _e414 = phi_724_;
-                    phi_725_ = _e412;
-                    phi_726_ = _e414;
+                    let _e416 = phi_729_;
+                    let _e418 = phi_730_;
+                    phi_731_ = _e416;
+                    phi_732_ = _e418;
                 } else {
-                    phi_725_ = f32();
-                    phi_726_ = true;
+                    phi_731_ = f32();
+                    phi_732_ = true;
                 }
-                let _e416 = phi_725_;
-                let _e418 = phi_726_;
-                if _e418 {
-                    phi_730_ = _e393;
+                let _e420 = phi_731_;
+                let _e422 = phi_732_;
+                if _e422 {
+                    phi_736_ = _e397;
                 } else {
-                    phi_730_ = _e416;
+                    phi_736_ = _e420;
                 }
-                let _e420 = phi_730_;
-                if (_e394 > -8388608f) {
-                    let _e432 = f32(select(0i, select(select(i32(_e394), i32(-2147483648), (_e394 < bitcast<f32>(3472883712u))), 2147483647i, (_e394 > bitcast<f32>(1325400063u))), (_e394 == _e394)));
-                    if (_e432 > _e394) {
-                        phi_750_ = 1f;
+                let _e424 = phi_736_;
+                if (_e398 > -8388608f) {
+                    let _e436 = f32(select(0i, select(select(i32(_e398), i32(-2147483648), (_e398 < bitcast<f32>(3472883712u))), 2147483647i, (_e398 > bitcast<f32>(1325400063u))), (_e398 == _e398)));
+                    if (_e436 > _e398) {
+                        phi_756_ = 1f;
                     } else {
-                        phi_750_ = 0f;
+                        phi_756_ = 0f;
                     }
-                    let _e435 = phi_750_;
-                    if (_e394 < 8388608f) {
-                        phi_755_ = (_e432 - _e435);
-                        phi_756_ = false;
+                    let _e439 = phi_756_;
+                    if (_e398 < 8388608f) {
+                        phi_761_ = (_e436 - _e439);
+                        phi_762_ = false;
                     } else {
-                        phi_755_ = f32();
-                        phi_756_ = true;
+                        phi_761_ = f32();
+                        phi_762_ = true;
                     }
-                    let _e438 = phi_755_;
-                    let _e440 = phi_756_;
-                    phi_757_ = _e438;
-                    phi_758_ = _e440;
+                    let _e442 = phi_761_;
+                    let _e444 = phi_762_;
+                    phi_763_ = _e442;
+                    phi_764_ = _e444;
                 } else {
-                    phi_757_ = f32();
-                    phi_758_ = true;
+                    phi_763_ = f32();
+                    phi_764_ = true;
                 }
-                let _e442 = phi_757_;
-                let _e444 = phi_758_;
-                if _e444 {
-                    phi_762_ = _e394;
+                let _e446 = phi_763_;
+                let _e448 = phi_764_;
+                if _e448 {
+                    phi_768_ = _e398;
                 } else {
-                    phi_762_ = _e442;
+                    phi_768_ = _e446;
                 }
-                let _e446 = phi_762_;
-                let _e447 = (_e393 - _e420);
-                let _e448 = (_e394 - _e446);
-                let _e457 = select(0i, select(select(i32(_e420), i32(-2147483648), (_e420 < bitcast<f32>(3472883712u))), 2147483647i, (_e420 > bitcast<f32>(1325400063u))), (_e420 == _e420));
-                let _e466 = select(0i, select(select(i32(_e446), i32(-2147483648), (_e446 < bitcast<f32>(3472883712u))), 2147483647i, (_e446 > bitcast<f32>(1325400063u))), (_e446 == _e446));
-                let _e477 = p.member.test;
-                let _e478 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e477);
-                let _e480 = p.member.map_size;
-                local_1 = _e478;
-                let _e482 = ((0u * _e480) * _e480);
-                let _e484 = (bitcast<i32>(_e480) - 1i);
-                if (_e457 > 0i) {
-                    phi_810_ = _e457;
+                let _e450 = phi_768_;
+                let _e451 = (_e397 - _e424);
+                let _e452 = (_e398 - _e450);
+                let _e461 = select(0i, select(select(i32(_e424), i32(-2147483648), (_e424 < bitcast<f32>(3472883712u))), 2147483647i, (_e424 > bitcast<f32>(1325400063u))), (_e424 == _e424));
+                let _e470 = select(0i, select(select(i32(_e450), i32(-2147483648), (_e450 < bitcast<f32>(3472883712u))), 2147483647i, (_e450 > bitcast<f32>(1325400063u))), (_e450 == _e450));
+                let _e481 = p.member.test;
+                let _e482 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e481);
+                let _e484 = p.member.map_size;
+                local_1 = _e482;
+                let _e486 = ((0u * _e484) * _e484);
+                let _e488 = (bitcast<i32>(_e484) - 1i);
+                if (_e461 > 0i) {
+                    phi_816_ = _e461;
                 } else {
-                    phi_810_ = 0i;
+                    phi_816_ = 0i;
                 }
-                let _e487 = phi_810_;
-                if (_e466 > 0i) {
-                    phi_815_ = _e466;
+                let _e491 = phi_816_;
+                if (_e470 > 0i) {
+                    phi_821_ = _e470;
                 } else {
-                    phi_815_ = 0i;
+                    phi_821_ = 0i;
                 }
-                let _e490 = phi_815_;
-                if (_e487 < _e484) {
-                    phi_820_ = _e487;
+                let _e494 = phi_821_;
+                if (_e491 < _e488) {
+                    phi_826_ = _e491;
                 } else {
-                    phi_820_ = _e484;
+                    phi_826_ = _e488;
                 }
-                let _e493 = phi_820_;
-                if (_e490 < _e484) {
-                    phi_825_ = _e490;
+                let _e497 = phi_826_;
+                if (_e494 < _e488) {
+                    phi_831_ = _e494;
                 } else {
-                    phi_825_ = _e484;
+                    phi_831_ = _e488;
                 }
-                let _e496 = phi_825_;
-                let _e497 = bitcast<u32>(_e493);
-                let _e499 = (_e457 + 1i);
-                let _e500 = (_e466 + 1i);
-                if (_e499 > 0i) {
-                    phi_834_ = _e499;
+                let _e500 = phi_831_;
+                let _e501 = bitcast<u32>(_e497);
+                let _e503 = (_e461 + 1i);
+                let _e504 = (_e470 + 1i);
+                if (_e503 > 0i) {
+                    phi_840_ = _e503;
                 } else {
-                    phi_834_ = 0i;
+                    phi_840_ = 0i;
                 }
-                let _e503 = phi_834_;
-                if (_e500 > 0i) {
-                    phi_839_ = _e500;
+                let _e507 = phi_840_;
+                if (_e504 > 0i) {
+                    phi_845_ = _e504;
                 } else {
-                    phi_839_ = 0i;
+                    phi_845_ = 0i;
                 }
-                let _e506 = phi_839_;
-                if (_e503 < _e484) {
-                    phi_844_ = _e503;
+                let _e510 = phi_845_;
+                if (_e507 < _e488) {
+                    phi_850_ = _e507;
                 } else {
-                    phi_844_ = _e484;
+                    phi_850_ = _e488;
                 }
-                let _e509 = phi_844_;
-                if (_e506 < _e484) {
-                    phi_849_ = _e506;
+                let _e513 = phi_850_;
+                if (_e510 < _e488) {
+                    phi_855_ = _e510;
                 } else {
-                    phi_849_ = _e484;
+                    phi_855_ = _e488;
                 }
-                let _e512 = phi_849_;
-                let _e513 = bitcast<u32>(_e509);
-                let _e515 = (bitcast<u32>(_e496) * _e480);
-                let _e516 = (bitcast<u32>(_e512) * _e480);
-                let _e521 = ((_e515 + _e497) + _e482);
-                let _e522 = ((_e515 + _e513) + _e482);
-                let _e523 = ((_e516 + _e497) + _e482);
-                let _e524 = ((_e516 + _e513) + _e482);
-                if (_e521 < _e44) {
+                let _e516 = phi_855_;
+                let _e517 = bitcast<u32>(_e513);
+                let _e519 = (bitcast<u32>(_e500) * _e484);
+                let _e520 = (bitcast<u32>(_e516) * _e484);
+                let _e525 = ((_e519 + _e501) + _e486);
+                let _e526 = ((_e519 + _e517) + _e486);
+                let _e527 = ((_e520 + _e501) + _e486);
+                let _e528 = ((_e520 + _e517) + _e486);
+                if (_e525 < _e48) {
                 } else {
                     return;
                 }
-                let _e528 = map.member[(0u + _e521)];
-                if (_e522 < _e44) {
+                let _e532 = map.member[(0u + _e525)];
+                if (_e526 < _e48) {
                 } else {
                     return;
                 }
-                let _e532 = map.member[(0u + _e522)];
-                if (_e523 < _e44) {
+                let _e536 = map.member[(0u + _e526)];
+                if (_e527 < _e48) {
                 } else {
                     return;
                 }
-                let _e536 = map.member[(0u + _e523)];
-                if (_e524 < _e44) {
+                let _e540 = map.member[(0u + _e527)];
+                if (_e528 < _e48) {
                 } else {
                     return;
                 }
-                let _e540 = map.member[(0u + _e524)];
-                let _e542 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e528, _e532, _e536, _e540), vec4<f32>(((1f - _e447) * (1f - _e448)), (_e447 * (1f - _e448)), ((1f - _e447) * _e448), (_e447 * _e448)), _e387);
-                let _e544 = p.member.epsilon;
-                if (_e542 <= _e544) {
-                    phi_900_ = true;
-                } else {
-                    phi_900_ = (_e542 >= (1f - _e544));
-                }
-                let _e549 = phi_900_;
-                if ((bitcast<u32>(_e542) & 2147483647u) > 2139095040u) {
+                let _e544 = map.member[(0u + _e528)];
+                let _e546 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e532, _e536, _e540, _e544), vec4<f32>(((1f - _e451) * (1f - _e452)), (_e451 * (1f - _e452)), ((1f - _e451) * _e452), (_e451 * _e452)), _e391);
+                let _e550 = p.member.epsilon;
+                if (_e546 <= _e550) {
                     phi_908_ = true;
                 } else {
-                    phi_908_ = !(_e549);
+                    phi_908_ = (_e546 >= (1f - _e550));
                 }
                 let _e555 = phi_908_;
-                if _e555 {
-                    if (_e542 > 0f) {
-                        if (_e542 < 1f) {
-                            phi_920_ = false;
-                        } else {
-                            phi_920_ = true;
-                        }
-                        let _e559 = phi_920_;
-                        phi_921_ = _e559;
-                    } else {
-                        phi_921_ = true;
-                    }
-                    let _e561 = phi_921_;
-                    if _e561 {
-                        phi_925_ = 0.5f;
-                    } else {
-                        phi_925_ = _e542;
-                    }
-                    let _e563 = phi_925_;
-                    phi_933_ = evaluate_Verdict(_e563, true);
+                if ((bitcast<u32>(_e546) & 2147483647u) > 2139095040u) {
+                    phi_916_ = true;
                 } else {
-                    if (_e542 > 0.5f) {
-                        phi_931_ = 1f;
-                    } else {
-                        phi_931_ = 0f;
-                    }
-                    let _e567 = phi_931_;
-                    phi_933_ = evaluate_Verdict(_e567, false);
+                    phi_916_ = !(_e555);
                 }
-                let _e570 = phi_933_;
-                phi_938_ = evaluate_Verdict(_e570.visibility, _e570.is_doubted);
+                let _e561 = phi_916_;
+                if _e561 {
+                    if (_e546 > 0f) {
+                        if (_e546 < 1f) {
+                            phi_928_ = false;
+                        } else {
+                            phi_928_ = true;
+                        }
+                        let _e565 = phi_928_;
+                        phi_929_ = _e565;
+                    } else {
+                        phi_929_ = true;
+                    }
+                    let _e567 = phi_929_;
+                    if _e567 {
+                        phi_933_ = 0.5f;
+                    } else {
+                        phi_933_ = _e546;
+                    }
+                    let _e569 = phi_933_;
+                    phi_941_ = evaluate_Verdict(_e569, true);
+                } else {
+                    if (_e546 > 0.5f) {
+                        phi_939_ = 1f;
+                    } else {
+                        phi_939_ = 0f;
+                    }
+                    let _e573 = phi_939_;
+                    phi_941_ = evaluate_Verdict(_e573, false);
+                }
+                let _e576 = phi_941_;
+                let _e579 = (_e576.visibility < 0.5f);
+                if _e576.is_doubted {
+                    phi_964_ = evaluate_Verdict();
+                    phi_965_ = true;
+                } else {
+                    if _e579 {
+                        phi_951_ = 2u;
+                    } else {
+                        phi_951_ = 1u;
+                    }
+                    let _e581 = phi_951_;
+                    if ((0u & _e581) != 0u) {
+                        if _e579 {
+                            phi_960_ = 0.000000059604645f;
+                        } else {
+                            phi_960_ = 0.99999994f;
+                        }
+                        let _e585 = phi_960_;
+                        phi_962_ = evaluate_Verdict(_e585, true);
+                        phi_963_ = false;
+                    } else {
+                        phi_962_ = evaluate_Verdict();
+                        phi_963_ = true;
+                    }
+                    let _e588 = phi_962_;
+                    let _e590 = phi_963_;
+                    phi_964_ = _e588;
+                    phi_965_ = _e590;
+                }
+                let _e592 = phi_964_;
+                let _e594 = phi_965_;
+                if _e594 {
+                    phi_970_ = evaluate_Verdict(_e576.visibility, _e576.is_doubted);
+                } else {
+                    phi_970_ = _e592;
+                }
+                let _e597 = phi_970_;
+                phi_975_ = evaluate_Verdict(_e597.visibility, _e597.is_doubted);
             } else {
-                phi_938_ = evaluate_Verdict(0.5f, true);
+                phi_975_ = evaluate_Verdict(0.5f, true);
             }
-            let _e576 = phi_938_;
-            phi_939_ = _e576;
+            let _e603 = phi_975_;
+            phi_976_ = _e603;
         }
-        let _e578 = phi_939_;
-        visibility.member[_e52.first_primitive] = _e578.visibility;
-        phi_943_ = _e578.is_doubted;
-        phi_944_ = _e52.first_primitive;
+        let _e605 = phi_976_;
+        visibility.member[_e56.first_primitive] = _e605.visibility;
+        phi_980_ = _e605.is_doubted;
+        phi_981_ = _e56.first_primitive;
     } else {
-        phi_943_ = false;
-        phi_944_ = 0u;
+        phi_980_ = false;
+        phi_981_ = 0u;
     }
-    let _e583 = phi_943_;
-    let _e585 = phi_944_;
-    if (_e39 == 0u) {
+    let _e610 = phi_980_;
+    let _e612 = phi_981_;
+    if (_e43 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e583 {
-        let _e589 = atomicAdd((&shared_[0u]), 1u);
-        phi_955_ = _e589;
+    if _e610 {
+        let _e616 = atomicAdd((&shared_[0u]), 1u);
+        phi_992_ = _e616;
     } else {
-        phi_955_ = 0u;
+        phi_992_ = 0u;
     }
-    let _e591 = phi_955_;
+    let _e618 = phi_992_;
     workgroupBarrier();
-    if (_e39 == 0u) {
-        let _e595 = atomicLoad((&shared_[0u]));
-        let _e596 = atomicAdd((&list.member[3u]), _e595);
-        atomicStore((&shared_[1u]), _e596);
+    if (_e43 == 0u) {
+        let _e622 = atomicLoad((&shared_[0u]));
+        let _e623 = atomicAdd((&list.member[3u]), _e622);
+        atomicStore((&shared_[1u]), _e623);
     }
     workgroupBarrier();
-    if _e583 {
-        let _e599 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e599) + _e591)]), _e585);
+    if _e610 {
+        if false {
+            phi_1009_ = (_e612 | 2147483648u);
+        } else {
+            phi_1009_ = _e612;
+        }
+        let _e627 = phi_1009_;
+        let _e629 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e629) + _e618)]), _e627);
     }
     return;
 }

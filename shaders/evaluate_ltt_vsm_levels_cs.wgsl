@@ -68,14 +68,14 @@ struct type_39 {
     member: abi_ShadowParams,
 }
 
+struct type_43 {
+    member: array<lt_math_LightProjection>,
+}
+
 struct lt_math_LightPoint {
     uv: vec2<f32>,
     depth: f32,
     is_inside: bool,
-}
-
-struct type_45 {
-    member: array<lt_math_LightProjection>,
 }
 
 struct lt_math_LevelPoint {
@@ -102,40 +102,40 @@ var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_51;
 @group(0) @binding(5) 
-var<storage> levels: type_45;
+var<storage> levels: type_43;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_160_: lt_bvh_traverse_Tree;
-    var phi_161_: bool;
-    var phi_162_: lt_bvh_traverse_Tree;
-    var phi_163_: bool;
+    var phi_166_: lt_bvh_traverse_Tree;
+    var phi_167_: bool;
     var phi_168_: lt_bvh_traverse_Tree;
+    var phi_169_: bool;
+    var phi_174_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_160_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_161_ = false;
+            phi_166_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_167_ = false;
         } else {
-            phi_160_ = lt_bvh_traverse_Tree();
-            phi_161_ = true;
+            phi_166_ = lt_bvh_traverse_Tree();
+            phi_167_ = true;
         }
-        let _e56 = phi_160_;
-        let _e58 = phi_161_;
-        phi_162_ = _e56;
-        phi_163_ = _e58;
-    } else {
-        phi_162_ = lt_bvh_traverse_Tree();
-        phi_163_ = true;
-    }
-    let _e60 = phi_162_;
-    let _e62 = phi_163_;
-    if _e62 {
-        phi_168_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
+        let _e60 = phi_166_;
+        let _e62 = phi_167_;
         phi_168_ = _e60;
+        phi_169_ = _e62;
+    } else {
+        phi_168_ = lt_bvh_traverse_Tree();
+        phi_169_ = true;
     }
-    let _e67 = phi_168_;
-    return lt_bvh_traverse_Tree(_e67.root, _e67.first_primitive);
+    let _e64 = phi_168_;
+    let _e66 = phi_169_;
+    if _e66 {
+        phi_174_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_174_ = _e64;
+    }
+    let _e71 = phi_174_;
+    return lt_bvh_traverse_Tree(_e71.root, _e71.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -143,856 +143,907 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: vec4<f32>, param_7: f32) -> f32 {
-    var phi_194_: f32;
-    var phi_195_: f32;
-    var phi_196_: f32;
-    var phi_212_: f32;
-    var phi_213_: f32;
-    var phi_214_: f32;
-    var phi_230_: f32;
-    var phi_231_: f32;
-    var phi_232_: f32;
-    var phi_248_: f32;
-    var phi_249_: f32;
-    var phi_250_: f32;
-    var phi_266_: f32;
-    var phi_267_: f32;
-    var phi_268_: f32;
-    var phi_314_: bool;
-    var phi_318_: f32;
-    var phi_330_: bool;
-    var phi_337_: f32;
-    var phi_352_: f32;
-    var phi_353_: f32;
-    var phi_354_: f32;
+    var phi_200_: f32;
+    var phi_201_: f32;
+    var phi_202_: f32;
+    var phi_218_: f32;
+    var phi_219_: f32;
+    var phi_220_: f32;
+    var phi_236_: f32;
+    var phi_237_: f32;
+    var phi_238_: f32;
+    var phi_254_: f32;
+    var phi_255_: f32;
+    var phi_256_: f32;
+    var phi_272_: f32;
+    var phi_273_: f32;
+    var phi_274_: f32;
+    var phi_320_: bool;
+    var phi_324_: f32;
+    var phi_336_: bool;
+    var phi_343_: f32;
+    var phi_358_: f32;
+    var phi_359_: f32;
+    var phi_360_: f32;
 
     if ((bitcast<u32>(param_7) & 2147483647u) > 2139095040u) {
-        phi_196_ = param_7;
+        phi_202_ = param_7;
     } else {
         if (param_7 < 0f) {
-            phi_195_ = 0f;
+            phi_201_ = 0f;
         } else {
             if (param_7 > 1f) {
-                phi_194_ = 1f;
+                phi_200_ = 1f;
             } else {
-                phi_194_ = param_7;
+                phi_200_ = param_7;
             }
-            let _e53 = phi_194_;
-            phi_195_ = _e53;
+            let _e57 = phi_200_;
+            phi_201_ = _e57;
         }
-        let _e55 = phi_195_;
-        phi_196_ = _e55;
+        let _e59 = phi_201_;
+        phi_202_ = _e59;
     }
-    let _e57 = phi_196_;
+    let _e61 = phi_202_;
     if ((bitcast<u32>(param_5.x) & 2147483647u) > 2139095040u) {
-        phi_214_ = param_5.x;
+        phi_220_ = param_5.x;
     } else {
         if (param_5.x < 0f) {
-            phi_213_ = 0f;
+            phi_219_ = 0f;
         } else {
             if (param_5.x > 1f) {
-                phi_212_ = 1f;
+                phi_218_ = 1f;
             } else {
-                phi_212_ = param_5.x;
+                phi_218_ = param_5.x;
             }
-            let _e65 = phi_212_;
-            phi_213_ = _e65;
+            let _e69 = phi_218_;
+            phi_219_ = _e69;
         }
-        let _e67 = phi_213_;
-        phi_214_ = _e67;
+        let _e71 = phi_219_;
+        phi_220_ = _e71;
     }
-    let _e69 = phi_214_;
+    let _e73 = phi_220_;
     if ((bitcast<u32>(param_5.y) & 2147483647u) > 2139095040u) {
-        phi_232_ = param_5.y;
+        phi_238_ = param_5.y;
     } else {
         if (param_5.y < 0f) {
-            phi_231_ = 0f;
+            phi_237_ = 0f;
         } else {
             if (param_5.y > 1f) {
-                phi_230_ = 1f;
+                phi_236_ = 1f;
             } else {
-                phi_230_ = param_5.y;
+                phi_236_ = param_5.y;
             }
-            let _e77 = phi_230_;
-            phi_231_ = _e77;
+            let _e81 = phi_236_;
+            phi_237_ = _e81;
         }
-        let _e79 = phi_231_;
-        phi_232_ = _e79;
+        let _e83 = phi_237_;
+        phi_238_ = _e83;
     }
-    let _e81 = phi_232_;
+    let _e85 = phi_238_;
     if ((bitcast<u32>(param_5.z) & 2147483647u) > 2139095040u) {
-        phi_250_ = param_5.z;
+        phi_256_ = param_5.z;
     } else {
         if (param_5.z < 0f) {
-            phi_249_ = 0f;
+            phi_255_ = 0f;
         } else {
             if (param_5.z > 1f) {
-                phi_248_ = 1f;
+                phi_254_ = 1f;
             } else {
-                phi_248_ = param_5.z;
+                phi_254_ = param_5.z;
             }
-            let _e89 = phi_248_;
-            phi_249_ = _e89;
+            let _e93 = phi_254_;
+            phi_255_ = _e93;
         }
-        let _e91 = phi_249_;
-        phi_250_ = _e91;
+        let _e95 = phi_255_;
+        phi_256_ = _e95;
     }
-    let _e93 = phi_250_;
+    let _e97 = phi_256_;
     if ((bitcast<u32>(param_5.w) & 2147483647u) > 2139095040u) {
-        phi_268_ = param_5.w;
+        phi_274_ = param_5.w;
     } else {
         if (param_5.w < 0f) {
-            phi_267_ = 0f;
+            phi_273_ = 0f;
         } else {
             if (param_5.w > 1f) {
-                phi_266_ = 1f;
+                phi_272_ = 1f;
             } else {
-                phi_266_ = param_5.w;
+                phi_272_ = param_5.w;
             }
-            let _e101 = phi_266_;
-            phi_267_ = _e101;
+            let _e105 = phi_272_;
+            phi_273_ = _e105;
         }
-        let _e103 = phi_267_;
-        phi_268_ = _e103;
+        let _e107 = phi_273_;
+        phi_274_ = _e107;
     }
-    let _e105 = phi_268_;
-    let _e106 = (_e69 - _e57);
-    let _e107 = (_e81 - _e57);
-    let _e108 = (_e93 - _e57);
-    let _e109 = (_e105 - _e57);
-    let _e110 = (*param_4);
-    let _e121 = ((((_e106 * param_6.x) + (_e107 * param_6.y)) + (_e108 * param_6.z)) + (_e109 * param_6.w));
-    let _e122 = (_e106 - _e121);
-    let _e123 = (_e107 - _e121);
-    let _e124 = (_e108 - _e121);
-    let _e125 = (_e109 - _e121);
-    let _e140 = (((((_e122 * _e122) * param_6.x) + ((_e123 * _e123) * param_6.y)) + ((_e124 * _e124) * param_6.z)) + ((_e125 * _e125) * param_6.w));
-    if ((bitcast<u32>(_e110) & 2147483647u) > 2139095040u) {
-        phi_314_ = true;
+    let _e109 = phi_274_;
+    let _e110 = (_e73 - _e61);
+    let _e111 = (_e85 - _e61);
+    let _e112 = (_e97 - _e61);
+    let _e113 = (_e109 - _e61);
+    let _e114 = (*param_4);
+    let _e125 = ((((_e110 * param_6.x) + (_e111 * param_6.y)) + (_e112 * param_6.z)) + (_e113 * param_6.w));
+    let _e126 = (_e110 - _e125);
+    let _e127 = (_e111 - _e125);
+    let _e128 = (_e112 - _e125);
+    let _e129 = (_e113 - _e125);
+    let _e144 = (((((_e126 * _e126) * param_6.x) + ((_e127 * _e127) * param_6.y)) + ((_e128 * _e128) * param_6.z)) + ((_e129 * _e129) * param_6.w));
+    if ((bitcast<u32>(_e114) & 2147483647u) > 2139095040u) {
+        phi_320_ = true;
     } else {
-        let _e144 = (_e110 > _e140);
-        if _e144 {
+        let _e148 = (_e114 > _e144);
+        if _e148 {
         }
-        phi_314_ = _e144;
+        phi_320_ = _e148;
     }
-    let _e146 = phi_314_;
-    if _e146 {
-        phi_318_ = _e110;
+    let _e150 = phi_320_;
+    if _e150 {
+        phi_324_ = _e114;
     } else {
-        phi_318_ = _e140;
+        phi_324_ = _e144;
     }
-    let _e148 = phi_318_;
-    let _e149 = -(_e121);
-    if (_e149 <= 0f) {
-        let _e153 = ((bitcast<u32>(_e148) & 2147483647u) > 2139095040u);
-        if _e153 {
+    let _e152 = phi_324_;
+    let _e153 = -(_e125);
+    if (_e153 <= 0f) {
+        let _e157 = ((bitcast<u32>(_e152) & 2147483647u) > 2139095040u);
+        if _e157 {
         }
-        phi_330_ = _e153;
+        phi_336_ = _e157;
     } else {
-        phi_330_ = true;
+        phi_336_ = true;
     }
-    let _e155 = phi_330_;
-    if _e155 {
-        phi_337_ = (_e148 / (_e148 + (_e149 * _e149)));
+    let _e159 = phi_336_;
+    if _e159 {
+        phi_343_ = (_e152 / (_e152 + (_e153 * _e153)));
     } else {
-        phi_337_ = 1f;
+        phi_343_ = 1f;
     }
-    let _e160 = phi_337_;
-    if ((bitcast<u32>(_e160) & 2147483647u) > 2139095040u) {
-        phi_354_ = _e160;
+    let _e164 = phi_343_;
+    if ((bitcast<u32>(_e164) & 2147483647u) > 2139095040u) {
+        phi_360_ = _e164;
     } else {
-        if (_e160 < 0f) {
-            phi_353_ = 0f;
+        if (_e164 < 0f) {
+            phi_359_ = 0f;
         } else {
-            if (_e160 > 1f) {
-                phi_352_ = 1f;
+            if (_e164 > 1f) {
+                phi_358_ = 1f;
             } else {
-                phi_352_ = _e160;
+                phi_358_ = _e164;
             }
-            let _e167 = phi_352_;
-            phi_353_ = _e167;
+            let _e171 = phi_358_;
+            phi_359_ = _e171;
         }
-        let _e169 = phi_353_;
-        phi_354_ = _e169;
+        let _e173 = phi_359_;
+        phi_360_ = _e173;
     }
-    let _e171 = phi_354_;
-    return _e171;
+    let _e175 = phi_360_;
+    return _e175;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_409_: bool;
-    var phi_410_: bool;
-    var phi_411_: bool;
-    var phi_412_: bool;
+    var phi_415_: bool;
     var phi_416_: bool;
-    var phi_486_: bool;
-    var phi_487_: bool;
-    var phi_498_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_499_: bool;
-    var phi_500_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_501_: bool;
-    var phi_508_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_512_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_532_: lt_math_LightPoint;
-    var phi_535_: u32;
-    var phi_537_: lt_math_LevelPoint;
-    var phi_623_: bool;
-    var phi_632_: bool;
-    var phi_641_: bool;
-    var phi_642_: bool;
-    var phi_643_: bool;
-    var phi_644_: bool;
-    var phi_645_: bool;
-    var phi_646_: bool;
+    var phi_417_: bool;
+    var phi_418_: bool;
+    var phi_422_: bool;
+    var phi_492_: bool;
+    var phi_493_: bool;
+    var phi_504_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_505_: bool;
+    var phi_506_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_507_: bool;
+    var phi_514_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_518_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_538_: lt_math_LightPoint;
+    var phi_541_: u32;
+    var phi_543_: lt_math_LevelPoint;
+    var phi_629_: bool;
+    var phi_638_: bool;
     var phi_647_: bool;
+    var phi_648_: bool;
+    var phi_649_: bool;
+    var phi_650_: bool;
     var phi_651_: bool;
-    var phi_678_: bool;
-    var phi_679_: bool;
-    var phi_680_: bool;
-    var phi_681_: bool;
-    var phi_682_: bool;
-    var phi_683_: bool;
+    var phi_652_: bool;
+    var phi_653_: bool;
+    var phi_657_: bool;
     var phi_684_: bool;
     var phi_685_: bool;
+    var phi_686_: bool;
+    var phi_687_: bool;
+    var phi_688_: bool;
     var phi_689_: bool;
-    var phi_698_: lt_math_LightPoint;
-    var phi_699_: u32;
-    var phi_700_: lt_math_LevelPoint;
-    var phi_701_: bool;
-    var phi_533_: lt_math_LightPoint;
-    var phi_536_: u32;
-    var phi_538_: lt_math_LevelPoint;
-    var phi_702_: bool;
+    var phi_690_: bool;
+    var phi_691_: bool;
+    var phi_695_: bool;
+    var phi_704_: lt_math_LightPoint;
+    var phi_705_: u32;
+    var phi_706_: lt_math_LevelPoint;
+    var phi_707_: bool;
+    var phi_539_: lt_math_LightPoint;
+    var phi_542_: u32;
+    var phi_544_: lt_math_LevelPoint;
+    var phi_708_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_742_: bool;
-    var phi_743_: bool;
-    var phi_744_: bool;
-    var phi_745_: bool;
+    var phi_748_: bool;
     var phi_749_: bool;
-    var phi_831_: f32;
-    var phi_949_: f32;
-    var phi_950_: f32;
-    var phi_953_: f32;
-    var phi_982_: f32;
-    var phi_987_: f32;
-    var phi_988_: bool;
-    var phi_989_: f32;
-    var phi_990_: bool;
-    var phi_994_: f32;
-    var phi_1014_: f32;
-    var phi_1019_: f32;
-    var phi_1020_: bool;
-    var phi_1021_: f32;
-    var phi_1022_: bool;
-    var phi_1026_: f32;
+    var phi_750_: bool;
+    var phi_751_: bool;
+    var phi_755_: bool;
+    var phi_837_: f32;
+    var phi_955_: f32;
+    var phi_956_: f32;
+    var phi_959_: f32;
+    var phi_988_: f32;
+    var phi_993_: f32;
+    var phi_994_: bool;
+    var phi_995_: f32;
+    var phi_996_: bool;
+    var phi_1000_: f32;
+    var phi_1020_: f32;
+    var phi_1025_: f32;
+    var phi_1026_: bool;
+    var phi_1027_: f32;
+    var phi_1028_: bool;
+    var phi_1032_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_1075_: i32;
-    var phi_1080_: i32;
-    var phi_1085_: i32;
-    var phi_1090_: i32;
-    var phi_1099_: i32;
-    var phi_1104_: i32;
-    var phi_1109_: i32;
-    var phi_1114_: i32;
-    var phi_1165_: bool;
+    var phi_1081_: i32;
+    var phi_1086_: i32;
+    var phi_1091_: i32;
+    var phi_1096_: i32;
+    var phi_1105_: i32;
+    var phi_1110_: i32;
+    var phi_1115_: i32;
+    var phi_1120_: i32;
     var phi_1173_: bool;
-    var phi_1185_: bool;
-    var phi_1186_: bool;
-    var phi_1190_: f32;
-    var phi_1196_: f32;
-    var phi_1198_: evaluate_Verdict;
-    var phi_1203_: evaluate_Verdict;
-    var phi_1204_: evaluate_Verdict;
-    var phi_1208_: bool;
-    var phi_1209_: u32;
-    var phi_1220_: u32;
+    var phi_1181_: bool;
+    var phi_1193_: bool;
+    var phi_1194_: bool;
+    var phi_1198_: f32;
+    var phi_1204_: f32;
+    var phi_1206_: evaluate_Verdict;
+    var phi_1216_: u32;
+    var phi_1225_: f32;
+    var phi_1227_: evaluate_Verdict;
+    var phi_1228_: bool;
+    var phi_1229_: evaluate_Verdict;
+    var phi_1230_: bool;
+    var phi_1235_: evaluate_Verdict;
+    var phi_1240_: evaluate_Verdict;
+    var phi_1241_: evaluate_Verdict;
+    var phi_1245_: bool;
+    var phi_1246_: u32;
+    var phi_1257_: u32;
+    var phi_1274_: u32;
 
-    let _e44 = id_1;
-    let _e45 = local_5;
-    let _e50 = arrayLength((&map.member));
-    let _e55 = arrayLength((&levels.member));
-    let _e58 = p.member.size[0u];
-    let _e60 = p.member.size[1u];
-    let _e61 = lt_shaders_entry_pixel_index(_e44, _e58, _e60);
-    if (bitcast<i32>(_e61.root) != 0i) {
-        let _e68 = p.member.level_count;
-        let _e72 = samples.member[_e61.first_primitive].normal[0u];
-        let _e74 = global[0u];
-        if (_e72 == _e74) {
-            let _e77 = samples.member[_e61.first_primitive].normal[1u];
-            let _e79 = global[1u];
-            if (_e77 == _e79) {
-                let _e82 = samples.member[_e61.first_primitive].normal[2u];
-                let _e84 = global[2u];
-                phi_409_ = (_e82 == _e84);
-                phi_410_ = false;
+    let _e48 = id_1;
+    let _e49 = local_5;
+    let _e54 = arrayLength((&map.member));
+    let _e59 = arrayLength((&levels.member));
+    let _e62 = p.member.size[0u];
+    let _e64 = p.member.size[1u];
+    let _e65 = lt_shaders_entry_pixel_index(_e48, _e62, _e64);
+    if (bitcast<i32>(_e65.root) != 0i) {
+        let _e72 = p.member.level_count;
+        let _e76 = samples.member[_e65.first_primitive].normal[0u];
+        let _e78 = global[0u];
+        if (_e76 == _e78) {
+            let _e81 = samples.member[_e65.first_primitive].normal[1u];
+            let _e83 = global[1u];
+            if (_e81 == _e83) {
+                let _e86 = samples.member[_e65.first_primitive].normal[2u];
+                let _e88 = global[2u];
+                phi_415_ = (_e86 == _e88);
+                phi_416_ = false;
             } else {
-                phi_409_ = bool();
-                phi_410_ = true;
+                phi_415_ = bool();
+                phi_416_ = true;
             }
-            let _e87 = phi_409_;
-            let _e89 = phi_410_;
-            phi_411_ = _e87;
-            phi_412_ = _e89;
+            let _e91 = phi_415_;
+            let _e93 = phi_416_;
+            phi_417_ = _e91;
+            phi_418_ = _e93;
         } else {
-            phi_411_ = bool();
-            phi_412_ = true;
+            phi_417_ = bool();
+            phi_418_ = true;
         }
-        let _e91 = phi_411_;
-        let _e93 = phi_412_;
-        if _e93 {
-            phi_416_ = false;
+        let _e95 = phi_417_;
+        let _e97 = phi_418_;
+        if _e97 {
+            phi_422_ = false;
         } else {
-            phi_416_ = _e91;
+            phi_422_ = _e95;
         }
-        let _e95 = phi_416_;
-        if !(_e95) {
-            let _e98 = samples.member[_e61.first_primitive].position;
-            let _e100 = p.member.light.place;
-            let _e106 = p.member.light.place[3u];
-            let _e113 = (_e100.x - (_e98.x * _e106));
-            let _e114 = (_e100.y - (_e98.y * _e106));
-            let _e115 = (_e100.z - (_e98.z * _e106));
-            let _e117 = samples.member[_e61.first_primitive].normal;
-            if ((((_e117.x * _e113) + (_e117.y * _e114)) + (_e117.z * _e115)) > 0f) {
-                let _e131 = (((_e113 * _e113) + (_e114 * _e114)) + (_e115 * _e115));
-                let _e133 = p.member.light.axis;
-                let _e145 = p.member.light.place[3u];
-                if (_e145 == 0f) {
-                    phi_487_ = true;
+        let _e99 = phi_422_;
+        if !(_e99) {
+            let _e102 = samples.member[_e65.first_primitive].position;
+            let _e104 = p.member.light.place;
+            let _e110 = p.member.light.place[3u];
+            let _e117 = (_e104.x - (_e102.x * _e110));
+            let _e118 = (_e104.y - (_e102.y * _e110));
+            let _e119 = (_e104.z - (_e102.z * _e110));
+            let _e121 = samples.member[_e65.first_primitive].normal;
+            if ((((_e121.x * _e117) + (_e121.y * _e118)) + (_e121.z * _e119)) > 0f) {
+                let _e135 = (((_e117 * _e117) + (_e118 * _e118)) + (_e119 * _e119));
+                let _e137 = p.member.light.axis;
+                let _e149 = p.member.light.place[3u];
+                if (_e149 == 0f) {
+                    phi_493_ = true;
                 } else {
-                    let _e148 = p.member.light.range_squared;
-                    if (_e131 <= _e148) {
-                        let _e151 = p.member.light.cos_outer;
-                        phi_486_ = (-((((_e113 * _e133.x) + (_e114 * _e133.y)) + (_e115 * _e133.z))) >= (_e151 * sqrt(_e131)));
+                    let _e152 = p.member.light.range_squared;
+                    if (_e135 <= _e152) {
+                        let _e155 = p.member.light.cos_outer;
+                        phi_492_ = (-((((_e117 * _e137.x) + (_e118 * _e137.y)) + (_e119 * _e137.z))) >= (_e155 * sqrt(_e135)));
                     } else {
-                        phi_486_ = false;
+                        phi_492_ = false;
                     }
-                    let _e156 = phi_486_;
-                    phi_487_ = _e156;
+                    let _e160 = phi_492_;
+                    phi_493_ = _e160;
                 }
-                let _e158 = phi_487_;
-                if _e158 {
-                    let _e160 = samples.member[_e61.first_primitive].flags;
-                    let _e168 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e168.unnamed.visibility, false), _e168.unnamed_1);
-                    phi_498_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e174.unnamed, ((_e160 & 1u) == 0u));
-                    phi_499_ = false;
+                let _e162 = phi_493_;
+                if _e162 {
+                    let _e164 = samples.member[_e65.first_primitive].flags;
+                    let _e172 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e178 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e172.unnamed.visibility, false), _e172.unnamed_1);
+                    phi_504_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e178.unnamed, ((_e164 & 1u) == 0u));
+                    phi_505_ = false;
                 } else {
-                    phi_498_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_499_ = true;
+                    phi_504_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_505_ = true;
                 }
-                let _e179 = phi_498_;
-                let _e181 = phi_499_;
-                phi_500_ = _e179;
-                phi_501_ = _e181;
+                let _e183 = phi_504_;
+                let _e185 = phi_505_;
+                phi_506_ = _e183;
+                phi_507_ = _e185;
             } else {
-                phi_500_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_501_ = true;
+                phi_506_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_507_ = true;
             }
-            let _e183 = phi_500_;
-            let _e185 = phi_501_;
-            if _e185 {
-                let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e191.unnamed.visibility, false), _e191.unnamed_1);
-                phi_508_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e197.unnamed, true);
+            let _e187 = phi_506_;
+            let _e189 = phi_507_;
+            if _e189 {
+                let _e195 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e201 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e195.unnamed.visibility, false), _e195.unnamed_1);
+                phi_514_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e201.unnamed, true);
             } else {
-                phi_508_ = _e183;
+                phi_514_ = _e187;
             }
-            let _e202 = phi_508_;
-            phi_512_ = _e202;
+            let _e206 = phi_514_;
+            phi_518_ = _e206;
         } else {
-            let _e208 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e208.unnamed.visibility, false), _e208.unnamed_1);
-            phi_512_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e214.unnamed, true);
+            let _e212 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e218 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e212.unnamed.visibility, false), _e212.unnamed_1);
+            phi_518_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e218.unnamed, true);
         }
-        let _e219 = phi_512_;
-        if _e219.unnamed_1 {
-            phi_1204_ = evaluate_Verdict(_e219.unnamed.visibility, _e219.unnamed.is_doubted);
+        let _e223 = phi_518_;
+        if _e223.unnamed_1 {
+            phi_1241_ = evaluate_Verdict(_e223.unnamed.visibility, _e223.unnamed.is_doubted);
         } else {
-            let _e227 = samples.member[_e61.first_primitive].position;
-            let _e229 = p.member.map_size;
-            let _e231 = (0.5f / f32(_e229));
-            let _e238 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e245 = lt_math_LightPoint(vec2<f32>(_e238.uv.x, 0f), _e238.depth, _e238.is_inside);
-            let _e249 = lt_math_LightPoint(_e245.uv, 0f, _e245.is_inside);
-            phi_532_ = lt_math_LightPoint();
-            phi_535_ = 0u;
-            phi_537_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e249.uv, _e249.depth, false));
+            let _e231 = samples.member[_e65.first_primitive].position;
+            let _e233 = p.member.map_size;
+            let _e235 = (0.5f / f32(_e233));
+            let _e242 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e249 = lt_math_LightPoint(vec2<f32>(_e242.uv.x, 0f), _e242.depth, _e242.is_inside);
+            let _e253 = lt_math_LightPoint(_e249.uv, 0f, _e249.is_inside);
+            phi_538_ = lt_math_LightPoint();
+            phi_541_ = 0u;
+            phi_543_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e253.uv, _e253.depth, false));
             loop {
-                let _e256 = phi_532_;
-                let _e258 = phi_535_;
-                let _e260 = phi_537_;
-                local_2 = _e260;
-                local_3 = _e260;
-                local_4 = _e260;
-                if (_e258 < _e68) {
-                    if _e260.point.is_inside {
-                        phi_698_ = lt_math_LightPoint();
-                        phi_699_ = u32();
-                        phi_700_ = lt_math_LevelPoint();
-                        phi_701_ = false;
+                let _e260 = phi_538_;
+                let _e262 = phi_541_;
+                let _e264 = phi_543_;
+                local_2 = _e264;
+                local_3 = _e264;
+                local_4 = _e264;
+                if (_e262 < _e72) {
+                    if _e264.point.is_inside {
+                        phi_704_ = lt_math_LightPoint();
+                        phi_705_ = u32();
+                        phi_706_ = lt_math_LevelPoint();
+                        phi_707_ = false;
                     } else {
-                        if (_e258 < _e55) {
+                        if (_e262 < _e59) {
                         } else {
                             return;
                         }
-                        let _e271 = levels.member[(0u + _e258)].row_w;
-                        let _e282 = ((((_e271.x * _e227.x) + (_e271.y * _e227.y)) + (_e271.z * _e227.z)) + (_e271.w * 1f));
-                        let _e284 = levels.member[(0u + _e258)].row_x;
-                        let _e296 = (((((_e284.x * _e227.x) + (_e284.y * _e227.y)) + (_e284.z * _e227.z)) + (_e284.w * 1f)) / _e282);
-                        let _e298 = levels.member[(0u + _e258)].row_y;
-                        let _e310 = (((((_e298.x * _e227.x) + (_e298.y * _e227.y)) + (_e298.z * _e227.z)) + (_e298.w * 1f)) / _e282);
-                        let _e312 = levels.member[(0u + _e258)].row_z;
-                        let _e323 = ((((_e312.x * _e227.x) + (_e312.y * _e227.y)) + (_e312.z * _e227.z)) + (_e312.w * 1f));
-                        if (_e282 > 0f) {
-                            if (_e296 >= 0f) {
-                                phi_623_ = (_e296 <= 1f);
+                        let _e275 = levels.member[(0u + _e262)].row_w;
+                        let _e286 = ((((_e275.x * _e231.x) + (_e275.y * _e231.y)) + (_e275.z * _e231.z)) + (_e275.w * 1f));
+                        let _e288 = levels.member[(0u + _e262)].row_x;
+                        let _e300 = (((((_e288.x * _e231.x) + (_e288.y * _e231.y)) + (_e288.z * _e231.z)) + (_e288.w * 1f)) / _e286);
+                        let _e302 = levels.member[(0u + _e262)].row_y;
+                        let _e314 = (((((_e302.x * _e231.x) + (_e302.y * _e231.y)) + (_e302.z * _e231.z)) + (_e302.w * 1f)) / _e286);
+                        let _e316 = levels.member[(0u + _e262)].row_z;
+                        let _e327 = ((((_e316.x * _e231.x) + (_e316.y * _e231.y)) + (_e316.z * _e231.z)) + (_e316.w * 1f));
+                        if (_e286 > 0f) {
+                            if (_e300 >= 0f) {
+                                phi_629_ = (_e300 <= 1f);
                             } else {
-                                phi_623_ = false;
+                                phi_629_ = false;
                             }
-                            let _e328 = phi_623_;
-                            if _e328 {
-                                if (_e310 >= 0f) {
-                                    phi_632_ = (_e310 <= 1f);
+                            let _e332 = phi_629_;
+                            if _e332 {
+                                if (_e314 >= 0f) {
+                                    phi_638_ = (_e314 <= 1f);
                                 } else {
-                                    phi_632_ = false;
+                                    phi_638_ = false;
                                 }
-                                let _e332 = phi_632_;
-                                if _e332 {
-                                    if (_e323 >= 0f) {
-                                        phi_641_ = (_e323 <= 1f);
+                                let _e336 = phi_638_;
+                                if _e336 {
+                                    if (_e327 >= 0f) {
+                                        phi_647_ = (_e327 <= 1f);
                                     } else {
-                                        phi_641_ = false;
+                                        phi_647_ = false;
                                     }
-                                    let _e336 = phi_641_;
-                                    phi_642_ = _e336;
-                                    phi_643_ = false;
+                                    let _e340 = phi_647_;
+                                    phi_648_ = _e340;
+                                    phi_649_ = false;
                                 } else {
-                                    phi_642_ = bool();
-                                    phi_643_ = true;
+                                    phi_648_ = bool();
+                                    phi_649_ = true;
                                 }
-                                let _e338 = phi_642_;
-                                let _e340 = phi_643_;
-                                phi_644_ = _e338;
-                                phi_645_ = _e340;
+                                let _e342 = phi_648_;
+                                let _e344 = phi_649_;
+                                phi_650_ = _e342;
+                                phi_651_ = _e344;
                             } else {
-                                phi_644_ = bool();
-                                phi_645_ = true;
+                                phi_650_ = bool();
+                                phi_651_ = true;
                             }
-                            let _e342 = phi_644_;
-                            let _e344 = phi_645_;
-                            phi_646_ = _e342;
-                            phi_647_ = _e344;
+                            let _e346 = phi_650_;
+                            let _e348 = phi_651_;
+                            phi_652_ = _e346;
+                            phi_653_ = _e348;
                         } else {
-                            phi_646_ = bool();
-                            phi_647_ = true;
+                            phi_652_ = bool();
+                            phi_653_ = true;
                         }
-                        let _e346 = phi_646_;
-                        let _e348 = phi_647_;
-                        if _e348 {
-                            phi_651_ = false;
+                        let _e350 = phi_652_;
+                        let _e352 = phi_653_;
+                        if _e352 {
+                            phi_657_ = false;
                         } else {
-                            phi_651_ = _e346;
+                            phi_657_ = _e350;
                         }
-                        let _e350 = phi_651_;
-                        if _e350 {
-                            if (_e296 >= _e231) {
-                                if (_e296 <= (1f - _e231)) {
-                                    if (_e310 >= _e231) {
-                                        phi_678_ = (_e310 <= (1f - _e231));
-                                        phi_679_ = false;
+                        let _e354 = phi_657_;
+                        if _e354 {
+                            if (_e300 >= _e235) {
+                                if (_e300 <= (1f - _e235)) {
+                                    if (_e314 >= _e235) {
+                                        phi_684_ = (_e314 <= (1f - _e235));
+                                        phi_685_ = false;
                                     } else {
-                                        phi_678_ = bool();
-                                        phi_679_ = true;
+                                        phi_684_ = bool();
+                                        phi_685_ = true;
                                     }
-                                    let _e358 = phi_678_;
-                                    let _e360 = phi_679_;
-                                    phi_680_ = _e358;
-                                    phi_681_ = _e360;
+                                    let _e362 = phi_684_;
+                                    let _e364 = phi_685_;
+                                    phi_686_ = _e362;
+                                    phi_687_ = _e364;
                                 } else {
-                                    phi_680_ = bool();
-                                    phi_681_ = true;
+                                    phi_686_ = bool();
+                                    phi_687_ = true;
                                 }
-                                let _e362 = phi_680_;
-                                let _e364 = phi_681_;
-                                phi_682_ = _e362;
-                                phi_683_ = _e364;
+                                let _e366 = phi_686_;
+                                let _e368 = phi_687_;
+                                phi_688_ = _e366;
+                                phi_689_ = _e368;
                             } else {
-                                phi_682_ = bool();
-                                phi_683_ = true;
+                                phi_688_ = bool();
+                                phi_689_ = true;
                             }
-                            let _e366 = phi_682_;
-                            let _e368 = phi_683_;
-                            phi_684_ = _e366;
-                            phi_685_ = _e368;
+                            let _e370 = phi_688_;
+                            let _e372 = phi_689_;
+                            phi_690_ = _e370;
+                            phi_691_ = _e372;
                         } else {
-                            phi_684_ = bool();
-                            phi_685_ = true;
+                            phi_690_ = bool();
+                            phi_691_ = true;
                         }
-                        let _e370 = phi_684_;
-                        let _e372 = phi_685_;
-                        if _e372 {
-                            phi_689_ = false;
+                        let _e374 = phi_690_;
+                        let _e376 = phi_691_;
+                        if _e376 {
+                            phi_695_ = false;
                         } else {
-                            phi_689_ = _e370;
+                            phi_695_ = _e374;
                         }
-                        let _e374 = phi_689_;
-                        let _e381 = lt_math_LightPoint(vec2<f32>(_e296, _e256.uv.y), _e256.depth, _e256.is_inside);
-                        let _e388 = lt_math_LightPoint(vec2<f32>(_e381.uv.x, _e310), _e381.depth, _e381.is_inside);
-                        let _e392 = lt_math_LightPoint(_e388.uv, _e323, _e388.is_inside);
-                        let _e396 = lt_math_LightPoint(_e392.uv, _e392.depth, _e374);
-                        phi_698_ = _e396;
-                        phi_699_ = (_e258 + 1u);
-                        phi_700_ = lt_math_LevelPoint(_e258, _e396);
-                        phi_701_ = true;
+                        let _e378 = phi_695_;
+                        let _e385 = lt_math_LightPoint(vec2<f32>(_e300, _e260.uv.y), _e260.depth, _e260.is_inside);
+                        let _e392 = lt_math_LightPoint(vec2<f32>(_e385.uv.x, _e314), _e385.depth, _e385.is_inside);
+                        let _e396 = lt_math_LightPoint(_e392.uv, _e327, _e392.is_inside);
+                        let _e400 = lt_math_LightPoint(_e396.uv, _e396.depth, _e378);
+                        phi_704_ = _e400;
+                        phi_705_ = (_e262 + 1u);
+                        phi_706_ = lt_math_LevelPoint(_e262, _e400);
+                        phi_707_ = true;
                     }
-                    let _e400 = phi_698_;
-                    let _e402 = phi_699_;
-                    let _e404 = phi_700_;
-                    let _e406 = phi_701_;
-                    phi_533_ = _e400;
-                    phi_536_ = _e402;
-                    phi_538_ = _e404;
-                    phi_702_ = _e406;
+                    let _e404 = phi_704_;
+                    let _e406 = phi_705_;
+                    let _e408 = phi_706_;
+                    let _e410 = phi_707_;
+                    phi_539_ = _e404;
+                    phi_542_ = _e406;
+                    phi_544_ = _e408;
+                    phi_708_ = _e410;
                 } else {
-                    phi_533_ = lt_math_LightPoint();
-                    phi_536_ = u32();
-                    phi_538_ = lt_math_LevelPoint();
-                    phi_702_ = false;
+                    phi_539_ = lt_math_LightPoint();
+                    phi_542_ = u32();
+                    phi_544_ = lt_math_LevelPoint();
+                    phi_708_ = false;
                 }
-                let _e408 = phi_533_;
-                let _e410 = phi_536_;
-                let _e412 = phi_538_;
-                let _e414 = phi_702_;
+                let _e412 = phi_539_;
+                let _e414 = phi_542_;
+                let _e416 = phi_544_;
+                let _e418 = phi_708_;
                 continue;
                 continuing {
-                    phi_532_ = _e408;
-                    phi_535_ = _e410;
-                    phi_537_ = _e412;
-                    break if !(_e414);
+                    phi_538_ = _e412;
+                    phi_541_ = _e414;
+                    phi_543_ = _e416;
+                    break if !(_e418);
                 }
             }
-            let _e417 = local_2;
-            if _e417.point.is_inside {
+            let _e421 = local_2;
+            if _e421.point.is_inside {
                 if (0f > 0f) {
-                    let _e423 = local_3;
-                    if (_e423.level < _e55) {
+                    let _e427 = local_3;
+                    if (_e427.level < _e59) {
                     } else {
                         return;
                     }
-                    let _e428 = levels.member[(0u + _e423.level)];
-                    let _e434 = global[0u];
-                    if (_e428.row_w.x == _e434) {
-                        let _e437 = global[1u];
-                        if (_e428.row_w.y == _e437) {
-                            let _e440 = global[2u];
-                            phi_742_ = (_e428.row_w.z == _e440);
-                            phi_743_ = false;
+                    let _e432 = levels.member[(0u + _e427.level)];
+                    let _e438 = global[0u];
+                    if (_e432.row_w.x == _e438) {
+                        let _e441 = global[1u];
+                        if (_e432.row_w.y == _e441) {
+                            let _e444 = global[2u];
+                            phi_748_ = (_e432.row_w.z == _e444);
+                            phi_749_ = false;
                         } else {
-                            phi_742_ = bool();
-                            phi_743_ = true;
+                            phi_748_ = bool();
+                            phi_749_ = true;
                         }
-                        let _e443 = phi_742_;
-                        let _e445 = phi_743_;
-                        phi_744_ = _e443;
-                        phi_745_ = _e445;
+                        let _e447 = phi_748_;
+                        let _e449 = phi_749_;
+                        phi_750_ = _e447;
+                        phi_751_ = _e449;
                     } else {
-                        phi_744_ = bool();
-                        phi_745_ = true;
+                        phi_750_ = bool();
+                        phi_751_ = true;
                     }
-                    let _e447 = phi_744_;
-                    let _e449 = phi_745_;
-                    if _e449 {
-                        phi_749_ = false;
+                    let _e451 = phi_750_;
+                    let _e453 = phi_751_;
+                    if _e453 {
+                        phi_755_ = false;
                     } else {
-                        phi_749_ = _e447;
+                        phi_755_ = _e451;
                     }
-                    let _e451 = phi_749_;
-                    if _e451 {
-                        let _e453 = samples.member[_e61.first_primitive].normal;
-                        let _e455 = p.member.map_size;
-                        let _e525 = ((abs(((((_e428.row_x.x * _e453.x) + (_e428.row_x.y * _e453.y)) + (_e428.row_x.z * _e453.z)) / (((_e428.row_x.x * _e428.row_x.x) + (_e428.row_x.y * _e428.row_x.y)) + (_e428.row_x.z * _e428.row_x.z)))) + abs(((((_e428.row_y.x * _e453.x) + (_e428.row_y.y * _e453.y)) + (_e428.row_y.z * _e453.z)) / (((_e428.row_y.x * _e428.row_y.x) + (_e428.row_y.y * _e428.row_y.y)) + (_e428.row_y.z * _e428.row_y.z))))) / (abs(((((_e428.row_z.x * _e453.x) + (_e428.row_z.y * _e453.y)) + (_e428.row_z.z * _e453.z)) / (((_e428.row_z.x * _e428.row_z.x) + (_e428.row_z.y * _e428.row_z.y)) + (_e428.row_z.z * _e428.row_z.z)))) * f32(_e455)));
-                        if (_e525 < 0.002f) {
-                            phi_831_ = _e525;
+                    let _e455 = phi_755_;
+                    if _e455 {
+                        let _e457 = samples.member[_e65.first_primitive].normal;
+                        let _e459 = p.member.map_size;
+                        let _e529 = ((abs(((((_e432.row_x.x * _e457.x) + (_e432.row_x.y * _e457.y)) + (_e432.row_x.z * _e457.z)) / (((_e432.row_x.x * _e432.row_x.x) + (_e432.row_x.y * _e432.row_x.y)) + (_e432.row_x.z * _e432.row_x.z)))) + abs(((((_e432.row_y.x * _e457.x) + (_e432.row_y.y * _e457.y)) + (_e432.row_y.z * _e457.z)) / (((_e432.row_y.x * _e432.row_y.x) + (_e432.row_y.y * _e432.row_y.y)) + (_e432.row_y.z * _e432.row_y.z))))) / (abs(((((_e432.row_z.x * _e457.x) + (_e432.row_z.y * _e457.y)) + (_e432.row_z.z * _e457.z)) / (((_e432.row_z.x * _e432.row_z.x) + (_e432.row_z.y * _e432.row_z.y)) + (_e432.row_z.z * _e432.row_z.z)))) * f32(_e459)));
+                        if (_e529 < 0.002f) {
+                            phi_837_ = _e529;
                         } else {
-                            phi_831_ = 0.002f;
+                            phi_837_ = 0.002f;
                         }
-                        let _e528 = phi_831_;
-                        phi_950_ = _e528;
+                        let _e532 = phi_837_;
+                        phi_956_ = _e532;
                     } else {
-                        let _e530 = p.member.map_size;
-                        let _e536 = samples.member[_e61.first_primitive].position;
-                        let _e547 = ((((_e428.row_w.x * _e536.x) + (_e428.row_w.y * _e536.y)) + (_e428.row_w.z * _e536.z)) + _e428.row_w.w);
-                        let _e560 = ((_e428.row_x.x - (_e428.row_w.x * _e417.point.uv.x)) / _e547);
-                        let _e561 = ((_e428.row_x.y - (_e428.row_w.y * _e417.point.uv.x)) / _e547);
-                        let _e562 = ((_e428.row_x.z - (_e428.row_w.z * _e417.point.uv.x)) / _e547);
-                        let _e575 = ((_e428.row_y.x - (_e428.row_w.x * _e417.point.uv.y)) / _e547);
-                        let _e576 = ((_e428.row_y.y - (_e428.row_w.y * _e417.point.uv.y)) / _e547);
-                        let _e577 = ((_e428.row_y.z - (_e428.row_w.z * _e417.point.uv.y)) / _e547);
-                        let _e583 = samples.member[_e61.first_primitive].normal;
-                        let _e588 = ((_e576 * _e583.z) - (_e583.y * _e577));
-                        let _e593 = ((_e577 * _e583.x) - (_e583.z * _e575));
-                        let _e598 = ((_e575 * _e583.y) - (_e583.x * _e576));
-                        let _e600 = samples.member[_e61.first_primitive].normal;
-                        let _e605 = ((_e561 * _e600.z) - (_e600.y * _e562));
-                        let _e610 = ((_e562 * _e600.x) - (_e600.z * _e560));
-                        let _e615 = ((_e560 * _e600.y) - (_e600.x * _e561));
-                        let _e642 = ((abs(((((_e428.row_z.x * _e588) + (_e428.row_z.y * _e593)) + (_e428.row_z.z * _e598)) / (((_e560 * _e588) + (_e561 * _e593)) + (_e562 * _e598)))) + abs(((((_e428.row_z.x * _e605) + (_e428.row_z.y * _e610)) + (_e428.row_z.z * _e615)) / (((_e575 * _e605) + (_e576 * _e610)) + (_e577 * _e615))))) / f32(_e530));
-                        let _e644 = (16f / f32(_e530));
-                        if (_e642 < _e644) {
-                            phi_949_ = _e642;
+                        let _e534 = p.member.map_size;
+                        let _e540 = samples.member[_e65.first_primitive].position;
+                        let _e551 = ((((_e432.row_w.x * _e540.x) + (_e432.row_w.y * _e540.y)) + (_e432.row_w.z * _e540.z)) + _e432.row_w.w);
+                        let _e564 = ((_e432.row_x.x - (_e432.row_w.x * _e421.point.uv.x)) / _e551);
+                        let _e565 = ((_e432.row_x.y - (_e432.row_w.y * _e421.point.uv.x)) / _e551);
+                        let _e566 = ((_e432.row_x.z - (_e432.row_w.z * _e421.point.uv.x)) / _e551);
+                        let _e579 = ((_e432.row_y.x - (_e432.row_w.x * _e421.point.uv.y)) / _e551);
+                        let _e580 = ((_e432.row_y.y - (_e432.row_w.y * _e421.point.uv.y)) / _e551);
+                        let _e581 = ((_e432.row_y.z - (_e432.row_w.z * _e421.point.uv.y)) / _e551);
+                        let _e587 = samples.member[_e65.first_primitive].normal;
+                        let _e592 = ((_e580 * _e587.z) - (_e587.y * _e581));
+                        let _e597 = ((_e581 * _e587.x) - (_e587.z * _e579));
+                        let _e602 = ((_e579 * _e587.y) - (_e587.x * _e580));
+                        let _e604 = samples.member[_e65.first_primitive].normal;
+                        let _e609 = ((_e565 * _e604.z) - (_e604.y * _e566));
+                        let _e614 = ((_e566 * _e604.x) - (_e604.z * _e564));
+                        let _e619 = ((_e564 * _e604.y) - (_e604.x * _e565));
+                        let _e646 = ((abs(((((_e432.row_z.x * _e592) + (_e432.row_z.y * _e597)) + (_e432.row_z.z * _e602)) / (((_e564 * _e592) + (_e565 * _e597)) + (_e566 * _e602)))) + abs(((((_e432.row_z.x * _e609) + (_e432.row_z.y * _e614)) + (_e432.row_z.z * _e619)) / (((_e579 * _e609) + (_e580 * _e614)) + (_e581 * _e619))))) / f32(_e534));
+                        let _e648 = (16f / f32(_e534));
+                        if (_e646 < _e648) {
+                            phi_955_ = _e646;
                         } else {
-                            phi_949_ = _e644;
+                            phi_955_ = _e648;
                         }
-                        let _e647 = phi_949_;
-                        phi_950_ = _e647;
+                        let _e651 = phi_955_;
+                        phi_956_ = _e651;
                     }
-                    let _e649 = phi_950_;
-                    phi_953_ = (_e417.point.depth - (0f * _e649));
+                    let _e653 = phi_956_;
+                    phi_959_ = (_e421.point.depth - (0f * _e653));
                 } else {
-                    phi_953_ = _e417.point.depth;
+                    phi_959_ = _e421.point.depth;
                 }
-                let _e653 = phi_953_;
-                let _e659 = p.member.map_size;
-                let _e660 = f32(_e659);
-                let _e663 = ((_e417.point.uv.x * _e660) - 0.5f);
-                let _e664 = ((_e417.point.uv.y * _e660) - 0.5f);
-                if (_e663 > -8388608f) {
-                    let _e676 = f32(select(0i, select(select(i32(_e663), i32(-2147483648), (_e663 < bitcast<f32>(3472883712u))), 2147483647i, (_e663 > bitcast<f32>(1325400063u))), (_e663 == _e663)));
-                    if (_e676 > _e663) {
-                        phi_982_ = 1f;
+                let _e657 = phi_959_;
+                let _e663 = p.member.map_size;
+                let _e664 = f32(_e663);
+                let _e667 = ((_e421.point.uv.x * _e664) - 0.5f);
+                let _e668 = ((_e421.point.uv.y * _e664) - 0.5f);
+                if (_e667 > -8388608f) {
+                    let _e680 = f32(select(0i, select(select(i32(_e667), i32(-2147483648), (_e667 < bitcast<f32>(3472883712u))), 2147483647i, (_e667 > bitcast<f32>(1325400063u))), (_e667 == _e667)));
+                    if (_e680 > _e667) {
+                        phi_988_ = 1f;
                     } else {
-                        phi_982_ = 0f;
+                        phi_988_ = 0f;
                     }
-                    let _e679 = phi_982_;
-                    if (_e663 < 8388608f) {
-                        phi_987_ = (_e676 - _e679);
-                        phi_988_ = false;
+                    let _e683 = phi_988_;
+                    if (_e667 < 8388608f) {
+                        phi_993_ = (_e680 - _e683);
+                        phi_994_ = false;
                     } else {
-                        phi_987_ = f32();
-                        phi_988_ = true;
+                        phi_993_ = f32();
+                        phi_994_ = true;
                     }
-                    let _e682 = phi_987_;
-                    let _e684 = phi_988_;
-                    phi_989_ = _e682;
-                    phi_990_ = _e684;
+                    let _e686 = phi_993_;
+                    let _e688 = phi_994_;
+                    phi_995_ = _e686;
+                    phi_996_ = _e688;
                 } else {
-                    phi_989_ = f32();
-                    phi_990_ = true;
+                    phi_995_ = f32();
+                    phi_996_ = true;
                 }
-                let _e686 = phi_989_;
-                let _e688 = phi_990_;
-                if _e688 {
-                    phi_994_ = _e663;
+                let _e690 = phi_995_;
+                let _e692 = phi_996_;
+                if _e692 {
+                    phi_1000_ = _e667;
                 } else {
-                    phi_994_ = _e686;
+                    phi_1000_ = _e690;
                 }
-                let _e690 = phi_994_;
-                if (_e664 > -8388608f) {
-                    let _e702 = f32(select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < bitcast<f32>(3472883712u))), 2147483647i, (_e664 > bitcast<f32>(1325400063u))), (_e664 == _e664)));
-                    if (_e702 > _e664) {
-                        phi_1014_ = 1f;
+                let _e694 = phi_1000_;
+                if (_e668 > -8388608f) {
+                    let _e706 = f32(select(0i, select(select(i32(_e668), i32(-2147483648), (_e668 < bitcast<f32>(3472883712u))), 2147483647i, (_e668 > bitcast<f32>(1325400063u))), (_e668 == _e668)));
+                    if (_e706 > _e668) {
+                        phi_1020_ = 1f;
                     } else {
-                        phi_1014_ = 0f;
+                        phi_1020_ = 0f;
                     }
-                    let _e705 = phi_1014_;
-                    if (_e664 < 8388608f) {
-                        phi_1019_ = (_e702 - _e705);
-                        phi_1020_ = false;
+                    let _e709 = phi_1020_;
+                    if (_e668 < 8388608f) {
+                        phi_1025_ = (_e706 - _e709);
+                        phi_1026_ = false;
                     } else {
-                        phi_1019_ = f32();
-                        phi_1020_ = true;
+                        phi_1025_ = f32();
+                        phi_1026_ = true;
                     }
-                    let _e708 = phi_1019_;
-                    let _e710 = phi_1020_;
-                    phi_1021_ = _e708;
-                    phi_1022_ = _e710;
+                    let _e712 = phi_1025_;
+                    let _e714 = phi_1026_;
+                    phi_1027_ = _e712;
+                    phi_1028_ = _e714;
                 } else {
-                    phi_1021_ = f32();
-                    phi_1022_ = true;
+                    phi_1027_ = f32();
+                    phi_1028_ = true;
                 }
-                let _e712 = phi_1021_;
-                let _e714 = phi_1022_;
-                if _e714 {
-                    phi_1026_ = _e664;
+                let _e716 = phi_1027_;
+                let _e718 = phi_1028_;
+                if _e718 {
+                    phi_1032_ = _e668;
                 } else {
-                    phi_1026_ = _e712;
+                    phi_1032_ = _e716;
                 }
-                let _e716 = phi_1026_;
-                let _e717 = (_e663 - _e690);
-                let _e718 = (_e664 - _e716);
-                let _e727 = select(0i, select(select(i32(_e690), i32(-2147483648), (_e690 < bitcast<f32>(3472883712u))), 2147483647i, (_e690 > bitcast<f32>(1325400063u))), (_e690 == _e690));
-                let _e736 = select(0i, select(select(i32(_e716), i32(-2147483648), (_e716 < bitcast<f32>(3472883712u))), 2147483647i, (_e716 > bitcast<f32>(1325400063u))), (_e716 == _e716));
-                let _e747 = p.member.test;
-                let _e748 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e747);
-                let _e750 = p.member.map_size;
-                let _e752 = local_4;
-                local_1 = _e748;
-                let _e755 = ((_e752.level * _e750) * _e750);
-                let _e757 = (bitcast<i32>(_e750) - 1i);
-                if (_e727 > 0i) {
-                    phi_1075_ = _e727;
+                let _e720 = phi_1032_;
+                let _e721 = (_e667 - _e694);
+                let _e722 = (_e668 - _e720);
+                let _e731 = select(0i, select(select(i32(_e694), i32(-2147483648), (_e694 < bitcast<f32>(3472883712u))), 2147483647i, (_e694 > bitcast<f32>(1325400063u))), (_e694 == _e694));
+                let _e740 = select(0i, select(select(i32(_e720), i32(-2147483648), (_e720 < bitcast<f32>(3472883712u))), 2147483647i, (_e720 > bitcast<f32>(1325400063u))), (_e720 == _e720));
+                let _e751 = p.member.test;
+                let _e752 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e751);
+                let _e754 = p.member.map_size;
+                let _e756 = local_4;
+                local_1 = _e752;
+                let _e759 = ((_e756.level * _e754) * _e754);
+                let _e761 = (bitcast<i32>(_e754) - 1i);
+                if (_e731 > 0i) {
+                    phi_1081_ = _e731;
                 } else {
-                    phi_1075_ = 0i;
+                    phi_1081_ = 0i;
                 }
-                let _e760 = phi_1075_;
-                if (_e736 > 0i) {
-                    phi_1080_ = _e736;
+                let _e764 = phi_1081_;
+                if (_e740 > 0i) {
+                    phi_1086_ = _e740;
                 } else {
-                    phi_1080_ = 0i;
+                    phi_1086_ = 0i;
                 }
-                let _e763 = phi_1080_;
-                if (_e760 < _e757) {
-                    phi_1085_ = _e760;
+                let _e767 = phi_1086_;
+                if (_e764 < _e761) {
+                    phi_1091_ = _e764;
                 } else {
-                    phi_1085_ = _e757;
+                    phi_1091_ = _e761;
                 }
-                let _e766 = phi_1085_;
-                if (_e763 < _e757) {
-                    phi_1090_ = _e763;
+                let _e770 = phi_1091_;
+                if (_e767 < _e761) {
+                    phi_1096_ = _e767;
                 } else {
-                    phi_1090_ = _e757;
+                    phi_1096_ = _e761;
                 }
-                let _e769 = phi_1090_;
-                let _e770 = bitcast<u32>(_e766);
-                let _e772 = (_e727 + 1i);
-                let _e773 = (_e736 + 1i);
-                if (_e772 > 0i) {
-                    phi_1099_ = _e772;
+                let _e773 = phi_1096_;
+                let _e774 = bitcast<u32>(_e770);
+                let _e776 = (_e731 + 1i);
+                let _e777 = (_e740 + 1i);
+                if (_e776 > 0i) {
+                    phi_1105_ = _e776;
                 } else {
-                    phi_1099_ = 0i;
+                    phi_1105_ = 0i;
                 }
-                let _e776 = phi_1099_;
-                if (_e773 > 0i) {
-                    phi_1104_ = _e773;
+                let _e780 = phi_1105_;
+                if (_e777 > 0i) {
+                    phi_1110_ = _e777;
                 } else {
-                    phi_1104_ = 0i;
+                    phi_1110_ = 0i;
                 }
-                let _e779 = phi_1104_;
-                if (_e776 < _e757) {
-                    phi_1109_ = _e776;
+                let _e783 = phi_1110_;
+                if (_e780 < _e761) {
+                    phi_1115_ = _e780;
                 } else {
-                    phi_1109_ = _e757;
+                    phi_1115_ = _e761;
                 }
-                let _e782 = phi_1109_;
-                if (_e779 < _e757) {
-                    phi_1114_ = _e779;
+                let _e786 = phi_1115_;
+                if (_e783 < _e761) {
+                    phi_1120_ = _e783;
                 } else {
-                    phi_1114_ = _e757;
+                    phi_1120_ = _e761;
                 }
-                let _e785 = phi_1114_;
-                let _e786 = bitcast<u32>(_e782);
-                let _e788 = (bitcast<u32>(_e769) * _e750);
-                let _e789 = (bitcast<u32>(_e785) * _e750);
-                let _e794 = ((_e788 + _e770) + _e755);
-                let _e795 = ((_e788 + _e786) + _e755);
-                let _e796 = ((_e789 + _e770) + _e755);
-                let _e797 = ((_e789 + _e786) + _e755);
-                if (_e794 < _e50) {
+                let _e789 = phi_1120_;
+                let _e790 = bitcast<u32>(_e786);
+                let _e792 = (bitcast<u32>(_e773) * _e754);
+                let _e793 = (bitcast<u32>(_e789) * _e754);
+                let _e798 = ((_e792 + _e774) + _e759);
+                let _e799 = ((_e792 + _e790) + _e759);
+                let _e800 = ((_e793 + _e774) + _e759);
+                let _e801 = ((_e793 + _e790) + _e759);
+                if (_e798 < _e54) {
                 } else {
                     return;
                 }
-                let _e801 = map.member[(0u + _e794)];
-                if (_e795 < _e50) {
+                let _e805 = map.member[(0u + _e798)];
+                if (_e799 < _e54) {
                 } else {
                     return;
                 }
-                let _e805 = map.member[(0u + _e795)];
-                if (_e796 < _e50) {
+                let _e809 = map.member[(0u + _e799)];
+                if (_e800 < _e54) {
                 } else {
                     return;
                 }
-                let _e809 = map.member[(0u + _e796)];
-                if (_e797 < _e50) {
+                let _e813 = map.member[(0u + _e800)];
+                if (_e801 < _e54) {
                 } else {
                     return;
                 }
-                let _e813 = map.member[(0u + _e797)];
-                let _e815 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e801, _e805, _e809, _e813), vec4<f32>(((1f - _e717) * (1f - _e718)), (_e717 * (1f - _e718)), ((1f - _e717) * _e718), (_e717 * _e718)), _e653);
-                let _e817 = p.member.epsilon;
-                if (_e815 <= _e817) {
-                    phi_1165_ = true;
-                } else {
-                    phi_1165_ = (_e815 >= (1f - _e817));
-                }
-                let _e822 = phi_1165_;
-                if ((bitcast<u32>(_e815) & 2147483647u) > 2139095040u) {
+                let _e817 = map.member[(0u + _e801)];
+                let _e819 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility_of_gather((&local_1), vec4<f32>(_e805, _e809, _e813, _e817), vec4<f32>(((1f - _e721) * (1f - _e722)), (_e721 * (1f - _e722)), ((1f - _e721) * _e722), (_e721 * _e722)), _e657);
+                let _e823 = p.member.epsilon;
+                if (_e819 <= _e823) {
                     phi_1173_ = true;
                 } else {
-                    phi_1173_ = !(_e822);
+                    phi_1173_ = (_e819 >= (1f - _e823));
                 }
                 let _e828 = phi_1173_;
-                if _e828 {
-                    if (_e815 > 0f) {
-                        if (_e815 < 1f) {
-                            phi_1185_ = false;
-                        } else {
-                            phi_1185_ = true;
-                        }
-                        let _e832 = phi_1185_;
-                        phi_1186_ = _e832;
-                    } else {
-                        phi_1186_ = true;
-                    }
-                    let _e834 = phi_1186_;
-                    if _e834 {
-                        phi_1190_ = 0.5f;
-                    } else {
-                        phi_1190_ = _e815;
-                    }
-                    let _e836 = phi_1190_;
-                    phi_1198_ = evaluate_Verdict(_e836, true);
+                if ((bitcast<u32>(_e819) & 2147483647u) > 2139095040u) {
+                    phi_1181_ = true;
                 } else {
-                    if (_e815 > 0.5f) {
-                        phi_1196_ = 1f;
-                    } else {
-                        phi_1196_ = 0f;
-                    }
-                    let _e840 = phi_1196_;
-                    phi_1198_ = evaluate_Verdict(_e840, false);
+                    phi_1181_ = !(_e828);
                 }
-                let _e843 = phi_1198_;
-                phi_1203_ = evaluate_Verdict(_e843.visibility, _e843.is_doubted);
+                let _e834 = phi_1181_;
+                if _e834 {
+                    if (_e819 > 0f) {
+                        if (_e819 < 1f) {
+                            phi_1193_ = false;
+                        } else {
+                            phi_1193_ = true;
+                        }
+                        let _e838 = phi_1193_;
+                        phi_1194_ = _e838;
+                    } else {
+                        phi_1194_ = true;
+                    }
+                    let _e840 = phi_1194_;
+                    if _e840 {
+                        phi_1198_ = 0.5f;
+                    } else {
+                        phi_1198_ = _e819;
+                    }
+                    let _e842 = phi_1198_;
+                    phi_1206_ = evaluate_Verdict(_e842, true);
+                } else {
+                    if (_e819 > 0.5f) {
+                        phi_1204_ = 1f;
+                    } else {
+                        phi_1204_ = 0f;
+                    }
+                    let _e846 = phi_1204_;
+                    phi_1206_ = evaluate_Verdict(_e846, false);
+                }
+                let _e849 = phi_1206_;
+                let _e852 = (_e849.visibility < 0.5f);
+                if _e849.is_doubted {
+                    phi_1229_ = evaluate_Verdict();
+                    phi_1230_ = true;
+                } else {
+                    if _e852 {
+                        phi_1216_ = 2u;
+                    } else {
+                        phi_1216_ = 1u;
+                    }
+                    let _e854 = phi_1216_;
+                    if ((0u & _e854) != 0u) {
+                        if _e852 {
+                            phi_1225_ = 0.000000059604645f;
+                        } else {
+                            phi_1225_ = 0.99999994f;
+                        }
+                        let _e858 = phi_1225_;
+                        phi_1227_ = evaluate_Verdict(_e858, true);
+                        phi_1228_ = false;
+                    } else {
+                        phi_1227_ = evaluate_Verdict();
+                        phi_1228_ = true;
+                    }
+                    let _e861 = phi_1227_;
+                    let _e863 = phi_1228_;
+                    phi_1229_ = _e861;
+                    phi_1230_ = _e863;
+                }
+                let _e865 = phi_1229_;
+                let _e867 = phi_1230_;
+                if _e867 {
+                    phi_1235_ = evaluate_Verdict(_e849.visibility, _e849.is_doubted);
+                } else {
+                    phi_1235_ = _e865;
+                }
+                let _e870 = phi_1235_;
+                phi_1240_ = evaluate_Verdict(_e870.visibility, _e870.is_doubted);
             } else {
-                phi_1203_ = evaluate_Verdict(0.5f, true);
+                phi_1240_ = evaluate_Verdict(0.5f, true);
             }
-            let _e849 = phi_1203_;
-            phi_1204_ = _e849;
+            let _e876 = phi_1240_;
+            phi_1241_ = _e876;
         }
-        let _e851 = phi_1204_;
-        visibility.member[_e61.first_primitive] = _e851.visibility;
-        phi_1208_ = _e851.is_doubted;
-        phi_1209_ = _e61.first_primitive;
+        let _e878 = phi_1241_;
+        visibility.member[_e65.first_primitive] = _e878.visibility;
+        phi_1245_ = _e878.is_doubted;
+        phi_1246_ = _e65.first_primitive;
     } else {
-        phi_1208_ = false;
-        phi_1209_ = 0u;
+        phi_1245_ = false;
+        phi_1246_ = 0u;
     }
-    let _e856 = phi_1208_;
-    let _e858 = phi_1209_;
-    if (_e45 == 0u) {
+    let _e883 = phi_1245_;
+    let _e885 = phi_1246_;
+    if (_e49 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e856 {
-        let _e862 = atomicAdd((&shared_[0u]), 1u);
-        phi_1220_ = _e862;
+    if _e883 {
+        let _e889 = atomicAdd((&shared_[0u]), 1u);
+        phi_1257_ = _e889;
     } else {
-        phi_1220_ = 0u;
+        phi_1257_ = 0u;
     }
-    let _e864 = phi_1220_;
+    let _e891 = phi_1257_;
     workgroupBarrier();
-    if (_e45 == 0u) {
-        let _e868 = atomicLoad((&shared_[0u]));
-        let _e869 = atomicAdd((&list.member[3u]), _e868);
-        atomicStore((&shared_[1u]), _e869);
+    if (_e49 == 0u) {
+        let _e895 = atomicLoad((&shared_[0u]));
+        let _e896 = atomicAdd((&list.member[3u]), _e895);
+        atomicStore((&shared_[1u]), _e896);
     }
     workgroupBarrier();
-    if _e856 {
-        let _e872 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e872) + _e864)]), _e858);
+    if _e883 {
+        if false {
+            phi_1274_ = (_e885 | 2147483648u);
+        } else {
+            phi_1274_ = _e885;
+        }
+        let _e900 = phi_1274_;
+        let _e902 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e902) + _e891)]), _e900);
     }
     return;
 }

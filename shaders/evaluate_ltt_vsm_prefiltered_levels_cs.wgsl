@@ -72,14 +72,14 @@ struct type_43 {
     member: abi_ShadowParams,
 }
 
+struct type_47 {
+    member: array<lt_math_LightProjection>,
+}
+
 struct lt_math_LightPoint {
     uv: vec2<f32>,
     depth: f32,
     is_inside: bool,
-}
-
-struct type_49 {
-    member: array<lt_math_LightProjection>,
 }
 
 struct lt_math_LevelPoint {
@@ -104,42 +104,42 @@ var<storage, read_write> visibility: type_24;
 @group(0) @binding(4) 
 var<storage, read_write> list: type_55;
 @group(0) @binding(5) 
-var<storage> levels: type_49;
+var<storage> levels: type_47;
 @group(0) @binding(2) 
 var<storage> map: type_39;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_164_: lt_bvh_traverse_Tree;
-    var phi_165_: bool;
-    var phi_166_: lt_bvh_traverse_Tree;
-    var phi_167_: bool;
+    var phi_170_: lt_bvh_traverse_Tree;
+    var phi_171_: bool;
     var phi_172_: lt_bvh_traverse_Tree;
+    var phi_173_: bool;
+    var phi_178_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_164_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_165_ = false;
+            phi_170_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_171_ = false;
         } else {
-            phi_164_ = lt_bvh_traverse_Tree();
-            phi_165_ = true;
+            phi_170_ = lt_bvh_traverse_Tree();
+            phi_171_ = true;
         }
-        let _e57 = phi_164_;
-        let _e59 = phi_165_;
-        phi_166_ = _e57;
-        phi_167_ = _e59;
-    } else {
-        phi_166_ = lt_bvh_traverse_Tree();
-        phi_167_ = true;
-    }
-    let _e61 = phi_166_;
-    let _e63 = phi_167_;
-    if _e63 {
-        phi_172_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
-    } else {
+        let _e61 = phi_170_;
+        let _e63 = phi_171_;
         phi_172_ = _e61;
+        phi_173_ = _e63;
+    } else {
+        phi_172_ = lt_bvh_traverse_Tree();
+        phi_173_ = true;
     }
-    let _e68 = phi_172_;
-    return lt_bvh_traverse_Tree(_e68.root, _e68.first_primitive);
+    let _e65 = phi_172_;
+    let _e67 = phi_173_;
+    if _e67 {
+        phi_178_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    } else {
+        phi_178_ = _e65;
+    }
+    let _e72 = phi_178_;
+    return lt_bvh_traverse_Tree(_e72.root, _e72.first_primitive);
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(param_3: vec4<f32>) -> f32 {
@@ -147,767 +147,818 @@ fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_param
 }
 
 fn _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility(param_4: ptr<function, f32>, param_5: vec4<f32>, param_6: f32) -> f32 {
-    var phi_197_: f32;
-    var phi_198_: f32;
-    var phi_199_: f32;
-    var phi_217_: bool;
-    var phi_221_: f32;
-    var phi_233_: bool;
-    var phi_240_: f32;
-    var phi_255_: f32;
-    var phi_256_: f32;
-    var phi_257_: f32;
+    var phi_203_: f32;
+    var phi_204_: f32;
+    var phi_205_: f32;
+    var phi_223_: bool;
+    var phi_227_: f32;
+    var phi_239_: bool;
+    var phi_246_: f32;
+    var phi_261_: f32;
+    var phi_262_: f32;
+    var phi_263_: f32;
 
     if ((bitcast<u32>(param_6) & 2147483647u) > 2139095040u) {
-        phi_199_ = param_6;
+        phi_205_ = param_6;
     } else {
         if (param_6 < 0f) {
-            phi_198_ = 0f;
+            phi_204_ = 0f;
         } else {
             if (param_6 > 1f) {
-                phi_197_ = 1f;
+                phi_203_ = 1f;
             } else {
-                phi_197_ = param_6;
+                phi_203_ = param_6;
             }
-            let _e53 = phi_197_;
-            phi_198_ = _e53;
+            let _e57 = phi_203_;
+            phi_204_ = _e57;
         }
-        let _e55 = phi_198_;
-        phi_199_ = _e55;
+        let _e59 = phi_204_;
+        phi_205_ = _e59;
     }
-    let _e57 = phi_199_;
-    let _e60 = (*param_4);
-    let _e64 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
-    if ((bitcast<u32>(_e60) & 2147483647u) > 2139095040u) {
-        phi_217_ = true;
+    let _e61 = phi_205_;
+    let _e64 = (*param_4);
+    let _e68 = ((param_5.y - (param_5.x * param_5.x)) + (0.00000047683716f * param_5.y));
+    if ((bitcast<u32>(_e64) & 2147483647u) > 2139095040u) {
+        phi_223_ = true;
     } else {
-        let _e68 = (_e60 > _e64);
-        if _e68 {
+        let _e72 = (_e64 > _e68);
+        if _e72 {
         }
-        phi_217_ = _e68;
+        phi_223_ = _e72;
     }
-    let _e70 = phi_217_;
-    if _e70 {
-        phi_221_ = _e60;
+    let _e74 = phi_223_;
+    if _e74 {
+        phi_227_ = _e64;
     } else {
-        phi_221_ = _e64;
+        phi_227_ = _e68;
     }
-    let _e72 = phi_221_;
-    let _e73 = (_e57 - param_5.x);
-    if (_e73 <= 0f) {
-        let _e77 = ((bitcast<u32>(_e72) & 2147483647u) > 2139095040u);
-        if _e77 {
+    let _e76 = phi_227_;
+    let _e77 = (_e61 - param_5.x);
+    if (_e77 <= 0f) {
+        let _e81 = ((bitcast<u32>(_e76) & 2147483647u) > 2139095040u);
+        if _e81 {
         }
-        phi_233_ = _e77;
+        phi_239_ = _e81;
     } else {
-        phi_233_ = true;
+        phi_239_ = true;
     }
-    let _e79 = phi_233_;
-    if _e79 {
-        phi_240_ = (_e72 / (_e72 + (_e73 * _e73)));
+    let _e83 = phi_239_;
+    if _e83 {
+        phi_246_ = (_e76 / (_e76 + (_e77 * _e77)));
     } else {
-        phi_240_ = 1f;
+        phi_246_ = 1f;
     }
-    let _e84 = phi_240_;
-    if ((bitcast<u32>(_e84) & 2147483647u) > 2139095040u) {
-        phi_257_ = _e84;
+    let _e88 = phi_246_;
+    if ((bitcast<u32>(_e88) & 2147483647u) > 2139095040u) {
+        phi_263_ = _e88;
     } else {
-        if (_e84 < 0f) {
-            phi_256_ = 0f;
+        if (_e88 < 0f) {
+            phi_262_ = 0f;
         } else {
-            if (_e84 > 1f) {
-                phi_255_ = 1f;
+            if (_e88 > 1f) {
+                phi_261_ = 1f;
             } else {
-                phi_255_ = _e84;
+                phi_261_ = _e88;
             }
-            let _e91 = phi_255_;
-            phi_256_ = _e91;
+            let _e95 = phi_261_;
+            phi_262_ = _e95;
         }
-        let _e93 = phi_256_;
-        phi_257_ = _e93;
+        let _e97 = phi_262_;
+        phi_263_ = _e97;
     }
-    let _e95 = phi_257_;
-    return _e95;
+    let _e99 = phi_263_;
+    return _e99;
 }
 
 fn function_() {
     var local_1: f32;
-    var phi_312_: bool;
-    var phi_313_: bool;
-    var phi_314_: bool;
-    var phi_315_: bool;
+    var phi_318_: bool;
     var phi_319_: bool;
-    var phi_389_: bool;
-    var phi_390_: bool;
-    var phi_401_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_402_: bool;
-    var phi_403_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_404_: bool;
-    var phi_411_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_415_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_435_: lt_math_LightPoint;
-    var phi_438_: u32;
-    var phi_440_: lt_math_LevelPoint;
-    var phi_526_: bool;
-    var phi_535_: bool;
-    var phi_544_: bool;
-    var phi_545_: bool;
-    var phi_546_: bool;
-    var phi_547_: bool;
-    var phi_548_: bool;
-    var phi_549_: bool;
+    var phi_320_: bool;
+    var phi_321_: bool;
+    var phi_325_: bool;
+    var phi_395_: bool;
+    var phi_396_: bool;
+    var phi_407_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_408_: bool;
+    var phi_409_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_410_: bool;
+    var phi_417_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_421_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_441_: lt_math_LightPoint;
+    var phi_444_: u32;
+    var phi_446_: lt_math_LevelPoint;
+    var phi_532_: bool;
+    var phi_541_: bool;
     var phi_550_: bool;
+    var phi_551_: bool;
+    var phi_552_: bool;
+    var phi_553_: bool;
     var phi_554_: bool;
-    var phi_581_: bool;
-    var phi_582_: bool;
-    var phi_583_: bool;
-    var phi_584_: bool;
-    var phi_585_: bool;
-    var phi_586_: bool;
+    var phi_555_: bool;
+    var phi_556_: bool;
+    var phi_560_: bool;
     var phi_587_: bool;
     var phi_588_: bool;
+    var phi_589_: bool;
+    var phi_590_: bool;
+    var phi_591_: bool;
     var phi_592_: bool;
-    var phi_601_: lt_math_LightPoint;
-    var phi_602_: u32;
-    var phi_603_: lt_math_LevelPoint;
-    var phi_604_: bool;
-    var phi_436_: lt_math_LightPoint;
-    var phi_439_: u32;
-    var phi_441_: lt_math_LevelPoint;
-    var phi_605_: bool;
+    var phi_593_: bool;
+    var phi_594_: bool;
+    var phi_598_: bool;
+    var phi_607_: lt_math_LightPoint;
+    var phi_608_: u32;
+    var phi_609_: lt_math_LevelPoint;
+    var phi_610_: bool;
+    var phi_442_: lt_math_LightPoint;
+    var phi_445_: u32;
+    var phi_447_: lt_math_LevelPoint;
+    var phi_611_: bool;
     var local_2: lt_math_LevelPoint;
     var local_3: lt_math_LevelPoint;
-    var phi_645_: bool;
-    var phi_646_: bool;
-    var phi_647_: bool;
-    var phi_648_: bool;
+    var phi_651_: bool;
     var phi_652_: bool;
-    var phi_734_: f32;
-    var phi_852_: f32;
-    var phi_853_: f32;
-    var phi_856_: f32;
-    var phi_885_: f32;
-    var phi_890_: f32;
-    var phi_891_: bool;
-    var phi_892_: f32;
-    var phi_893_: bool;
-    var phi_897_: f32;
-    var phi_917_: f32;
-    var phi_922_: f32;
-    var phi_923_: bool;
-    var phi_924_: f32;
-    var phi_925_: bool;
-    var phi_929_: f32;
+    var phi_653_: bool;
+    var phi_654_: bool;
+    var phi_658_: bool;
+    var phi_740_: f32;
+    var phi_858_: f32;
+    var phi_859_: f32;
+    var phi_862_: f32;
+    var phi_891_: f32;
+    var phi_896_: f32;
+    var phi_897_: bool;
+    var phi_898_: f32;
+    var phi_899_: bool;
+    var phi_903_: f32;
+    var phi_923_: f32;
+    var phi_928_: f32;
+    var phi_929_: bool;
+    var phi_930_: f32;
+    var phi_931_: bool;
+    var phi_935_: f32;
     var local_4: lt_math_LevelPoint;
-    var phi_978_: i32;
-    var phi_983_: i32;
-    var phi_988_: i32;
-    var phi_993_: i32;
-    var phi_1002_: i32;
-    var phi_1007_: i32;
-    var phi_1012_: i32;
-    var phi_1017_: i32;
-    var phi_1112_: bool;
+    var phi_984_: i32;
+    var phi_989_: i32;
+    var phi_994_: i32;
+    var phi_999_: i32;
+    var phi_1008_: i32;
+    var phi_1013_: i32;
+    var phi_1018_: i32;
+    var phi_1023_: i32;
     var phi_1120_: bool;
-    var phi_1132_: bool;
-    var phi_1133_: bool;
-    var phi_1137_: f32;
-    var phi_1143_: f32;
-    var phi_1145_: evaluate_Verdict;
-    var phi_1150_: evaluate_Verdict;
-    var phi_1151_: evaluate_Verdict;
-    var phi_1155_: bool;
-    var phi_1156_: u32;
-    var phi_1167_: u32;
+    var phi_1128_: bool;
+    var phi_1140_: bool;
+    var phi_1141_: bool;
+    var phi_1145_: f32;
+    var phi_1151_: f32;
+    var phi_1153_: evaluate_Verdict;
+    var phi_1163_: u32;
+    var phi_1172_: f32;
+    var phi_1174_: evaluate_Verdict;
+    var phi_1175_: bool;
+    var phi_1176_: evaluate_Verdict;
+    var phi_1177_: bool;
+    var phi_1182_: evaluate_Verdict;
+    var phi_1187_: evaluate_Verdict;
+    var phi_1188_: evaluate_Verdict;
+    var phi_1192_: bool;
+    var phi_1193_: u32;
+    var phi_1204_: u32;
+    var phi_1221_: u32;
 
-    let _e45 = id_1;
-    let _e46 = local_5;
-    let _e51 = arrayLength((&map.member));
-    let _e56 = arrayLength((&levels.member));
-    let _e59 = p.member.size[0u];
-    let _e61 = p.member.size[1u];
-    let _e62 = lt_shaders_entry_pixel_index(_e45, _e59, _e61);
-    if (bitcast<i32>(_e62.root) != 0i) {
-        let _e69 = p.member.level_count;
-        let _e73 = samples.member[_e62.first_primitive].normal[0u];
-        let _e75 = global[0u];
-        if (_e73 == _e75) {
-            let _e78 = samples.member[_e62.first_primitive].normal[1u];
-            let _e80 = global[1u];
-            if (_e78 == _e80) {
-                let _e83 = samples.member[_e62.first_primitive].normal[2u];
-                let _e85 = global[2u];
-                phi_312_ = (_e83 == _e85);
-                phi_313_ = false;
+    let _e49 = id_1;
+    let _e50 = local_5;
+    let _e55 = arrayLength((&map.member));
+    let _e60 = arrayLength((&levels.member));
+    let _e63 = p.member.size[0u];
+    let _e65 = p.member.size[1u];
+    let _e66 = lt_shaders_entry_pixel_index(_e49, _e63, _e65);
+    if (bitcast<i32>(_e66.root) != 0i) {
+        let _e73 = p.member.level_count;
+        let _e77 = samples.member[_e66.first_primitive].normal[0u];
+        let _e79 = global[0u];
+        if (_e77 == _e79) {
+            let _e82 = samples.member[_e66.first_primitive].normal[1u];
+            let _e84 = global[1u];
+            if (_e82 == _e84) {
+                let _e87 = samples.member[_e66.first_primitive].normal[2u];
+                let _e89 = global[2u];
+                phi_318_ = (_e87 == _e89);
+                phi_319_ = false;
             } else {
-                phi_312_ = bool();
-                phi_313_ = true;
+                phi_318_ = bool();
+                phi_319_ = true;
             }
-            let _e88 = phi_312_;
-            let _e90 = phi_313_;
-            phi_314_ = _e88;
-            phi_315_ = _e90;
+            let _e92 = phi_318_;
+            let _e94 = phi_319_;
+            phi_320_ = _e92;
+            phi_321_ = _e94;
         } else {
-            phi_314_ = bool();
-            phi_315_ = true;
+            phi_320_ = bool();
+            phi_321_ = true;
         }
-        let _e92 = phi_314_;
-        let _e94 = phi_315_;
-        if _e94 {
-            phi_319_ = false;
+        let _e96 = phi_320_;
+        let _e98 = phi_321_;
+        if _e98 {
+            phi_325_ = false;
         } else {
-            phi_319_ = _e92;
+            phi_325_ = _e96;
         }
-        let _e96 = phi_319_;
-        if !(_e96) {
-            let _e99 = samples.member[_e62.first_primitive].position;
-            let _e101 = p.member.light.place;
-            let _e107 = p.member.light.place[3u];
-            let _e114 = (_e101.x - (_e99.x * _e107));
-            let _e115 = (_e101.y - (_e99.y * _e107));
-            let _e116 = (_e101.z - (_e99.z * _e107));
-            let _e118 = samples.member[_e62.first_primitive].normal;
-            if ((((_e118.x * _e114) + (_e118.y * _e115)) + (_e118.z * _e116)) > 0f) {
-                let _e132 = (((_e114 * _e114) + (_e115 * _e115)) + (_e116 * _e116));
-                let _e134 = p.member.light.axis;
-                let _e146 = p.member.light.place[3u];
-                if (_e146 == 0f) {
-                    phi_390_ = true;
+        let _e100 = phi_325_;
+        if !(_e100) {
+            let _e103 = samples.member[_e66.first_primitive].position;
+            let _e105 = p.member.light.place;
+            let _e111 = p.member.light.place[3u];
+            let _e118 = (_e105.x - (_e103.x * _e111));
+            let _e119 = (_e105.y - (_e103.y * _e111));
+            let _e120 = (_e105.z - (_e103.z * _e111));
+            let _e122 = samples.member[_e66.first_primitive].normal;
+            if ((((_e122.x * _e118) + (_e122.y * _e119)) + (_e122.z * _e120)) > 0f) {
+                let _e136 = (((_e118 * _e118) + (_e119 * _e119)) + (_e120 * _e120));
+                let _e138 = p.member.light.axis;
+                let _e150 = p.member.light.place[3u];
+                if (_e150 == 0f) {
+                    phi_396_ = true;
                 } else {
-                    let _e149 = p.member.light.range_squared;
-                    if (_e132 <= _e149) {
-                        let _e152 = p.member.light.cos_outer;
-                        phi_389_ = (-((((_e114 * _e134.x) + (_e115 * _e134.y)) + (_e116 * _e134.z))) >= (_e152 * sqrt(_e132)));
+                    let _e153 = p.member.light.range_squared;
+                    if (_e136 <= _e153) {
+                        let _e156 = p.member.light.cos_outer;
+                        phi_395_ = (-((((_e118 * _e138.x) + (_e119 * _e138.y)) + (_e120 * _e138.z))) >= (_e156 * sqrt(_e136)));
                     } else {
-                        phi_389_ = false;
+                        phi_395_ = false;
                     }
-                    let _e157 = phi_389_;
-                    phi_390_ = _e157;
+                    let _e161 = phi_395_;
+                    phi_396_ = _e161;
                 }
-                let _e159 = phi_390_;
-                if _e159 {
-                    let _e161 = samples.member[_e62.first_primitive].flags;
-                    let _e169 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e175 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e169.unnamed.visibility, false), _e169.unnamed_1);
-                    phi_401_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e175.unnamed, ((_e161 & 1u) == 0u));
-                    phi_402_ = false;
+                let _e163 = phi_396_;
+                if _e163 {
+                    let _e165 = samples.member[_e66.first_primitive].flags;
+                    let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
+                    phi_407_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
+                    phi_408_ = false;
                 } else {
-                    phi_401_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_402_ = true;
+                    phi_407_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_408_ = true;
                 }
-                let _e180 = phi_401_;
-                let _e182 = phi_402_;
-                phi_403_ = _e180;
-                phi_404_ = _e182;
+                let _e184 = phi_407_;
+                let _e186 = phi_408_;
+                phi_409_ = _e184;
+                phi_410_ = _e186;
             } else {
-                phi_403_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_404_ = true;
+                phi_409_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_410_ = true;
             }
-            let _e184 = phi_403_;
-            let _e186 = phi_404_;
-            if _e186 {
-                let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e198 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e192.unnamed.visibility, false), _e192.unnamed_1);
-                phi_411_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e198.unnamed, true);
+            let _e188 = phi_409_;
+            let _e190 = phi_410_;
+            if _e190 {
+                let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e202 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e196.unnamed.visibility, false), _e196.unnamed_1);
+                phi_417_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e202.unnamed, true);
             } else {
-                phi_411_ = _e184;
+                phi_417_ = _e188;
             }
-            let _e203 = phi_411_;
-            phi_415_ = _e203;
+            let _e207 = phi_417_;
+            phi_421_ = _e207;
         } else {
-            let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e209.unnamed.visibility, false), _e209.unnamed_1);
-            phi_415_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e215.unnamed, true);
+            let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
+            phi_421_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
         }
-        let _e220 = phi_415_;
-        if _e220.unnamed_1 {
-            phi_1151_ = evaluate_Verdict(_e220.unnamed.visibility, _e220.unnamed.is_doubted);
+        let _e224 = phi_421_;
+        if _e224.unnamed_1 {
+            phi_1188_ = evaluate_Verdict(_e224.unnamed.visibility, _e224.unnamed.is_doubted);
         } else {
-            let _e228 = samples.member[_e62.first_primitive].position;
-            let _e230 = p.member.map_size;
-            let _e232 = (0.5f / f32(_e230));
-            let _e239 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
-            let _e246 = lt_math_LightPoint(vec2<f32>(_e239.uv.x, 0f), _e239.depth, _e239.is_inside);
-            let _e250 = lt_math_LightPoint(_e246.uv, 0f, _e246.is_inside);
-            phi_435_ = lt_math_LightPoint();
-            phi_438_ = 0u;
-            phi_440_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e250.uv, _e250.depth, false));
+            let _e232 = samples.member[_e66.first_primitive].position;
+            let _e234 = p.member.map_size;
+            let _e236 = (0.5f / f32(_e234));
+            let _e243 = lt_math_LightPoint(vec2<f32>(0f, lt_math_LightPoint().uv.y), lt_math_LightPoint().depth, lt_math_LightPoint().is_inside);
+            let _e250 = lt_math_LightPoint(vec2<f32>(_e243.uv.x, 0f), _e243.depth, _e243.is_inside);
+            let _e254 = lt_math_LightPoint(_e250.uv, 0f, _e250.is_inside);
+            phi_441_ = lt_math_LightPoint();
+            phi_444_ = 0u;
+            phi_446_ = lt_math_LevelPoint(0u, lt_math_LightPoint(_e254.uv, _e254.depth, false));
             loop {
-                let _e257 = phi_435_;
-                let _e259 = phi_438_;
-                let _e261 = phi_440_;
-                local_2 = _e261;
-                local_3 = _e261;
-                local_4 = _e261;
-                if (_e259 < _e69) {
-                    if _e261.point.is_inside {
-                        phi_601_ = lt_math_LightPoint();
-                        phi_602_ = u32();
-                        phi_603_ = lt_math_LevelPoint();
-                        phi_604_ = false;
+                let _e261 = phi_441_;
+                let _e263 = phi_444_;
+                let _e265 = phi_446_;
+                local_2 = _e265;
+                local_3 = _e265;
+                local_4 = _e265;
+                if (_e263 < _e73) {
+                    if _e265.point.is_inside {
+                        phi_607_ = lt_math_LightPoint();
+                        phi_608_ = u32();
+                        phi_609_ = lt_math_LevelPoint();
+                        phi_610_ = false;
                     } else {
-                        if (_e259 < _e56) {
+                        if (_e263 < _e60) {
                         } else {
                             return;
                         }
-                        let _e272 = levels.member[(0u + _e259)].row_w;
-                        let _e283 = ((((_e272.x * _e228.x) + (_e272.y * _e228.y)) + (_e272.z * _e228.z)) + (_e272.w * 1f));
-                        let _e285 = levels.member[(0u + _e259)].row_x;
-                        let _e297 = (((((_e285.x * _e228.x) + (_e285.y * _e228.y)) + (_e285.z * _e228.z)) + (_e285.w * 1f)) / _e283);
-                        let _e299 = levels.member[(0u + _e259)].row_y;
-                        let _e311 = (((((_e299.x * _e228.x) + (_e299.y * _e228.y)) + (_e299.z * _e228.z)) + (_e299.w * 1f)) / _e283);
-                        let _e313 = levels.member[(0u + _e259)].row_z;
-                        let _e324 = ((((_e313.x * _e228.x) + (_e313.y * _e228.y)) + (_e313.z * _e228.z)) + (_e313.w * 1f));
-                        if (_e283 > 0f) {
-                            if (_e297 >= 0f) {
-                                phi_526_ = (_e297 <= 1f);
+                        let _e276 = levels.member[(0u + _e263)].row_w;
+                        let _e287 = ((((_e276.x * _e232.x) + (_e276.y * _e232.y)) + (_e276.z * _e232.z)) + (_e276.w * 1f));
+                        let _e289 = levels.member[(0u + _e263)].row_x;
+                        let _e301 = (((((_e289.x * _e232.x) + (_e289.y * _e232.y)) + (_e289.z * _e232.z)) + (_e289.w * 1f)) / _e287);
+                        let _e303 = levels.member[(0u + _e263)].row_y;
+                        let _e315 = (((((_e303.x * _e232.x) + (_e303.y * _e232.y)) + (_e303.z * _e232.z)) + (_e303.w * 1f)) / _e287);
+                        let _e317 = levels.member[(0u + _e263)].row_z;
+                        let _e328 = ((((_e317.x * _e232.x) + (_e317.y * _e232.y)) + (_e317.z * _e232.z)) + (_e317.w * 1f));
+                        if (_e287 > 0f) {
+                            if (_e301 >= 0f) {
+                                phi_532_ = (_e301 <= 1f);
                             } else {
-                                phi_526_ = false;
+                                phi_532_ = false;
                             }
-                            let _e329 = phi_526_;
-                            if _e329 {
-                                if (_e311 >= 0f) {
-                                    phi_535_ = (_e311 <= 1f);
+                            let _e333 = phi_532_;
+                            if _e333 {
+                                if (_e315 >= 0f) {
+                                    phi_541_ = (_e315 <= 1f);
                                 } else {
-                                    phi_535_ = false;
+                                    phi_541_ = false;
                                 }
-                                let _e333 = phi_535_;
-                                if _e333 {
-                                    if (_e324 >= 0f) {
-                                        phi_544_ = (_e324 <= 1f);
+                                let _e337 = phi_541_;
+                                if _e337 {
+                                    if (_e328 >= 0f) {
+                                        phi_550_ = (_e328 <= 1f);
                                     } else {
-                                        phi_544_ = false;
+                                        phi_550_ = false;
                                     }
-                                    let _e337 = phi_544_;
-                                    phi_545_ = _e337;
-                                    phi_546_ = false;
+                                    let _e341 = phi_550_;
+                                    phi_551_ = _e341;
+                                    phi_552_ = false;
                                 } else {
-                                    phi_545_ = bool();
-                                    phi_546_ = true;
+                                    phi_551_ = bool();
+                                    phi_552_ = true;
                                 }
-                                let _e339 = phi_545_;
-                                let _e341 = phi_546_;
-                                phi_547_ = _e339;
-                                phi_548_ = _e341;
+                                let _e343 = phi_551_;
+                                let _e345 = phi_552_;
+                                phi_553_ = _e343;
+                                phi_554_ = _e345;
                             } else {
-                                phi_547_ = bool();
-                                phi_548_ = true;
+                                phi_553_ = bool();
+                                phi_554_ = true;
                             }
-                            let _e343 = phi_547_;
-                            let _e345 = phi_548_;
-                            phi_549_ = _e343;
-                            phi_550_ = _e345;
+                            let _e347 = phi_553_;
+                            let _e349 = phi_554_;
+                            phi_555_ = _e347;
+                            phi_556_ = _e349;
                         } else {
-                            phi_549_ = bool();
-                            phi_550_ = true;
+                            phi_555_ = bool();
+                            phi_556_ = true;
                         }
-                        let _e347 = phi_549_;
-                        let _e349 = phi_550_;
-                        if _e349 {
-                            phi_554_ = false;
+                        let _e351 = phi_555_;
+                        let _e353 = phi_556_;
+                        if _e353 {
+                            phi_560_ = false;
                         } else {
-                            phi_554_ = _e347;
+                            phi_560_ = _e351;
                         }
-                        let _e351 = phi_554_;
-                        if _e351 {
-                            if (_e297 >= _e232) {
-                                if (_e297 <= (1f - _e232)) {
-                                    if (_e311 >= _e232) {
-                                        phi_581_ = (_e311 <= (1f - _e232));
-                                        phi_582_ = false;
+                        let _e355 = phi_560_;
+                        if _e355 {
+                            if (_e301 >= _e236) {
+                                if (_e301 <= (1f - _e236)) {
+                                    if (_e315 >= _e236) {
+                                        phi_587_ = (_e315 <= (1f - _e236));
+                                        phi_588_ = false;
                                     } else {
-                                        phi_581_ = bool();
-                                        phi_582_ = true;
+                                        phi_587_ = bool();
+                                        phi_588_ = true;
                                     }
-                                    let _e359 = phi_581_;
-                                    let _e361 = phi_582_;
-                                    phi_583_ = _e359;
-                                    phi_584_ = _e361;
+                                    let _e363 = phi_587_;
+                                    let _e365 = phi_588_;
+                                    phi_589_ = _e363;
+                                    phi_590_ = _e365;
                                 } else {
-                                    phi_583_ = bool();
-                                    phi_584_ = true;
+                                    phi_589_ = bool();
+                                    phi_590_ = true;
                                 }
-                                let _e363 = phi_583_;
-                                let _e365 = phi_584_;
-                                phi_585_ = _e363;
-                                phi_586_ = _e365;
+                                let _e367 = phi_589_;
+                                let _e369 = phi_590_;
+                                phi_591_ = _e367;
+                                phi_592_ = _e369;
                             } else {
-                                phi_585_ = bool();
-                                phi_586_ = true;
+                                phi_591_ = bool();
+                                phi_592_ = true;
                             }
-                            let _e367 = phi_585_;
-                            let _e369 = phi_586_;
-                            phi_587_ = _e367;
-                            phi_588_ = _e369;
+                            let _e371 = phi_591_;
+                            let _e373 = phi_592_;
+                            phi_593_ = _e371;
+                            phi_594_ = _e373;
                         } else {
-                            phi_587_ = bool();
-                            phi_588_ = true;
+                            phi_593_ = bool();
+                            phi_594_ = true;
                         }
-                        let _e371 = phi_587_;
-                        let _e373 = phi_588_;
-                        if _e373 {
-                            phi_592_ = false;
+                        let _e375 = phi_593_;
+                        let _e377 = phi_594_;
+                        if _e377 {
+                            phi_598_ = false;
                         } else {
-                            phi_592_ = _e371;
+                            phi_598_ = _e375;
                         }
-                        let _e375 = phi_592_;
-                        let _e382 = lt_math_LightPoint(vec2<f32>(_e297, _e257.uv.y), _e257.depth, _e257.is_inside);
-                        let _e389 = lt_math_LightPoint(vec2<f32>(_e382.uv.x, _e311), _e382.depth, _e382.is_inside);
-                        let _e393 = lt_math_LightPoint(_e389.uv, _e324, _e389.is_inside);
-                        let _e397 = lt_math_LightPoint(_e393.uv, _e393.depth, _e375);
-                        phi_601_ = _e397;
-                        phi_602_ = (_e259 + 1u);
-                        phi_603_ = lt_math_LevelPoint(_e259, _e397);
-                        phi_604_ = true;
+                        let _e379 = phi_598_;
+                        let _e386 = lt_math_LightPoint(vec2<f32>(_e301, _e261.uv.y), _e261.depth, _e261.is_inside);
+                        let _e393 = lt_math_LightPoint(vec2<f32>(_e386.uv.x, _e315), _e386.depth, _e386.is_inside);
+                        let _e397 = lt_math_LightPoint(_e393.uv, _e328, _e393.is_inside);
+                        let _e401 = lt_math_LightPoint(_e397.uv, _e397.depth, _e379);
+                        phi_607_ = _e401;
+                        phi_608_ = (_e263 + 1u);
+                        phi_609_ = lt_math_LevelPoint(_e263, _e401);
+                        phi_610_ = true;
                     }
-                    let _e401 = phi_601_;
-                    let _e403 = phi_602_;
-                    let _e405 = phi_603_;
-                    let _e407 = phi_604_;
-                    phi_436_ = _e401;
-                    phi_439_ = _e403;
-                    phi_441_ = _e405;
-                    phi_605_ = _e407;
+                    let _e405 = phi_607_;
+                    let _e407 = phi_608_;
+                    let _e409 = phi_609_;
+                    let _e411 = phi_610_;
+                    phi_442_ = _e405;
+                    phi_445_ = _e407;
+                    phi_447_ = _e409;
+                    phi_611_ = _e411;
                 } else {
-                    phi_436_ = lt_math_LightPoint();
-                    phi_439_ = u32();
-                    phi_441_ = lt_math_LevelPoint();
-                    phi_605_ = false;
+                    phi_442_ = lt_math_LightPoint();
+                    phi_445_ = u32();
+                    phi_447_ = lt_math_LevelPoint();
+                    phi_611_ = false;
                 }
-                let _e409 = phi_436_;
-                let _e411 = phi_439_;
-                let _e413 = phi_441_;
-                let _e415 = phi_605_;
+                let _e413 = phi_442_;
+                let _e415 = phi_445_;
+                let _e417 = phi_447_;
+                let _e419 = phi_611_;
                 continue;
                 continuing {
-                    phi_435_ = _e409;
-                    phi_438_ = _e411;
-                    phi_440_ = _e413;
-                    break if !(_e415);
+                    phi_441_ = _e413;
+                    phi_444_ = _e415;
+                    phi_446_ = _e417;
+                    break if !(_e419);
                 }
             }
-            let _e418 = local_2;
-            if _e418.point.is_inside {
+            let _e422 = local_2;
+            if _e422.point.is_inside {
                 if (0f > 0f) {
-                    let _e424 = local_3;
-                    if (_e424.level < _e56) {
+                    let _e428 = local_3;
+                    if (_e428.level < _e60) {
                     } else {
                         return;
                     }
-                    let _e429 = levels.member[(0u + _e424.level)];
-                    let _e435 = global[0u];
-                    if (_e429.row_w.x == _e435) {
-                        let _e438 = global[1u];
-                        if (_e429.row_w.y == _e438) {
-                            let _e441 = global[2u];
-                            phi_645_ = (_e429.row_w.z == _e441);
-                            phi_646_ = false;
+                    let _e433 = levels.member[(0u + _e428.level)];
+                    let _e439 = global[0u];
+                    if (_e433.row_w.x == _e439) {
+                        let _e442 = global[1u];
+                        if (_e433.row_w.y == _e442) {
+                            let _e445 = global[2u];
+                            phi_651_ = (_e433.row_w.z == _e445);
+                            phi_652_ = false;
                         } else {
-                            phi_645_ = bool();
-                            phi_646_ = true;
+                            phi_651_ = bool();
+                            phi_652_ = true;
                         }
-                        let _e444 = phi_645_;
-                        let _e446 = phi_646_;
-                        phi_647_ = _e444;
-                        phi_648_ = _e446;
+                        let _e448 = phi_651_;
+                        let _e450 = phi_652_;
+                        phi_653_ = _e448;
+                        phi_654_ = _e450;
                     } else {
-                        phi_647_ = bool();
-                        phi_648_ = true;
+                        phi_653_ = bool();
+                        phi_654_ = true;
                     }
-                    let _e448 = phi_647_;
-                    let _e450 = phi_648_;
-                    if _e450 {
-                        phi_652_ = false;
+                    let _e452 = phi_653_;
+                    let _e454 = phi_654_;
+                    if _e454 {
+                        phi_658_ = false;
                     } else {
-                        phi_652_ = _e448;
+                        phi_658_ = _e452;
                     }
-                    let _e452 = phi_652_;
-                    if _e452 {
-                        let _e454 = samples.member[_e62.first_primitive].normal;
-                        let _e456 = p.member.map_size;
-                        let _e526 = ((abs(((((_e429.row_x.x * _e454.x) + (_e429.row_x.y * _e454.y)) + (_e429.row_x.z * _e454.z)) / (((_e429.row_x.x * _e429.row_x.x) + (_e429.row_x.y * _e429.row_x.y)) + (_e429.row_x.z * _e429.row_x.z)))) + abs(((((_e429.row_y.x * _e454.x) + (_e429.row_y.y * _e454.y)) + (_e429.row_y.z * _e454.z)) / (((_e429.row_y.x * _e429.row_y.x) + (_e429.row_y.y * _e429.row_y.y)) + (_e429.row_y.z * _e429.row_y.z))))) / (abs(((((_e429.row_z.x * _e454.x) + (_e429.row_z.y * _e454.y)) + (_e429.row_z.z * _e454.z)) / (((_e429.row_z.x * _e429.row_z.x) + (_e429.row_z.y * _e429.row_z.y)) + (_e429.row_z.z * _e429.row_z.z)))) * f32(_e456)));
-                        if (_e526 < 0.002f) {
-                            phi_734_ = _e526;
+                    let _e456 = phi_658_;
+                    if _e456 {
+                        let _e458 = samples.member[_e66.first_primitive].normal;
+                        let _e460 = p.member.map_size;
+                        let _e530 = ((abs(((((_e433.row_x.x * _e458.x) + (_e433.row_x.y * _e458.y)) + (_e433.row_x.z * _e458.z)) / (((_e433.row_x.x * _e433.row_x.x) + (_e433.row_x.y * _e433.row_x.y)) + (_e433.row_x.z * _e433.row_x.z)))) + abs(((((_e433.row_y.x * _e458.x) + (_e433.row_y.y * _e458.y)) + (_e433.row_y.z * _e458.z)) / (((_e433.row_y.x * _e433.row_y.x) + (_e433.row_y.y * _e433.row_y.y)) + (_e433.row_y.z * _e433.row_y.z))))) / (abs(((((_e433.row_z.x * _e458.x) + (_e433.row_z.y * _e458.y)) + (_e433.row_z.z * _e458.z)) / (((_e433.row_z.x * _e433.row_z.x) + (_e433.row_z.y * _e433.row_z.y)) + (_e433.row_z.z * _e433.row_z.z)))) * f32(_e460)));
+                        if (_e530 < 0.002f) {
+                            phi_740_ = _e530;
                         } else {
-                            phi_734_ = 0.002f;
+                            phi_740_ = 0.002f;
                         }
-                        let _e529 = phi_734_;
-                        phi_853_ = _e529;
+                        let _e533 = phi_740_;
+                        phi_859_ = _e533;
                     } else {
-                        let _e531 = p.member.map_size;
-                        let _e537 = samples.member[_e62.first_primitive].position;
-                        let _e548 = ((((_e429.row_w.x * _e537.x) + (_e429.row_w.y * _e537.y)) + (_e429.row_w.z * _e537.z)) + _e429.row_w.w);
-                        let _e561 = ((_e429.row_x.x - (_e429.row_w.x * _e418.point.uv.x)) / _e548);
-                        let _e562 = ((_e429.row_x.y - (_e429.row_w.y * _e418.point.uv.x)) / _e548);
-                        let _e563 = ((_e429.row_x.z - (_e429.row_w.z * _e418.point.uv.x)) / _e548);
-                        let _e576 = ((_e429.row_y.x - (_e429.row_w.x * _e418.point.uv.y)) / _e548);
-                        let _e577 = ((_e429.row_y.y - (_e429.row_w.y * _e418.point.uv.y)) / _e548);
-                        let _e578 = ((_e429.row_y.z - (_e429.row_w.z * _e418.point.uv.y)) / _e548);
-                        let _e584 = samples.member[_e62.first_primitive].normal;
-                        let _e589 = ((_e577 * _e584.z) - (_e584.y * _e578));
-                        let _e594 = ((_e578 * _e584.x) - (_e584.z * _e576));
-                        let _e599 = ((_e576 * _e584.y) - (_e584.x * _e577));
-                        let _e601 = samples.member[_e62.first_primitive].normal;
-                        let _e606 = ((_e562 * _e601.z) - (_e601.y * _e563));
-                        let _e611 = ((_e563 * _e601.x) - (_e601.z * _e561));
-                        let _e616 = ((_e561 * _e601.y) - (_e601.x * _e562));
-                        let _e643 = ((abs(((((_e429.row_z.x * _e589) + (_e429.row_z.y * _e594)) + (_e429.row_z.z * _e599)) / (((_e561 * _e589) + (_e562 * _e594)) + (_e563 * _e599)))) + abs(((((_e429.row_z.x * _e606) + (_e429.row_z.y * _e611)) + (_e429.row_z.z * _e616)) / (((_e576 * _e606) + (_e577 * _e611)) + (_e578 * _e616))))) / f32(_e531));
-                        let _e645 = (16f / f32(_e531));
-                        if (_e643 < _e645) {
-                            phi_852_ = _e643;
+                        let _e535 = p.member.map_size;
+                        let _e541 = samples.member[_e66.first_primitive].position;
+                        let _e552 = ((((_e433.row_w.x * _e541.x) + (_e433.row_w.y * _e541.y)) + (_e433.row_w.z * _e541.z)) + _e433.row_w.w);
+                        let _e565 = ((_e433.row_x.x - (_e433.row_w.x * _e422.point.uv.x)) / _e552);
+                        let _e566 = ((_e433.row_x.y - (_e433.row_w.y * _e422.point.uv.x)) / _e552);
+                        let _e567 = ((_e433.row_x.z - (_e433.row_w.z * _e422.point.uv.x)) / _e552);
+                        let _e580 = ((_e433.row_y.x - (_e433.row_w.x * _e422.point.uv.y)) / _e552);
+                        let _e581 = ((_e433.row_y.y - (_e433.row_w.y * _e422.point.uv.y)) / _e552);
+                        let _e582 = ((_e433.row_y.z - (_e433.row_w.z * _e422.point.uv.y)) / _e552);
+                        let _e588 = samples.member[_e66.first_primitive].normal;
+                        let _e593 = ((_e581 * _e588.z) - (_e588.y * _e582));
+                        let _e598 = ((_e582 * _e588.x) - (_e588.z * _e580));
+                        let _e603 = ((_e580 * _e588.y) - (_e588.x * _e581));
+                        let _e605 = samples.member[_e66.first_primitive].normal;
+                        let _e610 = ((_e566 * _e605.z) - (_e605.y * _e567));
+                        let _e615 = ((_e567 * _e605.x) - (_e605.z * _e565));
+                        let _e620 = ((_e565 * _e605.y) - (_e605.x * _e566));
+                        let _e647 = ((abs(((((_e433.row_z.x * _e593) + (_e433.row_z.y * _e598)) + (_e433.row_z.z * _e603)) / (((_e565 * _e593) + (_e566 * _e598)) + (_e567 * _e603)))) + abs(((((_e433.row_z.x * _e610) + (_e433.row_z.y * _e615)) + (_e433.row_z.z * _e620)) / (((_e580 * _e610) + (_e581 * _e615)) + (_e582 * _e620))))) / f32(_e535));
+                        let _e649 = (16f / f32(_e535));
+                        if (_e647 < _e649) {
+                            phi_858_ = _e647;
                         } else {
-                            phi_852_ = _e645;
+                            phi_858_ = _e649;
                         }
-                        let _e648 = phi_852_;
-                        phi_853_ = _e648;
+                        let _e652 = phi_858_;
+                        phi_859_ = _e652;
                     }
-                    let _e650 = phi_853_;
-                    phi_856_ = (_e418.point.depth - (0f * _e650));
+                    let _e654 = phi_859_;
+                    phi_862_ = (_e422.point.depth - (0f * _e654));
                 } else {
-                    phi_856_ = _e418.point.depth;
+                    phi_862_ = _e422.point.depth;
                 }
-                let _e654 = phi_856_;
-                let _e660 = p.member.map_size;
-                let _e661 = f32(_e660);
-                let _e664 = ((_e418.point.uv.x * _e661) - 0.5f);
-                let _e665 = ((_e418.point.uv.y * _e661) - 0.5f);
-                if (_e664 > -8388608f) {
-                    let _e677 = f32(select(0i, select(select(i32(_e664), i32(-2147483648), (_e664 < bitcast<f32>(3472883712u))), 2147483647i, (_e664 > bitcast<f32>(1325400063u))), (_e664 == _e664)));
-                    if (_e677 > _e664) {
-                        phi_885_ = 1f;
+                let _e658 = phi_862_;
+                let _e664 = p.member.map_size;
+                let _e665 = f32(_e664);
+                let _e668 = ((_e422.point.uv.x * _e665) - 0.5f);
+                let _e669 = ((_e422.point.uv.y * _e665) - 0.5f);
+                if (_e668 > -8388608f) {
+                    let _e681 = f32(select(0i, select(select(i32(_e668), i32(-2147483648), (_e668 < bitcast<f32>(3472883712u))), 2147483647i, (_e668 > bitcast<f32>(1325400063u))), (_e668 == _e668)));
+                    if (_e681 > _e668) {
+                        phi_891_ = 1f;
                     } else {
-                        phi_885_ = 0f;
+                        phi_891_ = 0f;
                     }
-                    let _e680 = phi_885_;
-                    if (_e664 < 8388608f) {
-                        phi_890_ = (_e677 - _e680);
-                        phi_891_ = false;
+                    let _e684 = phi_891_;
+                    if (_e668 < 8388608f) {
+                        phi_896_ = (_e681 - _e684);
+                        phi_897_ = false;
                     } else {
-                        phi_890_ = f32();
-                        phi_891_ = true;
+                        phi_896_ = f32();
+                        phi_897_ = true;
                     }
-                    let _e683 = phi_890_;
-                    let _e685 = phi_891_;
-                    phi_892_ = _e683;
-                    phi_893_ = _e685;
+                    let _e687 = phi_896_;
+                    let _e689 = phi_897_;
+                    phi_898_ = _e687;
+                    phi_899_ = _e689;
                 } else {
-                    phi_892_ = f32();
-                    phi_893_ = true;
+                    phi_898_ = f32();
+                    phi_899_ = true;
                 }
-                let _e687 = phi_892_;
-                let _e689 = phi_893_;
-                if _e689 {
-                    phi_897_ = _e664;
+                let _e691 = phi_898_;
+                let _e693 = phi_899_;
+                if _e693 {
+                    phi_903_ = _e668;
                 } else {
-                    phi_897_ = _e687;
+                    phi_903_ = _e691;
                 }
-                let _e691 = phi_897_;
-                if (_e665 > -8388608f) {
-                    let _e703 = f32(select(0i, select(select(i32(_e665), i32(-2147483648), (_e665 < bitcast<f32>(3472883712u))), 2147483647i, (_e665 > bitcast<f32>(1325400063u))), (_e665 == _e665)));
-                    if (_e703 > _e665) {
-                        phi_917_ = 1f;
+                let _e695 = phi_903_;
+                if (_e669 > -8388608f) {
+                    let _e707 = f32(select(0i, select(select(i32(_e669), i32(-2147483648), (_e669 < bitcast<f32>(3472883712u))), 2147483647i, (_e669 > bitcast<f32>(1325400063u))), (_e669 == _e669)));
+                    if (_e707 > _e669) {
+                        phi_923_ = 1f;
                     } else {
-                        phi_917_ = 0f;
+                        phi_923_ = 0f;
                     }
-                    let _e706 = phi_917_;
-                    if (_e665 < 8388608f) {
-                        phi_922_ = (_e703 - _e706);
-                        phi_923_ = false;
+                    let _e710 = phi_923_;
+                    if (_e669 < 8388608f) {
+                        phi_928_ = (_e707 - _e710);
+                        phi_929_ = false;
                     } else {
-                        phi_922_ = f32();
-                        phi_923_ = true;
+                        phi_928_ = f32();
+                        phi_929_ = true;
                     }
-                    let _e709 = phi_922_;
-                    let _e711 = phi_923_;
-                    phi_924_ = _e709;
-                    phi_925_ = _e711;
+                    let _e713 = phi_928_;
+                    let _e715 = phi_929_;
+                    phi_930_ = _e713;
+                    phi_931_ = _e715;
                 } else {
-                    phi_924_ = f32();
-                    phi_925_ = true;
+                    phi_930_ = f32();
+                    phi_931_ = true;
                 }
-                let _e713 = phi_924_;
-                let _e715 = phi_925_;
-                if _e715 {
-                    phi_929_ = _e665;
+                let _e717 = phi_930_;
+                let _e719 = phi_931_;
+                if _e719 {
+                    phi_935_ = _e669;
                 } else {
-                    phi_929_ = _e713;
+                    phi_935_ = _e717;
                 }
-                let _e717 = phi_929_;
-                let _e718 = (_e664 - _e691);
-                let _e719 = (_e665 - _e717);
-                let _e728 = select(0i, select(select(i32(_e691), i32(-2147483648), (_e691 < bitcast<f32>(3472883712u))), 2147483647i, (_e691 > bitcast<f32>(1325400063u))), (_e691 == _e691));
-                let _e737 = select(0i, select(select(i32(_e717), i32(-2147483648), (_e717 < bitcast<f32>(3472883712u))), 2147483647i, (_e717 > bitcast<f32>(1325400063u))), (_e717 == _e717));
-                let _e740 = ((1f - _e718) * (1f - _e719));
-                let _e742 = (_e718 * (1f - _e719));
-                let _e744 = ((1f - _e718) * _e719);
-                let _e745 = (_e718 * _e719);
-                let _e747 = p.member.test;
-                let _e748 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e747);
-                let _e750 = p.member.map_size;
-                let _e752 = local_4;
-                local_1 = _e748;
-                let _e755 = ((_e752.level * _e750) * _e750);
-                let _e757 = (bitcast<i32>(_e750) - 1i);
-                if (_e728 > 0i) {
-                    phi_978_ = _e728;
+                let _e721 = phi_935_;
+                let _e722 = (_e668 - _e695);
+                let _e723 = (_e669 - _e721);
+                let _e732 = select(0i, select(select(i32(_e695), i32(-2147483648), (_e695 < bitcast<f32>(3472883712u))), 2147483647i, (_e695 > bitcast<f32>(1325400063u))), (_e695 == _e695));
+                let _e741 = select(0i, select(select(i32(_e721), i32(-2147483648), (_e721 < bitcast<f32>(3472883712u))), 2147483647i, (_e721 > bitcast<f32>(1325400063u))), (_e721 == _e721));
+                let _e744 = ((1f - _e722) * (1f - _e723));
+                let _e746 = (_e722 * (1f - _e723));
+                let _e748 = ((1f - _e722) * _e723);
+                let _e749 = (_e722 * _e723);
+                let _e751 = p.member.test;
+                let _e752 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_shaders_evaluate_TestFromParams_from_params(_e751);
+                let _e754 = p.member.map_size;
+                let _e756 = local_4;
+                local_1 = _e752;
+                let _e759 = ((_e756.level * _e754) * _e754);
+                let _e761 = (bitcast<i32>(_e754) - 1i);
+                if (_e732 > 0i) {
+                    phi_984_ = _e732;
                 } else {
-                    phi_978_ = 0i;
+                    phi_984_ = 0i;
                 }
-                let _e760 = phi_978_;
-                if (_e737 > 0i) {
-                    phi_983_ = _e737;
+                let _e764 = phi_984_;
+                if (_e741 > 0i) {
+                    phi_989_ = _e741;
                 } else {
-                    phi_983_ = 0i;
+                    phi_989_ = 0i;
                 }
-                let _e763 = phi_983_;
-                if (_e760 < _e757) {
-                    phi_988_ = _e760;
+                let _e767 = phi_989_;
+                if (_e764 < _e761) {
+                    phi_994_ = _e764;
                 } else {
-                    phi_988_ = _e757;
+                    phi_994_ = _e761;
                 }
-                let _e766 = phi_988_;
-                if (_e763 < _e757) {
-                    phi_993_ = _e763;
+                let _e770 = phi_994_;
+                if (_e767 < _e761) {
+                    phi_999_ = _e767;
                 } else {
-                    phi_993_ = _e757;
+                    phi_999_ = _e761;
                 }
-                let _e769 = phi_993_;
-                let _e770 = bitcast<u32>(_e766);
-                let _e772 = (_e728 + 1i);
-                let _e773 = (_e737 + 1i);
-                if (_e772 > 0i) {
-                    phi_1002_ = _e772;
+                let _e773 = phi_999_;
+                let _e774 = bitcast<u32>(_e770);
+                let _e776 = (_e732 + 1i);
+                let _e777 = (_e741 + 1i);
+                if (_e776 > 0i) {
+                    phi_1008_ = _e776;
                 } else {
-                    phi_1002_ = 0i;
+                    phi_1008_ = 0i;
                 }
-                let _e776 = phi_1002_;
-                if (_e773 > 0i) {
-                    phi_1007_ = _e773;
+                let _e780 = phi_1008_;
+                if (_e777 > 0i) {
+                    phi_1013_ = _e777;
                 } else {
-                    phi_1007_ = 0i;
+                    phi_1013_ = 0i;
                 }
-                let _e779 = phi_1007_;
-                if (_e776 < _e757) {
-                    phi_1012_ = _e776;
+                let _e783 = phi_1013_;
+                if (_e780 < _e761) {
+                    phi_1018_ = _e780;
                 } else {
-                    phi_1012_ = _e757;
+                    phi_1018_ = _e761;
                 }
-                let _e782 = phi_1012_;
-                if (_e779 < _e757) {
-                    phi_1017_ = _e779;
+                let _e786 = phi_1018_;
+                if (_e783 < _e761) {
+                    phi_1023_ = _e783;
                 } else {
-                    phi_1017_ = _e757;
+                    phi_1023_ = _e761;
                 }
-                let _e785 = phi_1017_;
-                let _e786 = bitcast<u32>(_e782);
-                let _e788 = (bitcast<u32>(_e769) * _e750);
-                let _e789 = (bitcast<u32>(_e785) * _e750);
-                let _e794 = ((_e788 + _e770) + _e755);
-                let _e795 = ((_e788 + _e786) + _e755);
-                let _e796 = ((_e789 + _e770) + _e755);
-                let _e797 = ((_e789 + _e786) + _e755);
-                if (_e794 < _e51) {
+                let _e789 = phi_1023_;
+                let _e790 = bitcast<u32>(_e786);
+                let _e792 = (bitcast<u32>(_e773) * _e754);
+                let _e793 = (bitcast<u32>(_e789) * _e754);
+                let _e798 = ((_e792 + _e774) + _e759);
+                let _e799 = ((_e792 + _e790) + _e759);
+                let _e800 = ((_e793 + _e774) + _e759);
+                let _e801 = ((_e793 + _e790) + _e759);
+                if (_e798 < _e55) {
                 } else {
                     return;
                 }
-                let _e801 = map.member[(0u + _e794)];
-                if (_e795 < _e51) {
+                let _e805 = map.member[(0u + _e798)];
+                if (_e799 < _e55) {
                 } else {
                     return;
                 }
-                let _e813 = map.member[(0u + _e795)];
-                if (_e796 < _e51) {
+                let _e817 = map.member[(0u + _e799)];
+                if (_e800 < _e55) {
                 } else {
                     return;
                 }
-                let _e829 = map.member[(0u + _e796)];
-                if (_e797 < _e51) {
+                let _e833 = map.member[(0u + _e800)];
+                if (_e801 < _e55) {
                 } else {
                     return;
                 }
-                let _e845 = map.member[(0u + _e797)];
-                let _e859 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e801.x * _e740) + (_e813.x * _e742)) + (_e829.x * _e744)) + (_e845.x * _e745)), ((((_e801.y * _e740) + (_e813.y * _e742)) + (_e829.y * _e744)) + (_e845.y * _e745)), ((((_e801.z * _e740) + (_e813.z * _e742)) + (_e829.z * _e744)) + (_e845.z * _e745)), ((((_e801.w * _e740) + (_e813.w * _e742)) + (_e829.w * _e744)) + (_e845.w * _e745))), _e654);
-                let _e861 = p.member.epsilon;
-                if (_e859 <= _e861) {
-                    phi_1112_ = true;
-                } else {
-                    phi_1112_ = (_e859 >= (1f - _e861));
-                }
-                let _e866 = phi_1112_;
-                if ((bitcast<u32>(_e859) & 2147483647u) > 2139095040u) {
+                let _e849 = map.member[(0u + _e801)];
+                let _e863 = _lt_math_vsm_Vsm_u0020_as_u0020_lt_math_shadow_test_ShadowTest_visibility((&local_1), vec4<f32>(((((_e805.x * _e744) + (_e817.x * _e746)) + (_e833.x * _e748)) + (_e849.x * _e749)), ((((_e805.y * _e744) + (_e817.y * _e746)) + (_e833.y * _e748)) + (_e849.y * _e749)), ((((_e805.z * _e744) + (_e817.z * _e746)) + (_e833.z * _e748)) + (_e849.z * _e749)), ((((_e805.w * _e744) + (_e817.w * _e746)) + (_e833.w * _e748)) + (_e849.w * _e749))), _e658);
+                let _e867 = p.member.epsilon;
+                if (_e863 <= _e867) {
                     phi_1120_ = true;
                 } else {
-                    phi_1120_ = !(_e866);
+                    phi_1120_ = (_e863 >= (1f - _e867));
                 }
                 let _e872 = phi_1120_;
-                if _e872 {
-                    if (_e859 > 0f) {
-                        if (_e859 < 1f) {
-                            phi_1132_ = false;
-                        } else {
-                            phi_1132_ = true;
-                        }
-                        let _e876 = phi_1132_;
-                        phi_1133_ = _e876;
-                    } else {
-                        phi_1133_ = true;
-                    }
-                    let _e878 = phi_1133_;
-                    if _e878 {
-                        phi_1137_ = 0.5f;
-                    } else {
-                        phi_1137_ = _e859;
-                    }
-                    let _e880 = phi_1137_;
-                    phi_1145_ = evaluate_Verdict(_e880, true);
+                if ((bitcast<u32>(_e863) & 2147483647u) > 2139095040u) {
+                    phi_1128_ = true;
                 } else {
-                    if (_e859 > 0.5f) {
-                        phi_1143_ = 1f;
-                    } else {
-                        phi_1143_ = 0f;
-                    }
-                    let _e884 = phi_1143_;
-                    phi_1145_ = evaluate_Verdict(_e884, false);
+                    phi_1128_ = !(_e872);
                 }
-                let _e887 = phi_1145_;
-                phi_1150_ = evaluate_Verdict(_e887.visibility, _e887.is_doubted);
+                let _e878 = phi_1128_;
+                if _e878 {
+                    if (_e863 > 0f) {
+                        if (_e863 < 1f) {
+                            phi_1140_ = false;
+                        } else {
+                            phi_1140_ = true;
+                        }
+                        let _e882 = phi_1140_;
+                        phi_1141_ = _e882;
+                    } else {
+                        phi_1141_ = true;
+                    }
+                    let _e884 = phi_1141_;
+                    if _e884 {
+                        phi_1145_ = 0.5f;
+                    } else {
+                        phi_1145_ = _e863;
+                    }
+                    let _e886 = phi_1145_;
+                    phi_1153_ = evaluate_Verdict(_e886, true);
+                } else {
+                    if (_e863 > 0.5f) {
+                        phi_1151_ = 1f;
+                    } else {
+                        phi_1151_ = 0f;
+                    }
+                    let _e890 = phi_1151_;
+                    phi_1153_ = evaluate_Verdict(_e890, false);
+                }
+                let _e893 = phi_1153_;
+                let _e896 = (_e893.visibility < 0.5f);
+                if _e893.is_doubted {
+                    phi_1176_ = evaluate_Verdict();
+                    phi_1177_ = true;
+                } else {
+                    if _e896 {
+                        phi_1163_ = 2u;
+                    } else {
+                        phi_1163_ = 1u;
+                    }
+                    let _e898 = phi_1163_;
+                    if ((0u & _e898) != 0u) {
+                        if _e896 {
+                            phi_1172_ = 0.000000059604645f;
+                        } else {
+                            phi_1172_ = 0.99999994f;
+                        }
+                        let _e902 = phi_1172_;
+                        phi_1174_ = evaluate_Verdict(_e902, true);
+                        phi_1175_ = false;
+                    } else {
+                        phi_1174_ = evaluate_Verdict();
+                        phi_1175_ = true;
+                    }
+                    let _e905 = phi_1174_;
+                    let _e907 = phi_1175_;
+                    phi_1176_ = _e905;
+                    phi_1177_ = _e907;
+                }
+                let _e909 = phi_1176_;
+                let _e911 = phi_1177_;
+                if _e911 {
+                    phi_1182_ = evaluate_Verdict(_e893.visibility, _e893.is_doubted);
+                } else {
+                    phi_1182_ = _e909;
+                }
+                let _e914 = phi_1182_;
+                phi_1187_ = evaluate_Verdict(_e914.visibility, _e914.is_doubted);
             } else {
-                phi_1150_ = evaluate_Verdict(0.5f, true);
+                phi_1187_ = evaluate_Verdict(0.5f, true);
             }
-            let _e893 = phi_1150_;
-            phi_1151_ = _e893;
+            let _e920 = phi_1187_;
+            phi_1188_ = _e920;
         }
-        let _e895 = phi_1151_;
-        visibility.member[_e62.first_primitive] = _e895.visibility;
-        phi_1155_ = _e895.is_doubted;
-        phi_1156_ = _e62.first_primitive;
+        let _e922 = phi_1188_;
+        visibility.member[_e66.first_primitive] = _e922.visibility;
+        phi_1192_ = _e922.is_doubted;
+        phi_1193_ = _e66.first_primitive;
     } else {
-        phi_1155_ = false;
-        phi_1156_ = 0u;
+        phi_1192_ = false;
+        phi_1193_ = 0u;
     }
-    let _e900 = phi_1155_;
-    let _e902 = phi_1156_;
-    if (_e46 == 0u) {
+    let _e927 = phi_1192_;
+    let _e929 = phi_1193_;
+    if (_e50 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e900 {
-        let _e906 = atomicAdd((&shared_[0u]), 1u);
-        phi_1167_ = _e906;
+    if _e927 {
+        let _e933 = atomicAdd((&shared_[0u]), 1u);
+        phi_1204_ = _e933;
     } else {
-        phi_1167_ = 0u;
+        phi_1204_ = 0u;
     }
-    let _e908 = phi_1167_;
+    let _e935 = phi_1204_;
     workgroupBarrier();
-    if (_e46 == 0u) {
-        let _e912 = atomicLoad((&shared_[0u]));
-        let _e913 = atomicAdd((&list.member[3u]), _e912);
-        atomicStore((&shared_[1u]), _e913);
+    if (_e50 == 0u) {
+        let _e939 = atomicLoad((&shared_[0u]));
+        let _e940 = atomicAdd((&list.member[3u]), _e939);
+        atomicStore((&shared_[1u]), _e940);
     }
     workgroupBarrier();
-    if _e900 {
-        let _e916 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e916) + _e908)]), _e902);
+    if _e927 {
+        if false {
+            phi_1221_ = (_e929 | 2147483648u);
+        } else {
+            phi_1221_ = _e929;
+        }
+        let _e944 = phi_1221_;
+        let _e946 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e946) + _e935)]), _e944);
     }
     return;
 }

@@ -64,24 +64,24 @@ struct type_31 {
     member: abi_ShadowParams,
 }
 
+struct type_35 {
+    member: array<lt_math_LightProjection>,
+}
+
 struct lt_math_LightPoint {
     uv: vec2<f32>,
     depth: f32,
     is_inside: bool,
 }
 
-struct lt_bvh_slab_Span {
-    near: f32,
-    far: f32,
-}
-
-struct type_37 {
-    member: array<lt_math_LightProjection>,
-}
-
 struct lt_math_LevelPoint {
     level: u32,
     point: lt_math_LightPoint,
+}
+
+struct lt_bvh_slab_Span {
+    near: f32,
+    far: f32,
 }
 
 var<private> id_1: vec3<u32>;
@@ -95,7 +95,7 @@ var<storage> map: type_19;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_19;
 @group(0) @binding(4) 
-var<storage> levels: type_37;
+var<storage> levels: type_35;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
     var phi_147_: lt_bvh_traverse_Tree;

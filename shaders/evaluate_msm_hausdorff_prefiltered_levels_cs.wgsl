@@ -68,14 +68,14 @@ struct type_35 {
     member: abi_ShadowParams,
 }
 
+struct type_39 {
+    member: array<lt_math_LightProjection>,
+}
+
 struct lt_math_LightPoint {
     uv: vec2<f32>,
     depth: f32,
     is_inside: bool,
-}
-
-struct type_41 {
-    member: array<lt_math_LightProjection>,
 }
 
 struct lt_math_LevelPoint {
@@ -99,7 +99,7 @@ var<uniform> p: type_35;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_19;
 @group(0) @binding(4) 
-var<storage> levels: type_41;
+var<storage> levels: type_39;
 @group(0) @binding(2) 
 var<storage> map: type_31;
 

@@ -64,14 +64,14 @@ struct type_31 {
     member: abi_ShadowParams,
 }
 
+struct type_35 {
+    member: array<lt_math_LightProjection>,
+}
+
 struct lt_math_LightPoint {
     uv: vec2<f32>,
     depth: f32,
     is_inside: bool,
-}
-
-struct type_37 {
-    member: array<lt_math_LightProjection>,
 }
 
 struct lt_math_LevelPoint {
@@ -90,7 +90,7 @@ var<storage> map: type_19;
 @group(0) @binding(3) 
 var<storage, read_write> visibility: type_19;
 @group(0) @binding(4) 
-var<storage> levels: type_37;
+var<storage> levels: type_35;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
     var phi_145_: lt_bvh_traverse_Tree;

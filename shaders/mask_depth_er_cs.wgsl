@@ -67,6 +67,11 @@ struct type_27 {
     member: array<f32>,
 }
 
+struct doubt_Listed {
+    pixel: u32,
+    is_trusted: bool,
+}
+
 struct evaluate_Verdict {
     visibility: f32,
     is_doubted: bool,
@@ -81,6 +86,7 @@ struct mask_Masked {
     visibility: f32,
     bits: u32,
     needs_ray: bool,
+    is_trusted: bool,
 }
 
 struct lt_mask_Neighbourhood {
@@ -114,571 +120,592 @@ var<storage> last_depths: type_27;
 var<storage, read_write> depths: type_27;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_150_: lt_bvh_traverse_Tree;
-    var phi_151_: bool;
-    var phi_152_: lt_bvh_traverse_Tree;
-    var phi_153_: bool;
-    var phi_158_: lt_bvh_traverse_Tree;
+    var phi_155_: lt_bvh_traverse_Tree;
+    var phi_156_: bool;
+    var phi_157_: lt_bvh_traverse_Tree;
+    var phi_158_: bool;
+    var phi_163_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_150_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_151_ = false;
+            phi_155_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_156_ = false;
         } else {
-            phi_150_ = lt_bvh_traverse_Tree();
-            phi_151_ = true;
+            phi_155_ = lt_bvh_traverse_Tree();
+            phi_156_ = true;
         }
-        let _e51 = phi_150_;
-        let _e53 = phi_151_;
-        phi_152_ = _e51;
-        phi_153_ = _e53;
+        let _e54 = phi_155_;
+        let _e56 = phi_156_;
+        phi_157_ = _e54;
+        phi_158_ = _e56;
     } else {
-        phi_152_ = lt_bvh_traverse_Tree();
-        phi_153_ = true;
+        phi_157_ = lt_bvh_traverse_Tree();
+        phi_158_ = true;
     }
-    let _e55 = phi_152_;
-    let _e57 = phi_153_;
-    if _e57 {
-        phi_158_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e58 = phi_157_;
+    let _e60 = phi_158_;
+    if _e60 {
+        phi_163_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_158_ = _e55;
+        phi_163_ = _e58;
     }
-    let _e62 = phi_158_;
-    return lt_bvh_traverse_Tree(_e62.root, _e62.first_primitive);
+    let _e65 = phi_163_;
+    return lt_bvh_traverse_Tree(_e65.root, _e65.first_primitive);
 }
 
 fn function_() {
-    var phi_226_: bool;
-    var phi_227_: bool;
-    var phi_228_: bool;
-    var phi_229_: bool;
+    var phi_232_: bool;
     var phi_233_: bool;
-    var phi_303_: bool;
-    var phi_304_: bool;
-    var phi_315_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_316_: bool;
-    var phi_317_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_318_: bool;
-    var phi_325_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_329_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_342_: bool;
-    var phi_398_: bool;
-    var phi_402_: f32;
-    var phi_413_: bool;
+    var phi_234_: bool;
+    var phi_235_: bool;
+    var phi_239_: bool;
+    var phi_309_: bool;
+    var phi_310_: bool;
+    var phi_321_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_322_: bool;
+    var phi_323_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_324_: bool;
+    var phi_331_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_335_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_348_: bool;
+    var phi_404_: bool;
+    var phi_408_: f32;
     var phi_419_: bool;
-    var phi_450_: u32;
-    var phi_479_: lt_mask_Neighbourhood;
-    var phi_480_: lt_mask_Neighbourhood;
-    var phi_481_: lt_mask_Neighbourhood;
-    var phi_513_: bool;
-    var phi_514_: bool;
-    var phi_536_: bool;
-    var phi_537_: bool;
-    var phi_538_: bool;
+    var phi_425_: bool;
+    var phi_456_: u32;
+    var phi_485_: lt_mask_Neighbourhood;
+    var phi_486_: lt_mask_Neighbourhood;
+    var phi_487_: lt_mask_Neighbourhood;
+    var phi_519_: bool;
+    var phi_520_: bool;
     var phi_542_: bool;
-    var phi_564_: bool;
-    var phi_565_: bool;
-    var phi_578_: bool;
-    var phi_579_: bool;
-    var phi_580_: bool;
-    var phi_587_: u32;
-    var phi_588_: u32;
-    var phi_589_: u32;
-    var phi_590_: u32;
-    var phi_591_: u32;
-    var phi_592_: u32;
+    var phi_543_: bool;
+    var phi_544_: bool;
+    var phi_548_: bool;
+    var phi_570_: bool;
+    var phi_571_: bool;
+    var phi_584_: bool;
+    var phi_585_: bool;
+    var phi_586_: bool;
     var phi_593_: u32;
-    var phi_605_: bool;
-    var phi_606_: bool;
-    var phi_607_: bool;
-    var phi_608_: bool;
+    var phi_594_: u32;
+    var phi_595_: u32;
+    var phi_596_: u32;
+    var phi_597_: u32;
+    var phi_598_: u32;
+    var phi_599_: u32;
+    var phi_611_: bool;
     var phi_612_: bool;
+    var phi_613_: bool;
+    var phi_614_: bool;
     var phi_618_: bool;
-    var phi_626_: u32;
-    var phi_631_: u32;
-    var phi_640_: u32;
-    var phi_645_: u32;
-    var phi_649_: u32;
-    var phi_650_: u32;
+    var phi_624_: bool;
+    var phi_632_: u32;
+    var phi_637_: u32;
+    var phi_646_: u32;
     var phi_651_: u32;
-    var phi_655_: f32;
-    var phi_657_: mask_Masked;
-    var phi_729_: bool;
-    var phi_730_: bool;
-    var phi_731_: bool;
-    var phi_732_: bool;
-    var phi_736_: bool;
-    var phi_764_: f32;
-    var phi_767_: bool;
-    var phi_768_: u32;
-    var phi_779_: u32;
+    var phi_655_: u32;
+    var phi_656_: u32;
+    var phi_657_: u32;
+    var phi_661_: f32;
+    var phi_670_: bool;
+    var phi_671_: bool;
+    var phi_673_: mask_Masked;
+    var phi_745_: bool;
+    var phi_746_: bool;
+    var phi_747_: bool;
+    var phi_748_: bool;
+    var phi_752_: bool;
+    var phi_780_: f32;
+    var phi_785_: doubt_Listed;
+    var phi_786_: bool;
+    var phi_799_: u32;
+    var phi_816_: u32;
 
-    let _e38 = id_1;
-    let _e39 = local_1;
-    let _e55 = p.member.current.size[0u];
-    let _e57 = p.member.current.size[1u];
-    let _e58 = lt_shaders_entry_pixel_index(_e38, _e55, _e57);
-    if (bitcast<i32>(_e58.root) != 0i) {
-        let _e66 = p.member.current.size[0u];
-        let _e69 = samples.member[_e58.first_primitive].position;
-        let _e71 = visibility.member[_e58.first_primitive];
-        let _e77 = samples.member[_e58.first_primitive].normal[0u];
-        let _e79 = global[0u];
-        if (_e77 == _e79) {
-            let _e82 = samples.member[_e58.first_primitive].normal[1u];
-            let _e84 = global[1u];
-            if (_e82 == _e84) {
-                let _e87 = samples.member[_e58.first_primitive].normal[2u];
-                let _e89 = global[2u];
-                phi_226_ = (_e87 == _e89);
-                phi_227_ = false;
+    let _e41 = id_1;
+    let _e42 = local_1;
+    let _e59 = p.member.current.size[0u];
+    let _e61 = p.member.current.size[1u];
+    let _e62 = lt_shaders_entry_pixel_index(_e41, _e59, _e61);
+    if (bitcast<i32>(_e62.root) != 0i) {
+        let _e70 = p.member.current.size[0u];
+        let _e73 = samples.member[_e62.first_primitive].position;
+        let _e75 = visibility.member[_e62.first_primitive];
+        let _e81 = samples.member[_e62.first_primitive].normal[0u];
+        let _e83 = global[0u];
+        if (_e81 == _e83) {
+            let _e86 = samples.member[_e62.first_primitive].normal[1u];
+            let _e88 = global[1u];
+            if (_e86 == _e88) {
+                let _e91 = samples.member[_e62.first_primitive].normal[2u];
+                let _e93 = global[2u];
+                phi_232_ = (_e91 == _e93);
+                phi_233_ = false;
             } else {
-                phi_226_ = bool();
-                phi_227_ = true;
+                phi_232_ = bool();
+                phi_233_ = true;
             }
-            let _e92 = phi_226_;
-            let _e94 = phi_227_;
-            phi_228_ = _e92;
-            phi_229_ = _e94;
+            let _e96 = phi_232_;
+            let _e98 = phi_233_;
+            phi_234_ = _e96;
+            phi_235_ = _e98;
         } else {
-            phi_228_ = bool();
-            phi_229_ = true;
+            phi_234_ = bool();
+            phi_235_ = true;
         }
-        let _e96 = phi_228_;
-        let _e98 = phi_229_;
-        if _e98 {
-            phi_233_ = false;
+        let _e100 = phi_234_;
+        let _e102 = phi_235_;
+        if _e102 {
+            phi_239_ = false;
         } else {
-            phi_233_ = _e96;
+            phi_239_ = _e100;
         }
-        let _e100 = phi_233_;
-        if !(_e100) {
-            let _e103 = samples.member[_e58.first_primitive].position;
-            let _e105 = p.member.light.place;
-            let _e111 = p.member.light.place[3u];
-            let _e118 = (_e105.x - (_e103.x * _e111));
-            let _e119 = (_e105.y - (_e103.y * _e111));
-            let _e120 = (_e105.z - (_e103.z * _e111));
-            let _e122 = samples.member[_e58.first_primitive].normal;
-            if ((((_e122.x * _e118) + (_e122.y * _e119)) + (_e122.z * _e120)) > 0f) {
-                let _e136 = (((_e118 * _e118) + (_e119 * _e119)) + (_e120 * _e120));
-                let _e138 = p.member.light.axis;
-                let _e150 = p.member.light.place[3u];
-                if (_e150 == 0f) {
-                    phi_304_ = true;
+        let _e104 = phi_239_;
+        if !(_e104) {
+            let _e107 = samples.member[_e62.first_primitive].position;
+            let _e109 = p.member.light.place;
+            let _e115 = p.member.light.place[3u];
+            let _e122 = (_e109.x - (_e107.x * _e115));
+            let _e123 = (_e109.y - (_e107.y * _e115));
+            let _e124 = (_e109.z - (_e107.z * _e115));
+            let _e126 = samples.member[_e62.first_primitive].normal;
+            if ((((_e126.x * _e122) + (_e126.y * _e123)) + (_e126.z * _e124)) > 0f) {
+                let _e140 = (((_e122 * _e122) + (_e123 * _e123)) + (_e124 * _e124));
+                let _e142 = p.member.light.axis;
+                let _e154 = p.member.light.place[3u];
+                if (_e154 == 0f) {
+                    phi_310_ = true;
                 } else {
-                    let _e153 = p.member.light.range_squared;
-                    if (_e136 <= _e153) {
-                        let _e156 = p.member.light.cos_outer;
-                        phi_303_ = (-((((_e118 * _e138.x) + (_e119 * _e138.y)) + (_e120 * _e138.z))) >= (_e156 * sqrt(_e136)));
+                    let _e157 = p.member.light.range_squared;
+                    if (_e140 <= _e157) {
+                        let _e160 = p.member.light.cos_outer;
+                        phi_309_ = (-((((_e122 * _e142.x) + (_e123 * _e142.y)) + (_e124 * _e142.z))) >= (_e160 * sqrt(_e140)));
                     } else {
-                        phi_303_ = false;
+                        phi_309_ = false;
                     }
-                    let _e161 = phi_303_;
-                    phi_304_ = _e161;
+                    let _e165 = phi_309_;
+                    phi_310_ = _e165;
                 }
-                let _e163 = phi_304_;
-                if _e163 {
-                    let _e165 = samples.member[_e58.first_primitive].flags;
-                    let _e173 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e179 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e173.unnamed.visibility, false), _e173.unnamed_1);
-                    phi_315_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e179.unnamed, ((_e165 & 1u) == 0u));
-                    phi_316_ = false;
+                let _e167 = phi_310_;
+                if _e167 {
+                    let _e169 = samples.member[_e62.first_primitive].flags;
+                    let _e177 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e183 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e177.unnamed.visibility, false), _e177.unnamed_1);
+                    phi_321_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e183.unnamed, ((_e169 & 1u) == 0u));
+                    phi_322_ = false;
                 } else {
-                    phi_315_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_316_ = true;
+                    phi_321_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_322_ = true;
                 }
-                let _e184 = phi_315_;
-                let _e186 = phi_316_;
-                phi_317_ = _e184;
-                phi_318_ = _e186;
+                let _e188 = phi_321_;
+                let _e190 = phi_322_;
+                phi_323_ = _e188;
+                phi_324_ = _e190;
             } else {
-                phi_317_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_318_ = true;
+                phi_323_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_324_ = true;
             }
-            let _e188 = phi_317_;
-            let _e190 = phi_318_;
-            if _e190 {
-                let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e202 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e196.unnamed.visibility, false), _e196.unnamed_1);
-                phi_325_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e202.unnamed, true);
+            let _e192 = phi_323_;
+            let _e194 = phi_324_;
+            if _e194 {
+                let _e200 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e206 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e200.unnamed.visibility, false), _e200.unnamed_1);
+                phi_331_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e206.unnamed, true);
             } else {
-                phi_325_ = _e188;
+                phi_331_ = _e192;
             }
-            let _e207 = phi_325_;
-            phi_329_ = _e207;
+            let _e211 = phi_331_;
+            phi_335_ = _e211;
         } else {
-            let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
-            phi_329_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
+            let _e217 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e223 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e217.unnamed.visibility, false), _e217.unnamed_1);
+            phi_335_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e223.unnamed, true);
         }
-        let _e224 = phi_329_;
-        if _e224.unnamed_1 {
-            phi_657_ = mask_Masked(_e224.unnamed.visibility, 0u, false);
+        let _e228 = phi_335_;
+        if _e228.unnamed_1 {
+            phi_673_ = mask_Masked(_e228.unnamed.visibility, 0u, false, false);
         } else {
-            let _e229 = (_e71 < 0.5f);
-            if (_e71 > 0f) {
-                phi_342_ = (_e71 < 1f);
+            let _e233 = (_e75 < 0.5f);
+            if (_e75 > 0f) {
+                phi_348_ = (_e75 < 1f);
             } else {
-                phi_342_ = false;
+                phi_348_ = false;
             }
-            let _e233 = phi_342_;
-            let _e236 = p.member.previous.eye;
-            let _e247 = p.member.previous.forward;
-            let _e255 = ((((_e69.x - _e236.x) * _e247.x) + ((_e69.y - _e236.y) * _e247.y)) + ((_e69.z - _e236.z) * _e247.z));
-            let _e257 = ((_e38.y * _e66) + _e38.x);
-            if (_e257 < arrayLength((&last_depths.member))) {
+            let _e237 = phi_348_;
+            let _e240 = p.member.previous.eye;
+            let _e251 = p.member.previous.forward;
+            let _e259 = ((((_e73.x - _e240.x) * _e251.x) + ((_e73.y - _e240.y) * _e251.y)) + ((_e73.z - _e240.z) * _e251.z));
+            let _e261 = ((_e41.y * _e70) + _e41.x);
+            if (_e261 < arrayLength((&last_depths.member))) {
             } else {
                 return;
             }
-            let _e261 = last_depths.member[(0u + _e257)];
-            let _e263 = p.member.depth_tolerance;
-            let _e266 = abs(_e255);
-            let _e267 = abs(_e261);
-            if ((bitcast<u32>(_e267) & 2147483647u) > 2139095040u) {
-                phi_398_ = true;
+            let _e265 = last_depths.member[(0u + _e261)];
+            let _e267 = p.member.depth_tolerance;
+            let _e270 = abs(_e259);
+            let _e271 = abs(_e265);
+            if ((bitcast<u32>(_e271) & 2147483647u) > 2139095040u) {
+                phi_404_ = true;
             } else {
-                let _e271 = (_e267 > _e266);
-                if _e271 {
+                let _e275 = (_e271 > _e270);
+                if _e275 {
                 }
-                phi_398_ = _e271;
+                phi_404_ = _e275;
             }
-            let _e273 = phi_398_;
-            if _e273 {
-                phi_402_ = _e267;
+            let _e277 = phi_404_;
+            if _e277 {
+                phi_408_ = _e271;
             } else {
-                phi_402_ = _e266;
+                phi_408_ = _e270;
             }
-            let _e275 = phi_402_;
-            if (abs((_e255 - _e261)) <= (_e263 * _e275)) {
-                let _e279 = p.member.flags;
-                phi_413_ = ((_e279 & 1u) != 0u);
+            let _e279 = phi_408_;
+            if (abs((_e259 - _e265)) <= (_e267 * _e279)) {
+                let _e283 = p.member.flags;
+                phi_419_ = ((_e283 & 1u) != 0u);
             } else {
-                phi_413_ = false;
-            }
-            let _e283 = phi_413_;
-            let _e284 = lt_mask_Neighbourhood(false, true);
-            if _e233 {
                 phi_419_ = false;
-            } else {
-                phi_419_ = true;
             }
-            let _e286 = phi_419_;
-            if _e286 {
-                if _e283 {
+            let _e287 = phi_419_;
+            let _e288 = lt_mask_Neighbourhood(false, true);
+            if _e237 {
+                phi_425_ = false;
+            } else {
+                phi_425_ = true;
+            }
+            let _e290 = phi_425_;
+            if _e290 {
+                if _e287 {
                     if ((0u & 2u) != 0u) {
-                        phi_479_ = _e284;
+                        phi_485_ = _e288;
                     } else {
                         if (32u == 0u) {
                             return;
                         }
-                        let _e290 = (_e66 / 32u);
+                        let _e294 = (_e70 / 32u);
                         if (32u == 0u) {
                             return;
                         }
-                        if ((_e66 % 32u) > 0u) {
-                            phi_450_ = (_e290 + 1u);
+                        if ((_e70 % 32u) > 0u) {
+                            phi_456_ = (_e294 + 1u);
                         } else {
-                            phi_450_ = _e290;
+                            phi_456_ = _e294;
                         }
-                        let _e296 = phi_450_;
-                        let _e306 = ((((_e38.y * _e296) + (_e38.x / 32u)) * 6u) + (select(0u, 1u, _e229) | (select(0u, 1u, false) << bitcast<u32>(1i))));
-                        if (_e306 < arrayLength((&heard.member))) {
+                        let _e300 = phi_456_;
+                        let _e310 = ((((_e41.y * _e300) + (_e41.x / 32u)) * 6u) + (select(0u, 1u, _e233) | (select(0u, 1u, false) << bitcast<u32>(1i))));
+                        if (_e310 < arrayLength((&heard.member))) {
                         } else {
                             return;
                         }
-                        let _e310 = heard.member[(0u + _e306)];
-                        let _e316 = (((_e310 >> bitcast<u32>(((_e38.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_479_ = lt_mask_Neighbourhood(_e316, !(_e316));
+                        let _e314 = heard.member[(0u + _e310)];
+                        let _e320 = (((_e314 >> bitcast<u32>(((_e41.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_485_ = lt_mask_Neighbourhood(_e320, !(_e320));
                     }
-                    let _e320 = phi_479_;
-                    phi_480_ = _e320;
+                    let _e324 = phi_485_;
+                    phi_486_ = _e324;
                 } else {
-                    phi_480_ = _e284;
+                    phi_486_ = _e288;
                 }
-                let _e322 = phi_480_;
-                phi_481_ = _e322;
+                let _e326 = phi_486_;
+                phi_487_ = _e326;
             } else {
-                phi_481_ = _e284;
+                phi_487_ = _e288;
             }
-            let _e324 = phi_481_;
-            let _e327 = p.member.frame;
-            let _e329 = p.member.refresh;
-            if (_e329 == 0u) {
-                phi_514_ = false;
+            let _e328 = phi_487_;
+            let _e331 = p.member.frame;
+            let _e333 = p.member.refresh;
+            if (_e333 == 0u) {
+                phi_520_ = false;
             } else {
-                if (_e329 == 0u) {
+                if (_e333 == 0u) {
                     return;
                 }
-                let _e338 = ((_e38.x + (_e38.y * (((_e329 * 5u) / 8u) | 1u))) + (_e327 % _e329));
-                if (_e329 == 0u) {
-                    phi_513_ = (_e338 == 0u);
+                let _e342 = ((_e41.x + (_e41.y * (((_e333 * 5u) / 8u) | 1u))) + (_e331 % _e333));
+                if (_e333 == 0u) {
+                    phi_519_ = (_e342 == 0u);
                 } else {
-                    if (_e329 == 0u) {
+                    if (_e333 == 0u) {
                         return;
                     }
-                    phi_513_ = ((_e338 % _e329) == 0u);
+                    phi_519_ = ((_e342 % _e333) == 0u);
                 }
-                let _e345 = phi_513_;
-                phi_514_ = _e345;
+                let _e349 = phi_519_;
+                phi_520_ = _e349;
             }
-            let _e347 = phi_514_;
-            if _e283 {
-                if _e347 {
-                    phi_536_ = bool();
+            let _e351 = phi_520_;
+            if _e287 {
+                if _e351 {
+                    phi_542_ = bool();
                 } else {
-                    phi_536_ = ((0u & 2u) != 0u);
+                    phi_542_ = ((0u & 2u) != 0u);
                 }
-                let _e353 = phi_536_;
-                phi_537_ = _e353;
-                phi_538_ = _e347;
+                let _e357 = phi_542_;
+                phi_543_ = _e357;
+                phi_544_ = _e351;
             } else {
-                phi_537_ = bool();
-                phi_538_ = true;
+                phi_543_ = bool();
+                phi_544_ = true;
             }
-            let _e355 = phi_537_;
-            let _e357 = phi_538_;
-            if _e357 {
-                phi_542_ = false;
+            let _e359 = phi_543_;
+            let _e361 = phi_544_;
+            if _e361 {
+                phi_548_ = false;
             } else {
-                phi_542_ = _e355;
+                phi_548_ = _e359;
             }
-            let _e359 = phi_542_;
-            if _e359 {
-                phi_593_ = 7u;
+            let _e363 = phi_548_;
+            if _e363 {
+                phi_599_ = 7u;
             } else {
-                if (_e71 != 0.5f) {
-                    if _e283 {
-                        if _e347 {
-                            phi_590_ = 6u;
+                if (_e75 != 0.5f) {
+                    if _e287 {
+                        if _e351 {
+                            phi_596_ = 6u;
                         } else {
-                            if _e233 {
-                                phi_565_ = true;
+                            if _e237 {
+                                phi_571_ = true;
                             } else {
-                                if _e324.any_expands {
-                                    phi_564_ = false;
+                                if _e328.any_expands {
+                                    phi_570_ = false;
                                 } else {
-                                    phi_564_ = true;
+                                    phi_570_ = true;
                                 }
-                                let _e361 = phi_564_;
-                                phi_565_ = _e361;
+                                let _e365 = phi_570_;
+                                phi_571_ = _e365;
                             }
-                            let _e363 = phi_565_;
-                            if _e363 {
-                                if _e233 {
+                            let _e367 = phi_571_;
+                            if _e367 {
+                                if _e237 {
                                     if false {
-                                        if _e324.all_remove {
-                                            phi_578_ = false;
+                                        if _e328.all_remove {
+                                            phi_584_ = false;
                                         } else {
-                                            phi_578_ = true;
+                                            phi_584_ = true;
                                         }
-                                        let _e365 = phi_578_;
-                                        phi_579_ = _e365;
+                                        let _e369 = phi_584_;
+                                        phi_585_ = _e369;
                                     } else {
-                                        phi_579_ = true;
+                                        phi_585_ = true;
                                     }
-                                    let _e367 = phi_579_;
-                                    phi_580_ = _e367;
+                                    let _e371 = phi_585_;
+                                    phi_586_ = _e371;
                                 } else {
-                                    phi_580_ = true;
+                                    phi_586_ = true;
                                 }
-                                let _e369 = phi_580_;
-                                if _e369 {
-                                    if _e233 {
-                                        phi_587_ = 1u;
+                                let _e373 = phi_586_;
+                                if _e373 {
+                                    if _e237 {
+                                        phi_593_ = 1u;
                                     } else {
-                                        phi_587_ = 0u;
+                                        phi_593_ = 0u;
                                     }
-                                    let _e371 = phi_587_;
-                                    phi_588_ = _e371;
+                                    let _e375 = phi_593_;
+                                    phi_594_ = _e375;
                                 } else {
-                                    phi_588_ = 5u;
+                                    phi_594_ = 5u;
                                 }
-                                let _e373 = phi_588_;
-                                phi_589_ = _e373;
+                                let _e377 = phi_594_;
+                                phi_595_ = _e377;
                             } else {
-                                phi_589_ = 4u;
+                                phi_595_ = 4u;
                             }
-                            let _e375 = phi_589_;
-                            phi_590_ = _e375;
+                            let _e379 = phi_595_;
+                            phi_596_ = _e379;
                         }
-                        let _e377 = phi_590_;
-                        phi_591_ = _e377;
+                        let _e381 = phi_596_;
+                        phi_597_ = _e381;
                     } else {
-                        phi_591_ = 3u;
+                        phi_597_ = 3u;
                     }
-                    let _e379 = phi_591_;
-                    phi_592_ = _e379;
+                    let _e383 = phi_597_;
+                    phi_598_ = _e383;
                 } else {
-                    phi_592_ = 2u;
+                    phi_598_ = 2u;
                 }
-                let _e381 = phi_592_;
-                phi_593_ = _e381;
+                let _e385 = phi_598_;
+                phi_599_ = _e385;
             }
-            let _e383 = phi_593_;
-            if !((_e383 == 0u)) {
-                if !((_e383 == 5u)) {
-                    phi_605_ = !(_e359);
-                    phi_606_ = false;
+            let _e387 = phi_599_;
+            if !((_e387 == 0u)) {
+                if !((_e387 == 5u)) {
+                    phi_611_ = !(_e363);
+                    phi_612_ = false;
                 } else {
-                    phi_605_ = bool();
-                    phi_606_ = true;
+                    phi_611_ = bool();
+                    phi_612_ = true;
                 }
-                let _e390 = phi_605_;
-                let _e392 = phi_606_;
-                phi_607_ = _e390;
-                phi_608_ = _e392;
+                let _e394 = phi_611_;
+                let _e396 = phi_612_;
+                phi_613_ = _e394;
+                phi_614_ = _e396;
             } else {
-                phi_607_ = bool();
-                phi_608_ = true;
+                phi_613_ = bool();
+                phi_614_ = true;
             }
-            let _e394 = phi_607_;
-            let _e396 = phi_608_;
-            if _e396 {
-                phi_612_ = false;
+            let _e398 = phi_613_;
+            let _e400 = phi_614_;
+            if _e400 {
+                phi_618_ = false;
             } else {
-                phi_612_ = _e394;
-            }
-            let _e398 = phi_612_;
-            if _e359 {
-                phi_618_ = ((0u & 4u) != 0u);
-            } else {
-                phi_618_ = _e229;
+                phi_618_ = _e398;
             }
             let _e402 = phi_618_;
-            if _e398 {
-                if _e229 {
-                    phi_626_ = (2u | 1u);
-                } else {
-                    phi_626_ = 2u;
-                }
-                let _e405 = phi_626_;
-                if false {
-                    phi_631_ = (_e405 | 4u);
-                } else {
-                    phi_631_ = _e405;
-                }
-                let _e408 = phi_631_;
-                phi_651_ = _e408;
+            if _e363 {
+                phi_624_ = ((0u & 4u) != 0u);
             } else {
-                if (_e383 == 7u) {
-                    if _e229 {
-                        phi_640_ = (2u | 1u);
-                    } else {
-                        phi_640_ = 2u;
-                    }
-                    let _e412 = phi_640_;
-                    if _e402 {
-                        phi_645_ = (_e412 | 4u);
-                    } else {
-                        phi_645_ = _e412;
-                    }
-                    let _e415 = phi_645_;
-                    phi_650_ = _e415;
-                } else {
-                    if _e229 {
-                        phi_649_ = 1u;
-                    } else {
-                        phi_649_ = 0u;
-                    }
-                    let _e417 = phi_649_;
-                    phi_650_ = _e417;
-                }
-                let _e419 = phi_650_;
-                phi_651_ = _e419;
+                phi_624_ = _e233;
             }
-            let _e421 = phi_651_;
+            let _e406 = phi_624_;
             if _e402 {
-                phi_655_ = 0f;
+                if _e233 {
+                    phi_632_ = (2u | 1u);
+                } else {
+                    phi_632_ = 2u;
+                }
+                let _e409 = phi_632_;
+                if false {
+                    phi_637_ = (_e409 | 4u);
+                } else {
+                    phi_637_ = _e409;
+                }
+                let _e412 = phi_637_;
+                phi_657_ = _e412;
             } else {
-                phi_655_ = 1f;
+                if (_e387 == 7u) {
+                    if _e233 {
+                        phi_646_ = (2u | 1u);
+                    } else {
+                        phi_646_ = 2u;
+                    }
+                    let _e416 = phi_646_;
+                    if _e406 {
+                        phi_651_ = (_e416 | 4u);
+                    } else {
+                        phi_651_ = _e416;
+                    }
+                    let _e419 = phi_651_;
+                    phi_656_ = _e419;
+                } else {
+                    if _e233 {
+                        phi_655_ = 1u;
+                    } else {
+                        phi_655_ = 0u;
+                    }
+                    let _e421 = phi_655_;
+                    phi_656_ = _e421;
+                }
+                let _e423 = phi_656_;
+                phi_657_ = _e423;
             }
-            let _e423 = phi_655_;
-            phi_657_ = mask_Masked(_e423, _e421, _e398);
-        }
-        let _e426 = phi_657_;
-        visibility.member[_e58.first_primitive] = _e426.visibility;
-        let _e431 = p.member.light.number;
-        let _e432 = (_e431 * 3u);
-        let _e434 = (_e432 % 32u);
-        let _e436 = p.member.light.mask_words;
-        let _e438 = ((_e58.first_primitive * _e436) + (_e432 / 32u));
-        let _e440 = bits.member[_e438];
-        bits.member[_e438] = ((_e440 & ~((7u << bitcast<u32>((_e434 & 31u))))) | (_e426.bits << bitcast<u32>((_e434 & 31u))));
-        if (_e434 > 29u) {
-            let _e455 = bits.member[(_e438 + 1u)];
-            let _e457 = (32u - _e434);
-            bits.member[(_e438 + 1u)] = ((_e455 & ~((7u >> bitcast<u32>((_e457 & 31u))))) | (_e426.bits >> bitcast<u32>((_e457 & 31u))));
-        }
-        let _e472 = samples.member[_e58.first_primitive].normal[0u];
-        let _e474 = global[0u];
-        if (_e472 == _e474) {
-            let _e477 = samples.member[_e58.first_primitive].normal[1u];
-            let _e479 = global[1u];
-            if (_e477 == _e479) {
-                let _e482 = samples.member[_e58.first_primitive].normal[2u];
-                let _e484 = global[2u];
-                phi_729_ = (_e482 == _e484);
-                phi_730_ = false;
+            let _e425 = phi_657_;
+            if _e406 {
+                phi_661_ = 0f;
             } else {
-                phi_729_ = bool();
-                phi_730_ = true;
+                phi_661_ = 1f;
             }
-            let _e487 = phi_729_;
-            let _e489 = phi_730_;
-            phi_731_ = _e487;
-            phi_732_ = _e489;
-        } else {
-            phi_731_ = bool();
-            phi_732_ = true;
+            let _e427 = phi_661_;
+            if _e237 {
+                if (_e75 == 0.99999994f) {
+                    phi_670_ = true;
+                } else {
+                    phi_670_ = (_e75 == 0.000000059604645f);
+                }
+                let _e431 = phi_670_;
+                phi_671_ = _e431;
+            } else {
+                phi_671_ = true;
+            }
+            let _e433 = phi_671_;
+            phi_673_ = mask_Masked(_e427, _e425, _e402, _e433);
         }
-        let _e491 = phi_731_;
-        let _e493 = phi_732_;
-        if _e493 {
-            phi_736_ = false;
-        } else {
-            phi_736_ = _e491;
+        let _e436 = phi_673_;
+        visibility.member[_e62.first_primitive] = _e436.visibility;
+        let _e441 = p.member.light.number;
+        let _e442 = (_e441 * 3u);
+        let _e444 = (_e442 % 32u);
+        let _e446 = p.member.light.mask_words;
+        let _e448 = ((_e62.first_primitive * _e446) + (_e442 / 32u));
+        let _e450 = bits.member[_e448];
+        bits.member[_e448] = ((_e450 & ~((7u << bitcast<u32>((_e444 & 31u))))) | (_e436.bits << bitcast<u32>((_e444 & 31u))));
+        if (_e444 > 29u) {
+            let _e465 = bits.member[(_e448 + 1u)];
+            let _e467 = (32u - _e444);
+            bits.member[(_e448 + 1u)] = ((_e465 & ~((7u >> bitcast<u32>((_e467 & 31u))))) | (_e436.bits >> bitcast<u32>((_e467 & 31u))));
         }
-        let _e495 = phi_736_;
-        if !(_e495) {
-            let _e498 = samples.member[_e58.first_primitive].position;
-            let _e500 = p.member.current.eye;
-            let _e511 = p.member.current.forward;
-            phi_764_ = ((((_e498.x - _e500.x) * _e511.x) + ((_e498.y - _e500.y) * _e511.y)) + ((_e498.z - _e500.z) * _e511.z));
+        let _e482 = samples.member[_e62.first_primitive].normal[0u];
+        let _e484 = global[0u];
+        if (_e482 == _e484) {
+            let _e487 = samples.member[_e62.first_primitive].normal[1u];
+            let _e489 = global[1u];
+            if (_e487 == _e489) {
+                let _e492 = samples.member[_e62.first_primitive].normal[2u];
+                let _e494 = global[2u];
+                phi_745_ = (_e492 == _e494);
+                phi_746_ = false;
+            } else {
+                phi_745_ = bool();
+                phi_746_ = true;
+            }
+            let _e497 = phi_745_;
+            let _e499 = phi_746_;
+            phi_747_ = _e497;
+            phi_748_ = _e499;
         } else {
-            phi_764_ = 0f;
+            phi_747_ = bool();
+            phi_748_ = true;
         }
-        let _e521 = phi_764_;
-        depths.member[_e58.first_primitive] = _e521;
-        phi_767_ = _e426.needs_ray;
-        phi_768_ = _e58.first_primitive;
+        let _e501 = phi_747_;
+        let _e503 = phi_748_;
+        if _e503 {
+            phi_752_ = false;
+        } else {
+            phi_752_ = _e501;
+        }
+        let _e505 = phi_752_;
+        if !(_e505) {
+            let _e508 = samples.member[_e62.first_primitive].position;
+            let _e510 = p.member.current.eye;
+            let _e521 = p.member.current.forward;
+            phi_780_ = ((((_e508.x - _e510.x) * _e521.x) + ((_e508.y - _e510.y) * _e521.y)) + ((_e508.z - _e510.z) * _e521.z));
+        } else {
+            phi_780_ = 0f;
+        }
+        let _e531 = phi_780_;
+        depths.member[_e62.first_primitive] = _e531;
+        phi_785_ = doubt_Listed(_e62.first_primitive, _e436.is_trusted);
+        phi_786_ = _e436.needs_ray;
     } else {
-        phi_767_ = false;
-        phi_768_ = 0u;
+        phi_785_ = doubt_Listed(0u, false);
+        phi_786_ = false;
     }
-    let _e525 = phi_767_;
-    let _e527 = phi_768_;
-    if (_e39 == 0u) {
+    let _e537 = phi_785_;
+    let _e539 = phi_786_;
+    if (_e42 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e525 {
-        let _e531 = atomicAdd((&shared_[0u]), 1u);
-        phi_779_ = _e531;
+    if _e539 {
+        let _e545 = atomicAdd((&shared_[0u]), 1u);
+        phi_799_ = _e545;
     } else {
-        phi_779_ = 0u;
+        phi_799_ = 0u;
     }
-    let _e533 = phi_779_;
+    let _e547 = phi_799_;
     workgroupBarrier();
-    if (_e39 == 0u) {
-        let _e537 = atomicLoad((&shared_[0u]));
-        let _e538 = atomicAdd((&list.member[3u]), _e537);
-        atomicStore((&shared_[1u]), _e538);
+    if (_e42 == 0u) {
+        let _e551 = atomicLoad((&shared_[0u]));
+        let _e552 = atomicAdd((&list.member[3u]), _e551);
+        atomicStore((&shared_[1u]), _e552);
     }
     workgroupBarrier();
-    if _e525 {
-        let _e541 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e541) + _e533)]), _e527);
+    if _e539 {
+        if _e537.is_trusted {
+            phi_816_ = (_e537.pixel | 2147483648u);
+        } else {
+            phi_816_ = _e537.pixel;
+        }
+        let _e556 = phi_816_;
+        let _e558 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e558) + _e547)]), _e556);
     }
     return;
 }

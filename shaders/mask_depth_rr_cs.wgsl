@@ -67,6 +67,11 @@ struct type_27 {
     member: array<f32>,
 }
 
+struct doubt_Listed {
+    pixel: u32,
+    is_trusted: bool,
+}
+
 struct evaluate_Verdict {
     visibility: f32,
     is_doubted: bool,
@@ -81,6 +86,7 @@ struct mask_Masked {
     visibility: f32,
     bits: u32,
     needs_ray: bool,
+    is_trusted: bool,
 }
 
 struct lt_mask_Neighbourhood {
@@ -114,677 +120,698 @@ var<storage> last_depths: type_27;
 var<storage, read_write> depths: type_27;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_151_: lt_bvh_traverse_Tree;
-    var phi_152_: bool;
-    var phi_153_: lt_bvh_traverse_Tree;
-    var phi_154_: bool;
-    var phi_159_: lt_bvh_traverse_Tree;
+    var phi_156_: lt_bvh_traverse_Tree;
+    var phi_157_: bool;
+    var phi_158_: lt_bvh_traverse_Tree;
+    var phi_159_: bool;
+    var phi_164_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_151_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_152_ = false;
+            phi_156_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_157_ = false;
         } else {
-            phi_151_ = lt_bvh_traverse_Tree();
-            phi_152_ = true;
+            phi_156_ = lt_bvh_traverse_Tree();
+            phi_157_ = true;
         }
-        let _e52 = phi_151_;
-        let _e54 = phi_152_;
-        phi_153_ = _e52;
-        phi_154_ = _e54;
+        let _e55 = phi_156_;
+        let _e57 = phi_157_;
+        phi_158_ = _e55;
+        phi_159_ = _e57;
     } else {
-        phi_153_ = lt_bvh_traverse_Tree();
-        phi_154_ = true;
+        phi_158_ = lt_bvh_traverse_Tree();
+        phi_159_ = true;
     }
-    let _e56 = phi_153_;
-    let _e58 = phi_154_;
-    if _e58 {
-        phi_159_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e59 = phi_158_;
+    let _e61 = phi_159_;
+    if _e61 {
+        phi_164_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_159_ = _e56;
+        phi_164_ = _e59;
     }
-    let _e63 = phi_159_;
-    return lt_bvh_traverse_Tree(_e63.root, _e63.first_primitive);
+    let _e66 = phi_164_;
+    return lt_bvh_traverse_Tree(_e66.root, _e66.first_primitive);
 }
 
 fn function_() {
-    var phi_227_: bool;
-    var phi_228_: bool;
-    var phi_229_: bool;
-    var phi_230_: bool;
+    var phi_233_: bool;
     var phi_234_: bool;
-    var phi_304_: bool;
-    var phi_305_: bool;
-    var phi_316_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_317_: bool;
-    var phi_318_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_319_: bool;
-    var phi_326_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_330_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_343_: bool;
-    var phi_399_: bool;
-    var phi_403_: f32;
-    var phi_414_: bool;
-    var phi_451_: u32;
-    var phi_500_: u32;
-    var phi_505_: u32;
+    var phi_235_: bool;
+    var phi_236_: bool;
+    var phi_240_: bool;
+    var phi_310_: bool;
+    var phi_311_: bool;
+    var phi_322_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_323_: bool;
+    var phi_324_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_325_: bool;
+    var phi_332_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_336_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_349_: bool;
+    var phi_405_: bool;
+    var phi_409_: f32;
+    var phi_420_: bool;
+    var phi_457_: u32;
     var phi_506_: u32;
-    var phi_507_: u32;
-    var phi_508_: bool;
-    var phi_509_: u32;
-    var phi_510_: bool;
-    var phi_511_: bool;
+    var phi_511_: u32;
     var phi_512_: u32;
-    var phi_513_: bool;
+    var phi_513_: u32;
     var phi_514_: bool;
-    var phi_518_: bool;
-    var phi_522_: u32;
-    var phi_527_: bool;
-    var phi_558_: u32;
-    var phi_587_: lt_mask_Neighbourhood;
-    var phi_588_: lt_mask_Neighbourhood;
-    var phi_589_: lt_mask_Neighbourhood;
-    var phi_621_: bool;
-    var phi_622_: bool;
-    var phi_644_: bool;
-    var phi_645_: bool;
-    var phi_646_: bool;
+    var phi_515_: u32;
+    var phi_516_: bool;
+    var phi_517_: bool;
+    var phi_518_: u32;
+    var phi_519_: bool;
+    var phi_520_: bool;
+    var phi_524_: bool;
+    var phi_528_: u32;
+    var phi_533_: bool;
+    var phi_564_: u32;
+    var phi_593_: lt_mask_Neighbourhood;
+    var phi_594_: lt_mask_Neighbourhood;
+    var phi_595_: lt_mask_Neighbourhood;
+    var phi_627_: bool;
+    var phi_628_: bool;
     var phi_650_: bool;
-    var phi_672_: bool;
-    var phi_673_: bool;
-    var phi_686_: bool;
-    var phi_687_: bool;
-    var phi_688_: bool;
-    var phi_695_: u32;
-    var phi_696_: u32;
-    var phi_697_: u32;
-    var phi_698_: u32;
-    var phi_699_: u32;
-    var phi_700_: u32;
+    var phi_651_: bool;
+    var phi_652_: bool;
+    var phi_656_: bool;
+    var phi_678_: bool;
+    var phi_679_: bool;
+    var phi_692_: bool;
+    var phi_693_: bool;
+    var phi_694_: bool;
     var phi_701_: u32;
-    var phi_713_: bool;
-    var phi_714_: bool;
-    var phi_715_: bool;
-    var phi_716_: bool;
+    var phi_702_: u32;
+    var phi_703_: u32;
+    var phi_704_: u32;
+    var phi_705_: u32;
+    var phi_706_: u32;
+    var phi_707_: u32;
+    var phi_719_: bool;
     var phi_720_: bool;
+    var phi_721_: bool;
+    var phi_722_: bool;
     var phi_726_: bool;
-    var phi_734_: u32;
-    var phi_739_: u32;
-    var phi_748_: u32;
-    var phi_753_: u32;
-    var phi_757_: u32;
-    var phi_758_: u32;
+    var phi_732_: bool;
+    var phi_740_: u32;
+    var phi_745_: u32;
+    var phi_754_: u32;
     var phi_759_: u32;
-    var phi_763_: f32;
-    var phi_765_: mask_Masked;
-    var phi_837_: bool;
-    var phi_838_: bool;
-    var phi_839_: bool;
-    var phi_840_: bool;
-    var phi_844_: bool;
-    var phi_872_: f32;
-    var phi_875_: bool;
-    var phi_876_: u32;
-    var phi_887_: u32;
+    var phi_763_: u32;
+    var phi_764_: u32;
+    var phi_765_: u32;
+    var phi_769_: f32;
+    var phi_778_: bool;
+    var phi_779_: bool;
+    var phi_781_: mask_Masked;
+    var phi_853_: bool;
+    var phi_854_: bool;
+    var phi_855_: bool;
+    var phi_856_: bool;
+    var phi_860_: bool;
+    var phi_888_: f32;
+    var phi_893_: doubt_Listed;
+    var phi_894_: bool;
+    var phi_907_: u32;
+    var phi_924_: u32;
 
-    let _e39 = id_1;
-    let _e40 = local_1;
-    let _e45 = arrayLength((&heard.member));
-    let _e56 = p.member.current.size[0u];
-    let _e58 = p.member.current.size[1u];
-    let _e59 = lt_shaders_entry_pixel_index(_e39, _e56, _e58);
-    if (bitcast<i32>(_e59.root) != 0i) {
-        let _e67 = p.member.current.size[0u];
-        let _e70 = samples.member[_e59.first_primitive].position;
-        let _e72 = visibility.member[_e59.first_primitive];
-        let _e78 = samples.member[_e59.first_primitive].normal[0u];
-        let _e80 = global[0u];
-        if (_e78 == _e80) {
-            let _e83 = samples.member[_e59.first_primitive].normal[1u];
-            let _e85 = global[1u];
-            if (_e83 == _e85) {
-                let _e88 = samples.member[_e59.first_primitive].normal[2u];
-                let _e90 = global[2u];
-                phi_227_ = (_e88 == _e90);
-                phi_228_ = false;
+    let _e42 = id_1;
+    let _e43 = local_1;
+    let _e48 = arrayLength((&heard.member));
+    let _e60 = p.member.current.size[0u];
+    let _e62 = p.member.current.size[1u];
+    let _e63 = lt_shaders_entry_pixel_index(_e42, _e60, _e62);
+    if (bitcast<i32>(_e63.root) != 0i) {
+        let _e71 = p.member.current.size[0u];
+        let _e74 = samples.member[_e63.first_primitive].position;
+        let _e76 = visibility.member[_e63.first_primitive];
+        let _e82 = samples.member[_e63.first_primitive].normal[0u];
+        let _e84 = global[0u];
+        if (_e82 == _e84) {
+            let _e87 = samples.member[_e63.first_primitive].normal[1u];
+            let _e89 = global[1u];
+            if (_e87 == _e89) {
+                let _e92 = samples.member[_e63.first_primitive].normal[2u];
+                let _e94 = global[2u];
+                phi_233_ = (_e92 == _e94);
+                phi_234_ = false;
             } else {
-                phi_227_ = bool();
-                phi_228_ = true;
+                phi_233_ = bool();
+                phi_234_ = true;
             }
-            let _e93 = phi_227_;
-            let _e95 = phi_228_;
-            phi_229_ = _e93;
-            phi_230_ = _e95;
+            let _e97 = phi_233_;
+            let _e99 = phi_234_;
+            phi_235_ = _e97;
+            phi_236_ = _e99;
         } else {
-            phi_229_ = bool();
-            phi_230_ = true;
+            phi_235_ = bool();
+            phi_236_ = true;
         }
-        let _e97 = phi_229_;
-        let _e99 = phi_230_;
-        if _e99 {
-            phi_234_ = false;
+        let _e101 = phi_235_;
+        let _e103 = phi_236_;
+        if _e103 {
+            phi_240_ = false;
         } else {
-            phi_234_ = _e97;
+            phi_240_ = _e101;
         }
-        let _e101 = phi_234_;
-        if !(_e101) {
-            let _e104 = samples.member[_e59.first_primitive].position;
-            let _e106 = p.member.light.place;
-            let _e112 = p.member.light.place[3u];
-            let _e119 = (_e106.x - (_e104.x * _e112));
-            let _e120 = (_e106.y - (_e104.y * _e112));
-            let _e121 = (_e106.z - (_e104.z * _e112));
-            let _e123 = samples.member[_e59.first_primitive].normal;
-            if ((((_e123.x * _e119) + (_e123.y * _e120)) + (_e123.z * _e121)) > 0f) {
-                let _e137 = (((_e119 * _e119) + (_e120 * _e120)) + (_e121 * _e121));
-                let _e139 = p.member.light.axis;
-                let _e151 = p.member.light.place[3u];
-                if (_e151 == 0f) {
-                    phi_305_ = true;
+        let _e105 = phi_240_;
+        if !(_e105) {
+            let _e108 = samples.member[_e63.first_primitive].position;
+            let _e110 = p.member.light.place;
+            let _e116 = p.member.light.place[3u];
+            let _e123 = (_e110.x - (_e108.x * _e116));
+            let _e124 = (_e110.y - (_e108.y * _e116));
+            let _e125 = (_e110.z - (_e108.z * _e116));
+            let _e127 = samples.member[_e63.first_primitive].normal;
+            if ((((_e127.x * _e123) + (_e127.y * _e124)) + (_e127.z * _e125)) > 0f) {
+                let _e141 = (((_e123 * _e123) + (_e124 * _e124)) + (_e125 * _e125));
+                let _e143 = p.member.light.axis;
+                let _e155 = p.member.light.place[3u];
+                if (_e155 == 0f) {
+                    phi_311_ = true;
                 } else {
-                    let _e154 = p.member.light.range_squared;
-                    if (_e137 <= _e154) {
-                        let _e157 = p.member.light.cos_outer;
-                        phi_304_ = (-((((_e119 * _e139.x) + (_e120 * _e139.y)) + (_e121 * _e139.z))) >= (_e157 * sqrt(_e137)));
+                    let _e158 = p.member.light.range_squared;
+                    if (_e141 <= _e158) {
+                        let _e161 = p.member.light.cos_outer;
+                        phi_310_ = (-((((_e123 * _e143.x) + (_e124 * _e143.y)) + (_e125 * _e143.z))) >= (_e161 * sqrt(_e141)));
                     } else {
-                        phi_304_ = false;
+                        phi_310_ = false;
                     }
-                    let _e162 = phi_304_;
-                    phi_305_ = _e162;
+                    let _e166 = phi_310_;
+                    phi_311_ = _e166;
                 }
-                let _e164 = phi_305_;
-                if _e164 {
-                    let _e166 = samples.member[_e59.first_primitive].flags;
-                    let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e180 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e174.unnamed.visibility, false), _e174.unnamed_1);
-                    phi_316_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e180.unnamed, ((_e166 & 1u) == 0u));
-                    phi_317_ = false;
+                let _e168 = phi_311_;
+                if _e168 {
+                    let _e170 = samples.member[_e63.first_primitive].flags;
+                    let _e178 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e178.unnamed.visibility, false), _e178.unnamed_1);
+                    phi_322_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e184.unnamed, ((_e170 & 1u) == 0u));
+                    phi_323_ = false;
                 } else {
-                    phi_316_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_317_ = true;
+                    phi_322_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_323_ = true;
                 }
-                let _e185 = phi_316_;
-                let _e187 = phi_317_;
-                phi_318_ = _e185;
-                phi_319_ = _e187;
+                let _e189 = phi_322_;
+                let _e191 = phi_323_;
+                phi_324_ = _e189;
+                phi_325_ = _e191;
             } else {
-                phi_318_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_319_ = true;
+                phi_324_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_325_ = true;
             }
-            let _e189 = phi_318_;
-            let _e191 = phi_319_;
-            if _e191 {
-                let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e203 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e197.unnamed.visibility, false), _e197.unnamed_1);
-                phi_326_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e203.unnamed, true);
+            let _e193 = phi_324_;
+            let _e195 = phi_325_;
+            if _e195 {
+                let _e201 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e207 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e201.unnamed.visibility, false), _e201.unnamed_1);
+                phi_332_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e207.unnamed, true);
             } else {
-                phi_326_ = _e189;
+                phi_332_ = _e193;
             }
-            let _e208 = phi_326_;
-            phi_330_ = _e208;
+            let _e212 = phi_332_;
+            phi_336_ = _e212;
         } else {
-            let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e220 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e214.unnamed.visibility, false), _e214.unnamed_1);
-            phi_330_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e220.unnamed, true);
+            let _e218 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e224 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e218.unnamed.visibility, false), _e218.unnamed_1);
+            phi_336_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e224.unnamed, true);
         }
-        let _e225 = phi_330_;
-        if _e225.unnamed_1 {
-            phi_765_ = mask_Masked(_e225.unnamed.visibility, 0u, false);
+        let _e229 = phi_336_;
+        if _e229.unnamed_1 {
+            phi_781_ = mask_Masked(_e229.unnamed.visibility, 0u, false, false);
         } else {
-            let _e230 = (_e72 < 0.5f);
-            if (_e72 > 0f) {
-                phi_343_ = (_e72 < 1f);
+            let _e234 = (_e76 < 0.5f);
+            if (_e76 > 0f) {
+                phi_349_ = (_e76 < 1f);
             } else {
-                phi_343_ = false;
+                phi_349_ = false;
             }
-            let _e234 = phi_343_;
-            let _e237 = p.member.previous.eye;
-            let _e248 = p.member.previous.forward;
-            let _e256 = ((((_e70.x - _e237.x) * _e248.x) + ((_e70.y - _e237.y) * _e248.y)) + ((_e70.z - _e237.z) * _e248.z));
-            let _e258 = ((_e39.y * _e67) + _e39.x);
-            if (_e258 < arrayLength((&last_depths.member))) {
+            let _e238 = phi_349_;
+            let _e241 = p.member.previous.eye;
+            let _e252 = p.member.previous.forward;
+            let _e260 = ((((_e74.x - _e241.x) * _e252.x) + ((_e74.y - _e241.y) * _e252.y)) + ((_e74.z - _e241.z) * _e252.z));
+            let _e262 = ((_e42.y * _e71) + _e42.x);
+            if (_e262 < arrayLength((&last_depths.member))) {
             } else {
                 return;
             }
-            let _e262 = last_depths.member[(0u + _e258)];
-            let _e264 = p.member.depth_tolerance;
-            let _e267 = abs(_e256);
-            let _e268 = abs(_e262);
-            if ((bitcast<u32>(_e268) & 2147483647u) > 2139095040u) {
-                phi_399_ = true;
+            let _e266 = last_depths.member[(0u + _e262)];
+            let _e268 = p.member.depth_tolerance;
+            let _e271 = abs(_e260);
+            let _e272 = abs(_e266);
+            if ((bitcast<u32>(_e272) & 2147483647u) > 2139095040u) {
+                phi_405_ = true;
             } else {
-                let _e272 = (_e268 > _e267);
-                if _e272 {
+                let _e276 = (_e272 > _e271);
+                if _e276 {
                 }
-                phi_399_ = _e272;
+                phi_405_ = _e276;
             }
-            let _e274 = phi_399_;
-            if _e274 {
-                phi_403_ = _e268;
+            let _e278 = phi_405_;
+            if _e278 {
+                phi_409_ = _e272;
             } else {
-                phi_403_ = _e267;
+                phi_409_ = _e271;
             }
-            let _e276 = phi_403_;
-            if (abs((_e256 - _e262)) <= (_e264 * _e276)) {
-                let _e280 = p.member.flags;
-                phi_414_ = ((_e280 & 1u) != 0u);
+            let _e280 = phi_409_;
+            if (abs((_e260 - _e266)) <= (_e268 * _e280)) {
+                let _e284 = p.member.flags;
+                phi_420_ = ((_e284 & 1u) != 0u);
             } else {
-                phi_414_ = false;
+                phi_420_ = false;
             }
-            let _e284 = phi_414_;
-            let _e286 = p.member.flags;
-            let _e288 = ((_e286 & 2u) != 0u);
+            let _e288 = phi_420_;
             let _e290 = p.member.flags;
-            if ((_e290 & 4u) == 0u) {
-                phi_512_ = u32();
-                phi_513_ = true;
-                phi_514_ = false;
+            let _e292 = ((_e290 & 2u) != 0u);
+            let _e294 = p.member.flags;
+            if ((_e294 & 4u) == 0u) {
+                phi_518_ = u32();
+                phi_519_ = true;
+                phi_520_ = false;
             } else {
-                if _e284 {
+                if _e288 {
                     if !(false) {
                         if (32u == 0u) {
                             return;
                         }
-                        let _e295 = (_e67 / 32u);
+                        let _e299 = (_e71 / 32u);
                         if (32u == 0u) {
                             return;
                         }
-                        if ((_e67 % 32u) > 0u) {
-                            phi_451_ = (_e295 + 1u);
+                        if ((_e71 % 32u) > 0u) {
+                            phi_457_ = (_e299 + 1u);
                         } else {
-                            phi_451_ = _e295;
+                            phi_457_ = _e299;
                         }
-                        let _e301 = phi_451_;
-                        let _e306 = ((((_e39.y * _e301) + (_e39.x / 32u)) * 6u) + 4u);
-                        if (_e306 < _e45) {
+                        let _e305 = phi_457_;
+                        let _e310 = ((((_e42.y * _e305) + (_e42.x / 32u)) * 6u) + 4u);
+                        if (_e310 < _e48) {
                         } else {
                             return;
                         }
-                        let _e310 = heard.member[(0u + _e306)];
-                        if (((_e310 >> bitcast<u32>(((_e39.x % 32u) & 31u))) & 1u) != 0u) {
-                            let _e321 = ((((_e39.y * _e301) + (_e39.x / 32u)) * 6u) + 5u);
-                            if (_e321 < _e45) {
+                        let _e314 = heard.member[(0u + _e310)];
+                        if (((_e314 >> bitcast<u32>(((_e42.x % 32u) & 31u))) & 1u) != 0u) {
+                            let _e325 = ((((_e42.y * _e305) + (_e42.x / 32u)) * 6u) + 5u);
+                            if (_e325 < _e48) {
                             } else {
                                 return;
                             }
-                            let _e325 = heard.member[(0u + _e321)];
+                            let _e329 = heard.member[(0u + _e325)];
                             if false {
-                                phi_500_ = (2u | 1u);
+                                phi_506_ = (2u | 1u);
                             } else {
-                                phi_500_ = 2u;
+                                phi_506_ = 2u;
                             }
-                            let _e334 = phi_500_;
-                            if (((_e325 >> bitcast<u32>(((_e39.x % 32u) & 31u))) & 1u) != 0u) {
-                                phi_505_ = (_e334 | 4u);
+                            let _e338 = phi_506_;
+                            if (((_e329 >> bitcast<u32>(((_e42.x % 32u) & 31u))) & 1u) != 0u) {
+                                phi_511_ = (_e338 | 4u);
                             } else {
-                                phi_505_ = _e334;
+                                phi_511_ = _e338;
                             }
-                            let _e337 = phi_505_;
-                            phi_506_ = _e337;
+                            let _e341 = phi_511_;
+                            phi_512_ = _e341;
                         } else {
-                            phi_506_ = 0u;
+                            phi_512_ = 0u;
                         }
-                        let _e339 = phi_506_;
-                        phi_507_ = _e339;
-                        phi_508_ = false;
+                        let _e343 = phi_512_;
+                        phi_513_ = _e343;
+                        phi_514_ = false;
                     } else {
-                        phi_507_ = u32();
-                        phi_508_ = true;
+                        phi_513_ = u32();
+                        phi_514_ = true;
                     }
-                    let _e341 = phi_507_;
-                    let _e343 = phi_508_;
-                    phi_509_ = _e341;
-                    phi_510_ = false;
-                    phi_511_ = _e343;
+                    let _e345 = phi_513_;
+                    let _e347 = phi_514_;
+                    phi_515_ = _e345;
+                    phi_516_ = false;
+                    phi_517_ = _e347;
                 } else {
-                    phi_509_ = u32();
-                    phi_510_ = true;
-                    phi_511_ = false;
+                    phi_515_ = u32();
+                    phi_516_ = true;
+                    phi_517_ = false;
                 }
-                let _e345 = phi_509_;
-                let _e347 = phi_510_;
-                let _e349 = phi_511_;
-                phi_512_ = _e345;
-                phi_513_ = _e347;
-                phi_514_ = _e349;
+                let _e349 = phi_515_;
+                let _e351 = phi_516_;
+                let _e353 = phi_517_;
+                phi_518_ = _e349;
+                phi_519_ = _e351;
+                phi_520_ = _e353;
             }
-            let _e351 = phi_512_;
-            let _e353 = phi_513_;
-            let _e355 = phi_514_;
-            if _e353 {
-                phi_518_ = true;
-            } else {
-                phi_518_ = _e355;
-            }
-            let _e357 = phi_518_;
+            let _e355 = phi_518_;
+            let _e357 = phi_519_;
+            let _e359 = phi_520_;
             if _e357 {
-                phi_522_ = 0u;
+                phi_524_ = true;
             } else {
-                phi_522_ = _e351;
+                phi_524_ = _e359;
             }
-            let _e359 = phi_522_;
-            let _e360 = lt_mask_Neighbourhood(false, true);
-            if _e234 {
-                phi_527_ = _e288;
+            let _e361 = phi_524_;
+            if _e361 {
+                phi_528_ = 0u;
             } else {
-                phi_527_ = false;
+                phi_528_ = _e355;
             }
-            let _e362 = phi_527_;
-            if _e362 {
-                if _e284 {
-                    if ((_e359 & 2u) != 0u) {
-                        phi_587_ = _e360;
+            let _e363 = phi_528_;
+            let _e364 = lt_mask_Neighbourhood(false, true);
+            if _e238 {
+                phi_533_ = _e292;
+            } else {
+                phi_533_ = false;
+            }
+            let _e366 = phi_533_;
+            if _e366 {
+                if _e288 {
+                    if ((_e363 & 2u) != 0u) {
+                        phi_593_ = _e364;
                     } else {
                         if (32u == 0u) {
                             return;
                         }
-                        let _e366 = (_e67 / 32u);
+                        let _e370 = (_e71 / 32u);
                         if (32u == 0u) {
                             return;
                         }
-                        if ((_e67 % 32u) > 0u) {
-                            phi_558_ = (_e366 + 1u);
+                        if ((_e71 % 32u) > 0u) {
+                            phi_564_ = (_e370 + 1u);
                         } else {
-                            phi_558_ = _e366;
+                            phi_564_ = _e370;
                         }
-                        let _e372 = phi_558_;
-                        let _e382 = ((((_e39.y * _e372) + (_e39.x / 32u)) * 6u) + (select(0u, 1u, _e230) | (select(0u, 1u, false) << bitcast<u32>(1i))));
-                        if (_e382 < _e45) {
+                        let _e376 = phi_564_;
+                        let _e386 = ((((_e42.y * _e376) + (_e42.x / 32u)) * 6u) + (select(0u, 1u, _e234) | (select(0u, 1u, false) << bitcast<u32>(1i))));
+                        if (_e386 < _e48) {
                         } else {
                             return;
                         }
-                        let _e386 = heard.member[(0u + _e382)];
-                        let _e392 = (((_e386 >> bitcast<u32>(((_e39.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_587_ = lt_mask_Neighbourhood(_e392, !(_e392));
+                        let _e390 = heard.member[(0u + _e386)];
+                        let _e396 = (((_e390 >> bitcast<u32>(((_e42.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_593_ = lt_mask_Neighbourhood(_e396, !(_e396));
                     }
-                    let _e396 = phi_587_;
-                    phi_588_ = _e396;
+                    let _e400 = phi_593_;
+                    phi_594_ = _e400;
                 } else {
-                    phi_588_ = _e360;
+                    phi_594_ = _e364;
                 }
-                let _e398 = phi_588_;
-                phi_589_ = _e398;
+                let _e402 = phi_594_;
+                phi_595_ = _e402;
             } else {
-                phi_589_ = _e360;
+                phi_595_ = _e364;
             }
-            let _e400 = phi_589_;
-            let _e403 = p.member.frame;
-            let _e405 = p.member.refresh;
-            if (_e405 == 0u) {
-                phi_622_ = false;
+            let _e404 = phi_595_;
+            let _e407 = p.member.frame;
+            let _e409 = p.member.refresh;
+            if (_e409 == 0u) {
+                phi_628_ = false;
             } else {
-                if (_e405 == 0u) {
+                if (_e409 == 0u) {
                     return;
                 }
-                let _e414 = ((_e39.x + (_e39.y * (((_e405 * 5u) / 8u) | 1u))) + (_e403 % _e405));
-                if (_e405 == 0u) {
-                    phi_621_ = (_e414 == 0u);
+                let _e418 = ((_e42.x + (_e42.y * (((_e409 * 5u) / 8u) | 1u))) + (_e407 % _e409));
+                if (_e409 == 0u) {
+                    phi_627_ = (_e418 == 0u);
                 } else {
-                    if (_e405 == 0u) {
+                    if (_e409 == 0u) {
                         return;
                     }
-                    phi_621_ = ((_e414 % _e405) == 0u);
+                    phi_627_ = ((_e418 % _e409) == 0u);
                 }
-                let _e421 = phi_621_;
-                phi_622_ = _e421;
+                let _e425 = phi_627_;
+                phi_628_ = _e425;
             }
-            let _e423 = phi_622_;
-            if _e284 {
-                if _e423 {
-                    phi_644_ = bool();
+            let _e427 = phi_628_;
+            if _e288 {
+                if _e427 {
+                    phi_650_ = bool();
                 } else {
-                    phi_644_ = ((_e359 & 2u) != 0u);
+                    phi_650_ = ((_e363 & 2u) != 0u);
                 }
-                let _e429 = phi_644_;
-                phi_645_ = _e429;
-                phi_646_ = _e423;
+                let _e433 = phi_650_;
+                phi_651_ = _e433;
+                phi_652_ = _e427;
             } else {
-                phi_645_ = bool();
-                phi_646_ = true;
+                phi_651_ = bool();
+                phi_652_ = true;
             }
-            let _e431 = phi_645_;
-            let _e433 = phi_646_;
-            if _e433 {
-                phi_650_ = false;
+            let _e435 = phi_651_;
+            let _e437 = phi_652_;
+            if _e437 {
+                phi_656_ = false;
             } else {
-                phi_650_ = _e431;
+                phi_656_ = _e435;
             }
-            let _e435 = phi_650_;
-            if _e435 {
-                phi_701_ = 7u;
+            let _e439 = phi_656_;
+            if _e439 {
+                phi_707_ = 7u;
             } else {
-                if (_e72 != 0.5f) {
-                    if _e284 {
-                        if _e423 {
-                            phi_698_ = 6u;
+                if (_e76 != 0.5f) {
+                    if _e288 {
+                        if _e427 {
+                            phi_704_ = 6u;
                         } else {
-                            if _e234 {
-                                phi_673_ = true;
+                            if _e238 {
+                                phi_679_ = true;
                             } else {
-                                if _e400.any_expands {
-                                    phi_672_ = false;
+                                if _e404.any_expands {
+                                    phi_678_ = false;
                                 } else {
-                                    phi_672_ = true;
+                                    phi_678_ = true;
                                 }
-                                let _e437 = phi_672_;
-                                phi_673_ = _e437;
+                                let _e441 = phi_678_;
+                                phi_679_ = _e441;
                             }
-                            let _e439 = phi_673_;
-                            if _e439 {
-                                if _e234 {
-                                    if _e288 {
-                                        if _e400.all_remove {
-                                            phi_686_ = false;
+                            let _e443 = phi_679_;
+                            if _e443 {
+                                if _e238 {
+                                    if _e292 {
+                                        if _e404.all_remove {
+                                            phi_692_ = false;
                                         } else {
-                                            phi_686_ = true;
+                                            phi_692_ = true;
                                         }
-                                        let _e441 = phi_686_;
-                                        phi_687_ = _e441;
+                                        let _e445 = phi_692_;
+                                        phi_693_ = _e445;
                                     } else {
-                                        phi_687_ = true;
+                                        phi_693_ = true;
                                     }
-                                    let _e443 = phi_687_;
-                                    phi_688_ = _e443;
+                                    let _e447 = phi_693_;
+                                    phi_694_ = _e447;
                                 } else {
-                                    phi_688_ = true;
+                                    phi_694_ = true;
                                 }
-                                let _e445 = phi_688_;
-                                if _e445 {
-                                    if _e234 {
-                                        phi_695_ = 1u;
+                                let _e449 = phi_694_;
+                                if _e449 {
+                                    if _e238 {
+                                        phi_701_ = 1u;
                                     } else {
-                                        phi_695_ = 0u;
+                                        phi_701_ = 0u;
                                     }
-                                    let _e447 = phi_695_;
-                                    phi_696_ = _e447;
+                                    let _e451 = phi_701_;
+                                    phi_702_ = _e451;
                                 } else {
-                                    phi_696_ = 5u;
+                                    phi_702_ = 5u;
                                 }
-                                let _e449 = phi_696_;
-                                phi_697_ = _e449;
+                                let _e453 = phi_702_;
+                                phi_703_ = _e453;
                             } else {
-                                phi_697_ = 4u;
+                                phi_703_ = 4u;
                             }
-                            let _e451 = phi_697_;
-                            phi_698_ = _e451;
+                            let _e455 = phi_703_;
+                            phi_704_ = _e455;
                         }
-                        let _e453 = phi_698_;
-                        phi_699_ = _e453;
+                        let _e457 = phi_704_;
+                        phi_705_ = _e457;
                     } else {
-                        phi_699_ = 3u;
+                        phi_705_ = 3u;
                     }
-                    let _e455 = phi_699_;
-                    phi_700_ = _e455;
+                    let _e459 = phi_705_;
+                    phi_706_ = _e459;
                 } else {
-                    phi_700_ = 2u;
+                    phi_706_ = 2u;
                 }
-                let _e457 = phi_700_;
-                phi_701_ = _e457;
+                let _e461 = phi_706_;
+                phi_707_ = _e461;
             }
-            let _e459 = phi_701_;
-            if !((_e459 == 0u)) {
-                if !((_e459 == 5u)) {
-                    phi_713_ = !(_e435);
-                    phi_714_ = false;
+            let _e463 = phi_707_;
+            if !((_e463 == 0u)) {
+                if !((_e463 == 5u)) {
+                    phi_719_ = !(_e439);
+                    phi_720_ = false;
                 } else {
-                    phi_713_ = bool();
-                    phi_714_ = true;
+                    phi_719_ = bool();
+                    phi_720_ = true;
                 }
-                let _e466 = phi_713_;
-                let _e468 = phi_714_;
-                phi_715_ = _e466;
-                phi_716_ = _e468;
+                let _e470 = phi_719_;
+                let _e472 = phi_720_;
+                phi_721_ = _e470;
+                phi_722_ = _e472;
             } else {
-                phi_715_ = bool();
-                phi_716_ = true;
+                phi_721_ = bool();
+                phi_722_ = true;
             }
-            let _e470 = phi_715_;
-            let _e472 = phi_716_;
-            if _e472 {
-                phi_720_ = false;
+            let _e474 = phi_721_;
+            let _e476 = phi_722_;
+            if _e476 {
+                phi_726_ = false;
             } else {
-                phi_720_ = _e470;
-            }
-            let _e474 = phi_720_;
-            if _e435 {
-                phi_726_ = ((_e359 & 4u) != 0u);
-            } else {
-                phi_726_ = _e230;
+                phi_726_ = _e474;
             }
             let _e478 = phi_726_;
-            if _e474 {
-                if _e230 {
-                    phi_734_ = (2u | 1u);
-                } else {
-                    phi_734_ = 2u;
-                }
-                let _e481 = phi_734_;
-                if false {
-                    phi_739_ = (_e481 | 4u);
-                } else {
-                    phi_739_ = _e481;
-                }
-                let _e484 = phi_739_;
-                phi_759_ = _e484;
+            if _e439 {
+                phi_732_ = ((_e363 & 4u) != 0u);
             } else {
-                if (_e459 == 7u) {
-                    if _e230 {
-                        phi_748_ = (2u | 1u);
-                    } else {
-                        phi_748_ = 2u;
-                    }
-                    let _e488 = phi_748_;
-                    if _e478 {
-                        phi_753_ = (_e488 | 4u);
-                    } else {
-                        phi_753_ = _e488;
-                    }
-                    let _e491 = phi_753_;
-                    phi_758_ = _e491;
-                } else {
-                    if _e230 {
-                        phi_757_ = 1u;
-                    } else {
-                        phi_757_ = 0u;
-                    }
-                    let _e493 = phi_757_;
-                    phi_758_ = _e493;
-                }
-                let _e495 = phi_758_;
-                phi_759_ = _e495;
+                phi_732_ = _e234;
             }
-            let _e497 = phi_759_;
+            let _e482 = phi_732_;
             if _e478 {
-                phi_763_ = 0f;
+                if _e234 {
+                    phi_740_ = (2u | 1u);
+                } else {
+                    phi_740_ = 2u;
+                }
+                let _e485 = phi_740_;
+                if false {
+                    phi_745_ = (_e485 | 4u);
+                } else {
+                    phi_745_ = _e485;
+                }
+                let _e488 = phi_745_;
+                phi_765_ = _e488;
             } else {
-                phi_763_ = 1f;
+                if (_e463 == 7u) {
+                    if _e234 {
+                        phi_754_ = (2u | 1u);
+                    } else {
+                        phi_754_ = 2u;
+                    }
+                    let _e492 = phi_754_;
+                    if _e482 {
+                        phi_759_ = (_e492 | 4u);
+                    } else {
+                        phi_759_ = _e492;
+                    }
+                    let _e495 = phi_759_;
+                    phi_764_ = _e495;
+                } else {
+                    if _e234 {
+                        phi_763_ = 1u;
+                    } else {
+                        phi_763_ = 0u;
+                    }
+                    let _e497 = phi_763_;
+                    phi_764_ = _e497;
+                }
+                let _e499 = phi_764_;
+                phi_765_ = _e499;
             }
-            let _e499 = phi_763_;
-            phi_765_ = mask_Masked(_e499, _e497, _e474);
-        }
-        let _e502 = phi_765_;
-        visibility.member[_e59.first_primitive] = _e502.visibility;
-        let _e507 = p.member.light.number;
-        let _e508 = (_e507 * 3u);
-        let _e510 = (_e508 % 32u);
-        let _e512 = p.member.light.mask_words;
-        let _e514 = ((_e59.first_primitive * _e512) + (_e508 / 32u));
-        let _e516 = bits.member[_e514];
-        bits.member[_e514] = ((_e516 & ~((7u << bitcast<u32>((_e510 & 31u))))) | (_e502.bits << bitcast<u32>((_e510 & 31u))));
-        if (_e510 > 29u) {
-            let _e531 = bits.member[(_e514 + 1u)];
-            let _e533 = (32u - _e510);
-            bits.member[(_e514 + 1u)] = ((_e531 & ~((7u >> bitcast<u32>((_e533 & 31u))))) | (_e502.bits >> bitcast<u32>((_e533 & 31u))));
-        }
-        let _e548 = samples.member[_e59.first_primitive].normal[0u];
-        let _e550 = global[0u];
-        if (_e548 == _e550) {
-            let _e553 = samples.member[_e59.first_primitive].normal[1u];
-            let _e555 = global[1u];
-            if (_e553 == _e555) {
-                let _e558 = samples.member[_e59.first_primitive].normal[2u];
-                let _e560 = global[2u];
-                phi_837_ = (_e558 == _e560);
-                phi_838_ = false;
+            let _e501 = phi_765_;
+            if _e482 {
+                phi_769_ = 0f;
             } else {
-                phi_837_ = bool();
-                phi_838_ = true;
+                phi_769_ = 1f;
             }
-            let _e563 = phi_837_;
-            let _e565 = phi_838_;
-            phi_839_ = _e563;
-            phi_840_ = _e565;
-        } else {
-            phi_839_ = bool();
-            phi_840_ = true;
+            let _e503 = phi_769_;
+            if _e238 {
+                if (_e76 == 0.99999994f) {
+                    phi_778_ = true;
+                } else {
+                    phi_778_ = (_e76 == 0.000000059604645f);
+                }
+                let _e507 = phi_778_;
+                phi_779_ = _e507;
+            } else {
+                phi_779_ = true;
+            }
+            let _e509 = phi_779_;
+            phi_781_ = mask_Masked(_e503, _e501, _e478, _e509);
         }
-        let _e567 = phi_839_;
-        let _e569 = phi_840_;
-        if _e569 {
-            phi_844_ = false;
-        } else {
-            phi_844_ = _e567;
+        let _e512 = phi_781_;
+        visibility.member[_e63.first_primitive] = _e512.visibility;
+        let _e517 = p.member.light.number;
+        let _e518 = (_e517 * 3u);
+        let _e520 = (_e518 % 32u);
+        let _e522 = p.member.light.mask_words;
+        let _e524 = ((_e63.first_primitive * _e522) + (_e518 / 32u));
+        let _e526 = bits.member[_e524];
+        bits.member[_e524] = ((_e526 & ~((7u << bitcast<u32>((_e520 & 31u))))) | (_e512.bits << bitcast<u32>((_e520 & 31u))));
+        if (_e520 > 29u) {
+            let _e541 = bits.member[(_e524 + 1u)];
+            let _e543 = (32u - _e520);
+            bits.member[(_e524 + 1u)] = ((_e541 & ~((7u >> bitcast<u32>((_e543 & 31u))))) | (_e512.bits >> bitcast<u32>((_e543 & 31u))));
         }
-        let _e571 = phi_844_;
-        if !(_e571) {
-            let _e574 = samples.member[_e59.first_primitive].position;
-            let _e576 = p.member.current.eye;
-            let _e587 = p.member.current.forward;
-            phi_872_ = ((((_e574.x - _e576.x) * _e587.x) + ((_e574.y - _e576.y) * _e587.y)) + ((_e574.z - _e576.z) * _e587.z));
+        let _e558 = samples.member[_e63.first_primitive].normal[0u];
+        let _e560 = global[0u];
+        if (_e558 == _e560) {
+            let _e563 = samples.member[_e63.first_primitive].normal[1u];
+            let _e565 = global[1u];
+            if (_e563 == _e565) {
+                let _e568 = samples.member[_e63.first_primitive].normal[2u];
+                let _e570 = global[2u];
+                phi_853_ = (_e568 == _e570);
+                phi_854_ = false;
+            } else {
+                phi_853_ = bool();
+                phi_854_ = true;
+            }
+            let _e573 = phi_853_;
+            let _e575 = phi_854_;
+            phi_855_ = _e573;
+            phi_856_ = _e575;
         } else {
-            phi_872_ = 0f;
+            phi_855_ = bool();
+            phi_856_ = true;
         }
-        let _e597 = phi_872_;
-        depths.member[_e59.first_primitive] = _e597;
-        phi_875_ = _e502.needs_ray;
-        phi_876_ = _e59.first_primitive;
+        let _e577 = phi_855_;
+        let _e579 = phi_856_;
+        if _e579 {
+            phi_860_ = false;
+        } else {
+            phi_860_ = _e577;
+        }
+        let _e581 = phi_860_;
+        if !(_e581) {
+            let _e584 = samples.member[_e63.first_primitive].position;
+            let _e586 = p.member.current.eye;
+            let _e597 = p.member.current.forward;
+            phi_888_ = ((((_e584.x - _e586.x) * _e597.x) + ((_e584.y - _e586.y) * _e597.y)) + ((_e584.z - _e586.z) * _e597.z));
+        } else {
+            phi_888_ = 0f;
+        }
+        let _e607 = phi_888_;
+        depths.member[_e63.first_primitive] = _e607;
+        phi_893_ = doubt_Listed(_e63.first_primitive, _e512.is_trusted);
+        phi_894_ = _e512.needs_ray;
     } else {
-        phi_875_ = false;
-        phi_876_ = 0u;
+        phi_893_ = doubt_Listed(0u, false);
+        phi_894_ = false;
     }
-    let _e601 = phi_875_;
-    let _e603 = phi_876_;
-    if (_e40 == 0u) {
+    let _e613 = phi_893_;
+    let _e615 = phi_894_;
+    if (_e43 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e601 {
-        let _e607 = atomicAdd((&shared_[0u]), 1u);
-        phi_887_ = _e607;
+    if _e615 {
+        let _e621 = atomicAdd((&shared_[0u]), 1u);
+        phi_907_ = _e621;
     } else {
-        phi_887_ = 0u;
+        phi_907_ = 0u;
     }
-    let _e609 = phi_887_;
+    let _e623 = phi_907_;
     workgroupBarrier();
-    if (_e40 == 0u) {
-        let _e613 = atomicLoad((&shared_[0u]));
-        let _e614 = atomicAdd((&list.member[3u]), _e613);
-        atomicStore((&shared_[1u]), _e614);
+    if (_e43 == 0u) {
+        let _e627 = atomicLoad((&shared_[0u]));
+        let _e628 = atomicAdd((&list.member[3u]), _e627);
+        atomicStore((&shared_[1u]), _e628);
     }
     workgroupBarrier();
-    if _e601 {
-        let _e617 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e617) + _e609)]), _e603);
+    if _e615 {
+        if _e613.is_trusted {
+            phi_924_ = (_e613.pixel | 2147483648u);
+        } else {
+            phi_924_ = _e613.pixel;
+        }
+        let _e632 = phi_924_;
+        let _e634 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e634) + _e623)]), _e632);
     }
     return;
 }

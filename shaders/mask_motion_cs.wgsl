@@ -67,6 +67,11 @@ struct type_27 {
     member: array<f32>,
 }
 
+struct doubt_Listed {
+    pixel: u32,
+    is_trusted: bool,
+}
+
 struct evaluate_Verdict {
     visibility: f32,
     is_doubted: bool,
@@ -81,6 +86,7 @@ struct mask_Masked {
     visibility: f32,
     bits: u32,
     needs_ray: bool,
+    is_trusted: bool,
 }
 
 struct lt_mask_Reprojection {
@@ -116,933 +122,954 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_157_: lt_bvh_traverse_Tree;
-    var phi_158_: bool;
-    var phi_159_: lt_bvh_traverse_Tree;
-    var phi_160_: bool;
-    var phi_165_: lt_bvh_traverse_Tree;
+    var phi_162_: lt_bvh_traverse_Tree;
+    var phi_163_: bool;
+    var phi_164_: lt_bvh_traverse_Tree;
+    var phi_165_: bool;
+    var phi_170_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_157_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_158_ = false;
+            phi_162_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_163_ = false;
         } else {
-            phi_157_ = lt_bvh_traverse_Tree();
-            phi_158_ = true;
+            phi_162_ = lt_bvh_traverse_Tree();
+            phi_163_ = true;
         }
-        let _e61 = phi_157_;
-        let _e63 = phi_158_;
-        phi_159_ = _e61;
-        phi_160_ = _e63;
+        let _e64 = phi_162_;
+        let _e66 = phi_163_;
+        phi_164_ = _e64;
+        phi_165_ = _e66;
     } else {
-        phi_159_ = lt_bvh_traverse_Tree();
-        phi_160_ = true;
+        phi_164_ = lt_bvh_traverse_Tree();
+        phi_165_ = true;
     }
-    let _e65 = phi_159_;
-    let _e67 = phi_160_;
-    if _e67 {
-        phi_165_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e68 = phi_164_;
+    let _e70 = phi_165_;
+    if _e70 {
+        phi_170_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_165_ = _e65;
+        phi_170_ = _e68;
     }
-    let _e72 = phi_165_;
-    return lt_bvh_traverse_Tree(_e72.root, _e72.first_primitive);
+    let _e75 = phi_170_;
+    return lt_bvh_traverse_Tree(_e75.root, _e75.first_primitive);
 }
 
 fn function_() {
-    var phi_210_: u32;
-    var phi_244_: bool;
-    var phi_245_: bool;
-    var phi_246_: bool;
-    var phi_247_: bool;
+    var phi_216_: u32;
+    var phi_250_: bool;
     var phi_251_: bool;
-    var phi_321_: bool;
-    var phi_322_: bool;
-    var phi_333_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_334_: bool;
-    var phi_335_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_336_: bool;
-    var phi_343_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_347_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_360_: bool;
-    var phi_391_: bool;
-    var phi_392_: bool;
-    var phi_393_: bool;
-    var phi_394_: bool;
+    var phi_252_: bool;
+    var phi_253_: bool;
+    var phi_257_: bool;
+    var phi_327_: bool;
+    var phi_328_: bool;
+    var phi_339_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_340_: bool;
+    var phi_341_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_342_: bool;
+    var phi_349_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_353_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_366_: bool;
+    var phi_397_: bool;
     var phi_398_: bool;
     var phi_399_: bool;
-    var phi_538_: f32;
-    var phi_543_: f32;
-    var phi_544_: bool;
-    var phi_545_: f32;
-    var phi_546_: bool;
-    var phi_550_: f32;
-    var phi_571_: f32;
-    var phi_576_: f32;
-    var phi_577_: bool;
-    var phi_578_: f32;
-    var phi_579_: bool;
-    var phi_583_: f32;
-    var phi_604_: bool;
-    var phi_623_: vec2<u32>;
-    var phi_624_: bool;
-    var phi_625_: bool;
-    var phi_626_: bool;
-    var phi_627_: vec2<u32>;
-    var phi_628_: bool;
-    var phi_629_: bool;
+    var phi_400_: bool;
+    var phi_404_: bool;
+    var phi_405_: bool;
+    var phi_544_: f32;
+    var phi_549_: f32;
+    var phi_550_: bool;
+    var phi_551_: f32;
+    var phi_552_: bool;
+    var phi_556_: f32;
+    var phi_577_: f32;
+    var phi_582_: f32;
+    var phi_583_: bool;
+    var phi_584_: f32;
+    var phi_585_: bool;
+    var phi_589_: f32;
+    var phi_610_: bool;
+    var phi_629_: vec2<u32>;
     var phi_630_: bool;
     var phi_631_: bool;
     var phi_632_: bool;
-    var phi_633_: bool;
-    var phi_634_: vec2<u32>;
+    var phi_633_: vec2<u32>;
+    var phi_634_: bool;
     var phi_635_: bool;
     var phi_636_: bool;
     var phi_637_: bool;
     var phi_638_: bool;
     var phi_639_: bool;
-    var phi_640_: bool;
-    var phi_641_: vec2<u32>;
+    var phi_640_: vec2<u32>;
+    var phi_641_: bool;
     var phi_642_: bool;
     var phi_643_: bool;
     var phi_644_: bool;
     var phi_645_: bool;
-    var phi_654_: bool;
-    var phi_655_: bool;
-    var phi_656_: bool;
-    var phi_657_: bool;
+    var phi_646_: bool;
+    var phi_647_: vec2<u32>;
+    var phi_648_: bool;
+    var phi_649_: bool;
+    var phi_650_: bool;
+    var phi_651_: bool;
+    var phi_660_: bool;
     var phi_661_: bool;
     var phi_662_: bool;
-    var phi_663_: vec2<u32>;
-    var phi_701_: bool;
-    var phi_703_: lt_mask_Reprojection;
-    var phi_704_: lt_mask_Reprojection;
-    var phi_705_: bool;
-    var phi_709_: bool;
+    var phi_663_: bool;
+    var phi_667_: bool;
+    var phi_668_: bool;
+    var phi_669_: vec2<u32>;
+    var phi_707_: bool;
+    var phi_709_: lt_mask_Reprojection;
     var phi_710_: lt_mask_Reprojection;
-    var phi_711_: lt_mask_Reprojection;
-    var phi_712_: bool;
-    var phi_720_: bool;
-    var phi_721_: lt_mask_Reprojection;
-    var phi_787_: u32;
-    var phi_792_: u32;
+    var phi_711_: bool;
+    var phi_715_: bool;
+    var phi_716_: lt_mask_Reprojection;
+    var phi_717_: lt_mask_Reprojection;
+    var phi_718_: bool;
+    var phi_726_: bool;
+    var phi_727_: lt_mask_Reprojection;
     var phi_793_: u32;
-    var phi_794_: u32;
-    var phi_795_: bool;
-    var phi_796_: u32;
-    var phi_797_: bool;
-    var phi_798_: bool;
+    var phi_798_: u32;
     var phi_799_: u32;
-    var phi_800_: bool;
+    var phi_800_: u32;
     var phi_801_: bool;
-    var phi_805_: bool;
-    var phi_809_: u32;
-    var phi_814_: bool;
-    var phi_854_: lt_mask_Neighbourhood;
-    var phi_855_: lt_mask_Neighbourhood;
-    var phi_856_: lt_mask_Neighbourhood;
-    var phi_888_: bool;
-    var phi_889_: bool;
-    var phi_911_: bool;
-    var phi_912_: bool;
-    var phi_913_: bool;
+    var phi_802_: u32;
+    var phi_803_: bool;
+    var phi_804_: bool;
+    var phi_805_: u32;
+    var phi_806_: bool;
+    var phi_807_: bool;
+    var phi_811_: bool;
+    var phi_815_: u32;
+    var phi_820_: bool;
+    var phi_860_: lt_mask_Neighbourhood;
+    var phi_861_: lt_mask_Neighbourhood;
+    var phi_862_: lt_mask_Neighbourhood;
+    var phi_894_: bool;
+    var phi_895_: bool;
     var phi_917_: bool;
-    var phi_939_: bool;
-    var phi_940_: bool;
-    var phi_953_: bool;
-    var phi_954_: bool;
-    var phi_955_: bool;
-    var phi_962_: u32;
-    var phi_963_: u32;
-    var phi_964_: u32;
-    var phi_965_: u32;
-    var phi_966_: u32;
-    var phi_967_: u32;
+    var phi_918_: bool;
+    var phi_919_: bool;
+    var phi_923_: bool;
+    var phi_945_: bool;
+    var phi_946_: bool;
+    var phi_959_: bool;
+    var phi_960_: bool;
+    var phi_961_: bool;
     var phi_968_: u32;
-    var phi_980_: bool;
-    var phi_981_: bool;
-    var phi_982_: bool;
-    var phi_983_: bool;
+    var phi_969_: u32;
+    var phi_970_: u32;
+    var phi_971_: u32;
+    var phi_972_: u32;
+    var phi_973_: u32;
+    var phi_974_: u32;
+    var phi_986_: bool;
     var phi_987_: bool;
+    var phi_988_: bool;
+    var phi_989_: bool;
     var phi_993_: bool;
-    var phi_1001_: u32;
-    var phi_1006_: u32;
-    var phi_1015_: u32;
-    var phi_1020_: u32;
-    var phi_1024_: u32;
-    var phi_1025_: u32;
+    var phi_999_: bool;
+    var phi_1007_: u32;
+    var phi_1012_: u32;
+    var phi_1021_: u32;
     var phi_1026_: u32;
-    var phi_1030_: f32;
-    var phi_1032_: mask_Masked;
-    var phi_1082_: bool;
-    var phi_1083_: u32;
-    var phi_1094_: u32;
+    var phi_1030_: u32;
+    var phi_1031_: u32;
+    var phi_1032_: u32;
+    var phi_1036_: f32;
+    var phi_1045_: bool;
+    var phi_1046_: bool;
+    var phi_1048_: mask_Masked;
+    var phi_1100_: doubt_Listed;
+    var phi_1101_: bool;
+    var phi_1114_: u32;
+    var phi_1131_: u32;
 
-    let _e48 = id_1;
-    let _e49 = local_1;
-    let _e54 = arrayLength((&heard.member));
-    let _e61 = p.member.current.size[0u];
-    let _e63 = p.member.current.size[1u];
-    let _e64 = lt_shaders_entry_pixel_index(_e48, _e61, _e63);
-    if (bitcast<i32>(_e64.root) != 0i) {
-        let _e72 = p.member.current.size[0u];
+    let _e51 = id_1;
+    let _e52 = local_1;
+    let _e57 = arrayLength((&heard.member));
+    let _e65 = p.member.current.size[0u];
+    let _e67 = p.member.current.size[1u];
+    let _e68 = lt_shaders_entry_pixel_index(_e51, _e65, _e67);
+    if (bitcast<i32>(_e68.root) != 0i) {
+        let _e76 = p.member.current.size[0u];
         if (32u == 0u) {
             return;
         }
-        let _e74 = (_e72 / 32u);
+        let _e78 = (_e76 / 32u);
         if (32u == 0u) {
             return;
         }
-        if ((_e72 % 32u) > 0u) {
-            phi_210_ = (_e74 + 1u);
+        if ((_e76 % 32u) > 0u) {
+            phi_216_ = (_e78 + 1u);
         } else {
-            phi_210_ = _e74;
+            phi_216_ = _e78;
         }
-        let _e80 = phi_210_;
-        let _e83 = samples.member[_e64.first_primitive].position;
-        let _e85 = visibility.member[_e64.first_primitive];
-        let _e91 = samples.member[_e64.first_primitive].normal[0u];
-        let _e93 = global[0u];
-        if (_e91 == _e93) {
-            let _e96 = samples.member[_e64.first_primitive].normal[1u];
-            let _e98 = global[1u];
-            if (_e96 == _e98) {
-                let _e101 = samples.member[_e64.first_primitive].normal[2u];
-                let _e103 = global[2u];
-                phi_244_ = (_e101 == _e103);
-                phi_245_ = false;
+        let _e84 = phi_216_;
+        let _e87 = samples.member[_e68.first_primitive].position;
+        let _e89 = visibility.member[_e68.first_primitive];
+        let _e95 = samples.member[_e68.first_primitive].normal[0u];
+        let _e97 = global[0u];
+        if (_e95 == _e97) {
+            let _e100 = samples.member[_e68.first_primitive].normal[1u];
+            let _e102 = global[1u];
+            if (_e100 == _e102) {
+                let _e105 = samples.member[_e68.first_primitive].normal[2u];
+                let _e107 = global[2u];
+                phi_250_ = (_e105 == _e107);
+                phi_251_ = false;
             } else {
-                phi_244_ = bool();
-                phi_245_ = true;
+                phi_250_ = bool();
+                phi_251_ = true;
             }
-            let _e106 = phi_244_;
-            let _e108 = phi_245_;
-            phi_246_ = _e106;
-            phi_247_ = _e108;
+            let _e110 = phi_250_;
+            let _e112 = phi_251_;
+            phi_252_ = _e110;
+            phi_253_ = _e112;
         } else {
-            phi_246_ = bool();
-            phi_247_ = true;
+            phi_252_ = bool();
+            phi_253_ = true;
         }
-        let _e110 = phi_246_;
-        let _e112 = phi_247_;
-        if _e112 {
-            phi_251_ = false;
+        let _e114 = phi_252_;
+        let _e116 = phi_253_;
+        if _e116 {
+            phi_257_ = false;
         } else {
-            phi_251_ = _e110;
+            phi_257_ = _e114;
         }
-        let _e114 = phi_251_;
-        if !(_e114) {
-            let _e117 = samples.member[_e64.first_primitive].position;
-            let _e119 = p.member.light.place;
-            let _e125 = p.member.light.place[3u];
-            let _e132 = (_e119.x - (_e117.x * _e125));
-            let _e133 = (_e119.y - (_e117.y * _e125));
-            let _e134 = (_e119.z - (_e117.z * _e125));
-            let _e136 = samples.member[_e64.first_primitive].normal;
-            if ((((_e136.x * _e132) + (_e136.y * _e133)) + (_e136.z * _e134)) > 0f) {
-                let _e150 = (((_e132 * _e132) + (_e133 * _e133)) + (_e134 * _e134));
-                let _e152 = p.member.light.axis;
-                let _e164 = p.member.light.place[3u];
-                if (_e164 == 0f) {
-                    phi_322_ = true;
+        let _e118 = phi_257_;
+        if !(_e118) {
+            let _e121 = samples.member[_e68.first_primitive].position;
+            let _e123 = p.member.light.place;
+            let _e129 = p.member.light.place[3u];
+            let _e136 = (_e123.x - (_e121.x * _e129));
+            let _e137 = (_e123.y - (_e121.y * _e129));
+            let _e138 = (_e123.z - (_e121.z * _e129));
+            let _e140 = samples.member[_e68.first_primitive].normal;
+            if ((((_e140.x * _e136) + (_e140.y * _e137)) + (_e140.z * _e138)) > 0f) {
+                let _e154 = (((_e136 * _e136) + (_e137 * _e137)) + (_e138 * _e138));
+                let _e156 = p.member.light.axis;
+                let _e168 = p.member.light.place[3u];
+                if (_e168 == 0f) {
+                    phi_328_ = true;
                 } else {
-                    let _e167 = p.member.light.range_squared;
-                    if (_e150 <= _e167) {
-                        let _e170 = p.member.light.cos_outer;
-                        phi_321_ = (-((((_e132 * _e152.x) + (_e133 * _e152.y)) + (_e134 * _e152.z))) >= (_e170 * sqrt(_e150)));
+                    let _e171 = p.member.light.range_squared;
+                    if (_e154 <= _e171) {
+                        let _e174 = p.member.light.cos_outer;
+                        phi_327_ = (-((((_e136 * _e156.x) + (_e137 * _e156.y)) + (_e138 * _e156.z))) >= (_e174 * sqrt(_e154)));
                     } else {
-                        phi_321_ = false;
+                        phi_327_ = false;
                     }
-                    let _e175 = phi_321_;
-                    phi_322_ = _e175;
+                    let _e179 = phi_327_;
+                    phi_328_ = _e179;
                 }
-                let _e177 = phi_322_;
-                if _e177 {
-                    let _e179 = samples.member[_e64.first_primitive].flags;
-                    let _e187 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e193 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e187.unnamed.visibility, false), _e187.unnamed_1);
-                    phi_333_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e193.unnamed, ((_e179 & 1u) == 0u));
-                    phi_334_ = false;
+                let _e181 = phi_328_;
+                if _e181 {
+                    let _e183 = samples.member[_e68.first_primitive].flags;
+                    let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e191.unnamed.visibility, false), _e191.unnamed_1);
+                    phi_339_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e197.unnamed, ((_e183 & 1u) == 0u));
+                    phi_340_ = false;
                 } else {
-                    phi_333_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_334_ = true;
+                    phi_339_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_340_ = true;
                 }
-                let _e198 = phi_333_;
-                let _e200 = phi_334_;
-                phi_335_ = _e198;
-                phi_336_ = _e200;
+                let _e202 = phi_339_;
+                let _e204 = phi_340_;
+                phi_341_ = _e202;
+                phi_342_ = _e204;
             } else {
-                phi_335_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_336_ = true;
+                phi_341_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_342_ = true;
             }
-            let _e202 = phi_335_;
-            let _e204 = phi_336_;
-            if _e204 {
-                let _e210 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e216 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e210.unnamed.visibility, false), _e210.unnamed_1);
-                phi_343_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e216.unnamed, true);
+            let _e206 = phi_341_;
+            let _e208 = phi_342_;
+            if _e208 {
+                let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e220 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e214.unnamed.visibility, false), _e214.unnamed_1);
+                phi_349_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e220.unnamed, true);
             } else {
-                phi_343_ = _e202;
+                phi_349_ = _e206;
             }
-            let _e221 = phi_343_;
-            phi_347_ = _e221;
+            let _e225 = phi_349_;
+            phi_353_ = _e225;
         } else {
-            let _e227 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e233 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e227.unnamed.visibility, false), _e227.unnamed_1);
-            phi_347_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e233.unnamed, true);
+            let _e231 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e237 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e231.unnamed.visibility, false), _e231.unnamed_1);
+            phi_353_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e237.unnamed, true);
         }
-        let _e238 = phi_347_;
-        if _e238.unnamed_1 {
-            phi_1032_ = mask_Masked(_e238.unnamed.visibility, 0u, false);
+        let _e242 = phi_353_;
+        if _e242.unnamed_1 {
+            phi_1048_ = mask_Masked(_e242.unnamed.visibility, 0u, false, false);
         } else {
-            let _e243 = (_e85 < 0.5f);
-            if (_e85 > 0f) {
-                phi_360_ = (_e85 < 1f);
+            let _e247 = (_e89 < 0.5f);
+            if (_e89 > 0f) {
+                phi_366_ = (_e89 < 1f);
             } else {
-                phi_360_ = false;
+                phi_366_ = false;
             }
-            let _e247 = phi_360_;
-            let _e254 = lt_mask_Reprojection(vec2<u32>(_e48.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e261 = lt_mask_Reprojection(vec2<u32>(_e254.pixel.x, _e48.y), _e254.is_valid, _e254.has_moved);
-            let _e265 = lt_mask_Reprojection(_e261.pixel, true, _e261.has_moved);
-            let _e271 = p.member.flags;
-            if ((_e271 & 16u) == 0u) {
-                phi_399_ = false;
+            let _e251 = phi_366_;
+            let _e258 = lt_mask_Reprojection(vec2<u32>(_e51.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e265 = lt_mask_Reprojection(vec2<u32>(_e258.pixel.x, _e51.y), _e258.is_valid, _e258.has_moved);
+            let _e269 = lt_mask_Reprojection(_e265.pixel, true, _e265.has_moved);
+            let _e275 = p.member.flags;
+            if ((_e275 & 16u) == 0u) {
+                phi_405_ = false;
             } else {
-                let _e277 = samples.member[_e64.first_primitive].position[0u];
-                if (_e83.x == _e277) {
-                    let _e281 = samples.member[_e64.first_primitive].position[1u];
-                    if (_e83.y == _e281) {
-                        let _e285 = samples.member[_e64.first_primitive].position[2u];
-                        phi_391_ = (_e83.z == _e285);
-                        phi_392_ = false;
+                let _e281 = samples.member[_e68.first_primitive].position[0u];
+                if (_e87.x == _e281) {
+                    let _e285 = samples.member[_e68.first_primitive].position[1u];
+                    if (_e87.y == _e285) {
+                        let _e289 = samples.member[_e68.first_primitive].position[2u];
+                        phi_397_ = (_e87.z == _e289);
+                        phi_398_ = false;
                     } else {
-                        phi_391_ = bool();
-                        phi_392_ = true;
+                        phi_397_ = bool();
+                        phi_398_ = true;
                     }
-                    let _e288 = phi_391_;
-                    let _e290 = phi_392_;
-                    phi_393_ = _e288;
-                    phi_394_ = _e290;
+                    let _e292 = phi_397_;
+                    let _e294 = phi_398_;
+                    phi_399_ = _e292;
+                    phi_400_ = _e294;
                 } else {
-                    phi_393_ = bool();
-                    phi_394_ = true;
+                    phi_399_ = bool();
+                    phi_400_ = true;
                 }
-                let _e292 = phi_393_;
-                let _e294 = phi_394_;
-                if _e294 {
-                    phi_398_ = false;
+                let _e296 = phi_399_;
+                let _e298 = phi_400_;
+                if _e298 {
+                    phi_404_ = false;
                 } else {
-                    phi_398_ = _e292;
+                    phi_404_ = _e296;
                 }
-                let _e296 = phi_398_;
-                phi_399_ = _e296;
+                let _e300 = phi_404_;
+                phi_405_ = _e300;
             }
-            let _e298 = phi_399_;
-            if _e298 {
-                phi_710_ = lt_mask_Reprojection(_e265.pixel, _e265.is_valid, false);
-                phi_711_ = lt_mask_Reprojection();
-                phi_712_ = true;
+            let _e302 = phi_405_;
+            if _e302 {
+                phi_716_ = lt_mask_Reprojection(_e269.pixel, _e269.is_valid, false);
+                phi_717_ = lt_mask_Reprojection();
+                phi_718_ = true;
             } else {
-                let _e302 = p.member.current.grid[0u];
-                let _e304 = p.member.current.grid[1u];
-                let _e318 = (f32(_e48.x) + ((f32((_e48.y & (_e304 - 1u))) + 0.5f) / f32(_e304)));
-                let _e320 = (f32(_e48.y) + ((f32((_e48.x & (_e302 - 1u))) + 0.5f) / f32(_e302)));
-                let _e323 = p.member.previous.eye;
-                let _e326 = (_e83.x - _e323.x);
-                let _e329 = (_e83.y - _e323.y);
-                let _e332 = (_e83.z - _e323.z);
-                let _e334 = p.member.previous.forward;
-                let _e342 = (((_e326 * _e334.x) + (_e329 * _e334.y)) + (_e332 * _e334.z));
-                let _e344 = p.member.previous.right;
-                let _e354 = p.member.previous.right;
-                let _e369 = p.member.previous.up;
-                let _e379 = p.member.previous.up;
-                let _e396 = p.member.previous.size[0u];
-                let _e403 = p.member.previous.size[1u];
-                let _e407 = (((((((_e326 * _e344.x) + (_e329 * _e344.y)) + (_e332 * _e344.z)) / ((((_e354.x * _e354.x) + (_e354.y * _e354.y)) + (_e354.z * _e354.z)) * _e342)) + 1f) * (0.5f * f32(_e396))) - _e318);
-                let _e408 = (((1f - ((((_e326 * _e369.x) + (_e329 * _e369.y)) + (_e332 * _e369.z)) / ((((_e379.x * _e379.x) + (_e379.y * _e379.y)) + (_e379.z * _e379.z)) * _e342))) * (0.5f * f32(_e403))) - _e320);
-                let _e412 = p.member.current.size[0u];
-                let _e414 = p.member.current.size[1u];
-                let _e416 = (_e318 + _e407);
-                if (_e416 > -8388608f) {
-                    let _e428 = f32(select(0i, select(select(i32(_e416), i32(-2147483648), (_e416 < bitcast<f32>(3472883712u))), 2147483647i, (_e416 > bitcast<f32>(1325400063u))), (_e416 == _e416)));
-                    if (_e428 > _e416) {
-                        phi_538_ = 1f;
+                let _e306 = p.member.current.grid[0u];
+                let _e308 = p.member.current.grid[1u];
+                let _e322 = (f32(_e51.x) + ((f32((_e51.y & (_e308 - 1u))) + 0.5f) / f32(_e308)));
+                let _e324 = (f32(_e51.y) + ((f32((_e51.x & (_e306 - 1u))) + 0.5f) / f32(_e306)));
+                let _e327 = p.member.previous.eye;
+                let _e330 = (_e87.x - _e327.x);
+                let _e333 = (_e87.y - _e327.y);
+                let _e336 = (_e87.z - _e327.z);
+                let _e338 = p.member.previous.forward;
+                let _e346 = (((_e330 * _e338.x) + (_e333 * _e338.y)) + (_e336 * _e338.z));
+                let _e348 = p.member.previous.right;
+                let _e358 = p.member.previous.right;
+                let _e373 = p.member.previous.up;
+                let _e383 = p.member.previous.up;
+                let _e400 = p.member.previous.size[0u];
+                let _e407 = p.member.previous.size[1u];
+                let _e411 = (((((((_e330 * _e348.x) + (_e333 * _e348.y)) + (_e336 * _e348.z)) / ((((_e358.x * _e358.x) + (_e358.y * _e358.y)) + (_e358.z * _e358.z)) * _e346)) + 1f) * (0.5f * f32(_e400))) - _e322);
+                let _e412 = (((1f - ((((_e330 * _e373.x) + (_e333 * _e373.y)) + (_e336 * _e373.z)) / ((((_e383.x * _e383.x) + (_e383.y * _e383.y)) + (_e383.z * _e383.z)) * _e346))) * (0.5f * f32(_e407))) - _e324);
+                let _e416 = p.member.current.size[0u];
+                let _e418 = p.member.current.size[1u];
+                let _e420 = (_e322 + _e411);
+                if (_e420 > -8388608f) {
+                    let _e432 = f32(select(0i, select(select(i32(_e420), i32(-2147483648), (_e420 < bitcast<f32>(3472883712u))), 2147483647i, (_e420 > bitcast<f32>(1325400063u))), (_e420 == _e420)));
+                    if (_e432 > _e420) {
+                        phi_544_ = 1f;
                     } else {
-                        phi_538_ = 0f;
+                        phi_544_ = 0f;
                     }
-                    let _e431 = phi_538_;
-                    if (_e416 < 8388608f) {
-                        phi_543_ = (_e428 - _e431);
-                        phi_544_ = false;
+                    let _e435 = phi_544_;
+                    if (_e420 < 8388608f) {
+                        phi_549_ = (_e432 - _e435);
+                        phi_550_ = false;
                     } else {
-                        phi_543_ = f32();
-                        phi_544_ = true;
+                        phi_549_ = f32();
+                        phi_550_ = true;
                     }
-                    let _e434 = phi_543_;
-                    let _e436 = phi_544_;
-                    phi_545_ = _e434;
-                    phi_546_ = _e436;
+                    let _e438 = phi_549_;
+                    let _e440 = phi_550_;
+                    phi_551_ = _e438;
+                    phi_552_ = _e440;
                 } else {
-                    phi_545_ = f32();
-                    phi_546_ = true;
+                    phi_551_ = f32();
+                    phi_552_ = true;
                 }
-                let _e438 = phi_545_;
-                let _e440 = phi_546_;
-                if _e440 {
-                    phi_550_ = _e416;
+                let _e442 = phi_551_;
+                let _e444 = phi_552_;
+                if _e444 {
+                    phi_556_ = _e420;
                 } else {
-                    phi_550_ = _e438;
+                    phi_556_ = _e442;
                 }
-                let _e442 = phi_550_;
-                let _e443 = (_e320 + _e408);
-                if (_e443 > -8388608f) {
-                    let _e455 = f32(select(0i, select(select(i32(_e443), i32(-2147483648), (_e443 < bitcast<f32>(3472883712u))), 2147483647i, (_e443 > bitcast<f32>(1325400063u))), (_e443 == _e443)));
-                    if (_e455 > _e443) {
-                        phi_571_ = 1f;
+                let _e446 = phi_556_;
+                let _e447 = (_e324 + _e412);
+                if (_e447 > -8388608f) {
+                    let _e459 = f32(select(0i, select(select(i32(_e447), i32(-2147483648), (_e447 < bitcast<f32>(3472883712u))), 2147483647i, (_e447 > bitcast<f32>(1325400063u))), (_e447 == _e447)));
+                    if (_e459 > _e447) {
+                        phi_577_ = 1f;
                     } else {
-                        phi_571_ = 0f;
+                        phi_577_ = 0f;
                     }
-                    let _e458 = phi_571_;
-                    if (_e443 < 8388608f) {
-                        phi_576_ = (_e455 - _e458);
-                        phi_577_ = false;
+                    let _e462 = phi_577_;
+                    if (_e447 < 8388608f) {
+                        phi_582_ = (_e459 - _e462);
+                        phi_583_ = false;
                     } else {
-                        phi_576_ = f32();
-                        phi_577_ = true;
+                        phi_582_ = f32();
+                        phi_583_ = true;
                     }
-                    let _e461 = phi_576_;
-                    let _e463 = phi_577_;
-                    phi_578_ = _e461;
-                    phi_579_ = _e463;
+                    let _e465 = phi_582_;
+                    let _e467 = phi_583_;
+                    phi_584_ = _e465;
+                    phi_585_ = _e467;
                 } else {
-                    phi_578_ = f32();
-                    phi_579_ = true;
+                    phi_584_ = f32();
+                    phi_585_ = true;
                 }
-                let _e465 = phi_578_;
-                let _e467 = phi_579_;
-                if _e467 {
-                    phi_583_ = _e443;
+                let _e469 = phi_584_;
+                let _e471 = phi_585_;
+                if _e471 {
+                    phi_589_ = _e447;
                 } else {
-                    phi_583_ = _e465;
+                    phi_589_ = _e469;
                 }
-                let _e469 = phi_583_;
-                if (_e442 >= 0f) {
-                    if (_e469 >= 0f) {
-                        if (_e442 < f32(_e412)) {
-                            let _e475 = (_e469 < f32(_e414));
-                            if (_e407 == 0f) {
-                                phi_604_ = (_e408 == 0f);
+                let _e473 = phi_589_;
+                if (_e446 >= 0f) {
+                    if (_e473 >= 0f) {
+                        if (_e446 < f32(_e416)) {
+                            let _e479 = (_e473 < f32(_e418));
+                            if (_e411 == 0f) {
+                                phi_610_ = (_e412 == 0f);
                             } else {
-                                phi_604_ = false;
+                                phi_610_ = false;
                             }
-                            let _e479 = phi_604_;
-                            if _e475 {
-                                phi_623_ = vec2<u32>(select(select(u32(_e442), 0u, (_e442 < bitcast<f32>(0u))), 4294967295u, (_e442 > bitcast<f32>(1333788671u))), select(select(u32(_e469), 0u, (_e469 < bitcast<f32>(0u))), 4294967295u, (_e469 > bitcast<f32>(1333788671u))));
-                                phi_624_ = false;
+                            let _e483 = phi_610_;
+                            if _e479 {
+                                phi_629_ = vec2<u32>(select(select(u32(_e446), 0u, (_e446 < bitcast<f32>(0u))), 4294967295u, (_e446 > bitcast<f32>(1333788671u))), select(select(u32(_e473), 0u, (_e473 < bitcast<f32>(0u))), 4294967295u, (_e473 > bitcast<f32>(1333788671u))));
+                                phi_630_ = false;
                             } else {
-                                phi_623_ = vec2<u32>();
-                                phi_624_ = true;
+                                phi_629_ = vec2<u32>();
+                                phi_630_ = true;
                             }
-                            let _e496 = phi_623_;
-                            let _e498 = phi_624_;
-                            phi_625_ = _e479;
-                            phi_626_ = _e475;
-                            phi_627_ = _e496;
-                            phi_628_ = _e479;
-                            phi_629_ = _e475;
-                            phi_630_ = false;
-                            phi_631_ = _e498;
+                            let _e500 = phi_629_;
+                            let _e502 = phi_630_;
+                            phi_631_ = _e483;
+                            phi_632_ = _e479;
+                            phi_633_ = _e500;
+                            phi_634_ = _e483;
+                            phi_635_ = _e479;
+                            phi_636_ = false;
+                            phi_637_ = _e502;
                         } else {
-                            phi_625_ = bool();
-                            phi_626_ = bool();
-                            phi_627_ = vec2<u32>();
-                            phi_628_ = bool();
-                            phi_629_ = bool();
-                            phi_630_ = true;
-                            phi_631_ = false;
+                            phi_631_ = bool();
+                            phi_632_ = bool();
+                            phi_633_ = vec2<u32>();
+                            phi_634_ = bool();
+                            phi_635_ = bool();
+                            phi_636_ = true;
+                            phi_637_ = false;
                         }
-                        let _e500 = phi_625_;
-                        let _e502 = phi_626_;
-                        let _e504 = phi_627_;
-                        let _e506 = phi_628_;
-                        let _e508 = phi_629_;
-                        let _e510 = phi_630_;
-                        let _e512 = phi_631_;
-                        phi_632_ = _e500;
-                        phi_633_ = _e502;
-                        phi_634_ = _e504;
-                        phi_635_ = _e506;
-                        phi_636_ = _e508;
-                        phi_637_ = _e510;
-                        phi_638_ = _e512;
+                        let _e504 = phi_631_;
+                        let _e506 = phi_632_;
+                        let _e508 = phi_633_;
+                        let _e510 = phi_634_;
+                        let _e512 = phi_635_;
+                        let _e514 = phi_636_;
+                        let _e516 = phi_637_;
+                        phi_638_ = _e504;
+                        phi_639_ = _e506;
+                        phi_640_ = _e508;
+                        phi_641_ = _e510;
+                        phi_642_ = _e512;
+                        phi_643_ = _e514;
+                        phi_644_ = _e516;
                     } else {
-                        phi_632_ = bool();
-                        phi_633_ = bool();
-                        phi_634_ = vec2<u32>();
-                        phi_635_ = bool();
-                        phi_636_ = bool();
-                        phi_637_ = true;
-                        phi_638_ = false;
+                        phi_638_ = bool();
+                        phi_639_ = bool();
+                        phi_640_ = vec2<u32>();
+                        phi_641_ = bool();
+                        phi_642_ = bool();
+                        phi_643_ = true;
+                        phi_644_ = false;
                     }
-                    let _e514 = phi_632_;
-                    let _e516 = phi_633_;
-                    let _e518 = phi_634_;
-                    let _e520 = phi_635_;
-                    let _e522 = phi_636_;
-                    let _e524 = phi_637_;
-                    let _e526 = phi_638_;
-                    phi_639_ = _e514;
-                    phi_640_ = _e516;
-                    phi_641_ = _e518;
-                    phi_642_ = _e520;
-                    phi_643_ = _e522;
-                    phi_644_ = _e524;
-                    phi_645_ = _e526;
+                    let _e518 = phi_638_;
+                    let _e520 = phi_639_;
+                    let _e522 = phi_640_;
+                    let _e524 = phi_641_;
+                    let _e526 = phi_642_;
+                    let _e528 = phi_643_;
+                    let _e530 = phi_644_;
+                    phi_645_ = _e518;
+                    phi_646_ = _e520;
+                    phi_647_ = _e522;
+                    phi_648_ = _e524;
+                    phi_649_ = _e526;
+                    phi_650_ = _e528;
+                    phi_651_ = _e530;
                 } else {
-                    phi_639_ = bool();
-                    phi_640_ = bool();
-                    phi_641_ = vec2<u32>();
-                    phi_642_ = bool();
-                    phi_643_ = bool();
-                    phi_644_ = true;
-                    phi_645_ = false;
+                    phi_645_ = bool();
+                    phi_646_ = bool();
+                    phi_647_ = vec2<u32>();
+                    phi_648_ = bool();
+                    phi_649_ = bool();
+                    phi_650_ = true;
+                    phi_651_ = false;
                 }
-                let _e528 = phi_639_;
-                let _e530 = phi_640_;
-                let _e532 = phi_641_;
-                let _e534 = phi_642_;
-                let _e536 = phi_643_;
-                let _e538 = phi_644_;
-                let _e540 = phi_645_;
-                if _e538 {
-                    if (_e407 == 0f) {
-                        phi_654_ = (_e408 == 0f);
+                let _e532 = phi_645_;
+                let _e534 = phi_646_;
+                let _e536 = phi_647_;
+                let _e538 = phi_648_;
+                let _e540 = phi_649_;
+                let _e542 = phi_650_;
+                let _e544 = phi_651_;
+                if _e542 {
+                    if (_e411 == 0f) {
+                        phi_660_ = (_e412 == 0f);
                     } else {
-                        phi_654_ = false;
+                        phi_660_ = false;
                     }
-                    let _e544 = phi_654_;
-                    phi_655_ = _e544;
-                    phi_656_ = false;
-                    phi_657_ = true;
+                    let _e548 = phi_660_;
+                    phi_661_ = _e548;
+                    phi_662_ = false;
+                    phi_663_ = true;
                 } else {
-                    phi_655_ = _e534;
-                    phi_656_ = _e536;
-                    phi_657_ = _e540;
+                    phi_661_ = _e538;
+                    phi_662_ = _e540;
+                    phi_663_ = _e544;
                 }
-                let _e546 = phi_655_;
-                let _e548 = phi_656_;
-                let _e550 = phi_657_;
-                if _e550 {
-                    phi_661_ = _e546;
-                    phi_662_ = _e548;
-                    phi_663_ = vec2<u32>(_e48.x, _e48.y);
-                } else {
-                    phi_661_ = _e528;
-                    phi_662_ = _e530;
-                    phi_663_ = _e532;
-                }
-                let _e552 = phi_661_;
-                let _e554 = phi_662_;
-                let _e556 = phi_663_;
-                let _e566 = lt_mask_Reprojection(vec2<u32>(_e556.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e573 = lt_mask_Reprojection(vec2<u32>(_e566.pixel.x, _e556.y), _e566.is_valid, _e566.has_moved);
-                let _e577 = lt_mask_Reprojection(_e573.pixel, _e554, _e573.has_moved);
-                let _e581 = lt_mask_Reprojection(_e577.pixel, _e577.is_valid, !(_e552));
+                let _e550 = phi_661_;
+                let _e552 = phi_662_;
+                let _e554 = phi_663_;
                 if _e554 {
-                    let _e584 = p.member.previous.eye;
-                    let _e595 = p.member.previous.forward;
-                    let _e604 = (((((_e83.x - _e584.x) * _e595.x) + ((_e83.y - _e584.y) * _e595.y)) + ((_e83.z - _e584.z) * _e595.z)) > 0f);
-                    let _e608 = lt_mask_Reprojection(_e581.pixel, _e604, _e581.has_moved);
-                    if _e604 {
-                        phi_701_ = false;
+                    phi_667_ = _e550;
+                    phi_668_ = _e552;
+                    phi_669_ = vec2<u32>(_e51.x, _e51.y);
+                } else {
+                    phi_667_ = _e532;
+                    phi_668_ = _e534;
+                    phi_669_ = _e536;
+                }
+                let _e556 = phi_667_;
+                let _e558 = phi_668_;
+                let _e560 = phi_669_;
+                let _e570 = lt_mask_Reprojection(vec2<u32>(_e560.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e577 = lt_mask_Reprojection(vec2<u32>(_e570.pixel.x, _e560.y), _e570.is_valid, _e570.has_moved);
+                let _e581 = lt_mask_Reprojection(_e577.pixel, _e558, _e577.has_moved);
+                let _e585 = lt_mask_Reprojection(_e581.pixel, _e581.is_valid, !(_e556));
+                if _e558 {
+                    let _e588 = p.member.previous.eye;
+                    let _e599 = p.member.previous.forward;
+                    let _e608 = (((((_e87.x - _e588.x) * _e599.x) + ((_e87.y - _e588.y) * _e599.y)) + ((_e87.z - _e588.z) * _e599.z)) > 0f);
+                    let _e612 = lt_mask_Reprojection(_e585.pixel, _e608, _e585.has_moved);
+                    if _e608 {
+                        phi_707_ = false;
                     } else {
-                        phi_701_ = true;
+                        phi_707_ = true;
                     }
-                    let _e610 = phi_701_;
-                    phi_703_ = _e608;
-                    phi_704_ = _e608;
-                    phi_705_ = _e610;
+                    let _e614 = phi_707_;
+                    phi_709_ = _e612;
+                    phi_710_ = _e612;
+                    phi_711_ = _e614;
                 } else {
-                    phi_703_ = lt_mask_Reprojection();
-                    phi_704_ = lt_mask_Reprojection(_e581.pixel, false, _e581.has_moved);
-                    phi_705_ = true;
+                    phi_709_ = lt_mask_Reprojection();
+                    phi_710_ = lt_mask_Reprojection(_e585.pixel, false, _e585.has_moved);
+                    phi_711_ = true;
                 }
-                let _e616 = phi_703_;
-                let _e618 = phi_704_;
-                let _e620 = phi_705_;
-                if _e620 {
-                    phi_709_ = false;
+                let _e620 = phi_709_;
+                let _e622 = phi_710_;
+                let _e624 = phi_711_;
+                if _e624 {
+                    phi_715_ = false;
                 } else {
-                    phi_709_ = true;
+                    phi_715_ = true;
                 }
-                let _e622 = phi_709_;
-                phi_710_ = _e616;
-                phi_711_ = _e618;
-                phi_712_ = _e622;
+                let _e626 = phi_715_;
+                phi_716_ = _e620;
+                phi_717_ = _e622;
+                phi_718_ = _e626;
             }
-            let _e624 = phi_710_;
-            let _e626 = phi_711_;
-            let _e628 = phi_712_;
-            if _e628 {
-                let _e630 = p.member.flags;
-                phi_720_ = ((_e630 & 1u) != 0u);
-                phi_721_ = _e624;
+            let _e628 = phi_716_;
+            let _e630 = phi_717_;
+            let _e632 = phi_718_;
+            if _e632 {
+                let _e634 = p.member.flags;
+                phi_726_ = ((_e634 & 1u) != 0u);
+                phi_727_ = _e628;
             } else {
-                phi_720_ = false;
-                phi_721_ = _e626;
+                phi_726_ = false;
+                phi_727_ = _e630;
             }
-            let _e634 = phi_720_;
-            let _e636 = phi_721_;
-            let _e640 = lt_mask_Reprojection(_e636.pixel, _e634, _e636.has_moved);
-            let _e642 = p.member.flags;
-            let _e644 = ((_e642 & 2u) != 0u);
+            let _e638 = phi_726_;
+            let _e640 = phi_727_;
+            let _e644 = lt_mask_Reprojection(_e640.pixel, _e638, _e640.has_moved);
             let _e646 = p.member.flags;
-            if ((_e646 & 4u) == 0u) {
-                phi_799_ = u32();
-                phi_800_ = true;
-                phi_801_ = false;
+            let _e648 = ((_e646 & 2u) != 0u);
+            let _e650 = p.member.flags;
+            if ((_e650 & 4u) == 0u) {
+                phi_805_ = u32();
+                phi_806_ = true;
+                phi_807_ = false;
             } else {
-                if _e634 {
-                    if !(_e640.has_moved) {
-                        let _e655 = ((((_e48.y * _e80) + (_e48.x / 32u)) * 6u) + 4u);
-                        if (_e655 < _e54) {
+                if _e638 {
+                    if !(_e644.has_moved) {
+                        let _e659 = ((((_e51.y * _e84) + (_e51.x / 32u)) * 6u) + 4u);
+                        if (_e659 < _e57) {
                         } else {
                             return;
                         }
-                        let _e659 = heard.member[(0u + _e655)];
-                        if (((_e659 >> bitcast<u32>(((_e48.x % 32u) & 31u))) & 1u) != 0u) {
-                            let _e670 = ((((_e48.y * _e80) + (_e48.x / 32u)) * 6u) + 5u);
-                            if (_e670 < _e54) {
+                        let _e663 = heard.member[(0u + _e659)];
+                        if (((_e663 >> bitcast<u32>(((_e51.x % 32u) & 31u))) & 1u) != 0u) {
+                            let _e674 = ((((_e51.y * _e84) + (_e51.x / 32u)) * 6u) + 5u);
+                            if (_e674 < _e57) {
                             } else {
                                 return;
                             }
-                            let _e674 = heard.member[(0u + _e670)];
+                            let _e678 = heard.member[(0u + _e674)];
                             if false {
-                                phi_787_ = (2u | 1u);
+                                phi_793_ = (2u | 1u);
                             } else {
-                                phi_787_ = 2u;
+                                phi_793_ = 2u;
                             }
-                            let _e683 = phi_787_;
-                            if (((_e674 >> bitcast<u32>(((_e48.x % 32u) & 31u))) & 1u) != 0u) {
-                                phi_792_ = (_e683 | 4u);
+                            let _e687 = phi_793_;
+                            if (((_e678 >> bitcast<u32>(((_e51.x % 32u) & 31u))) & 1u) != 0u) {
+                                phi_798_ = (_e687 | 4u);
                             } else {
-                                phi_792_ = _e683;
+                                phi_798_ = _e687;
                             }
-                            let _e686 = phi_792_;
-                            phi_793_ = _e686;
+                            let _e690 = phi_798_;
+                            phi_799_ = _e690;
                         } else {
-                            phi_793_ = 0u;
+                            phi_799_ = 0u;
                         }
-                        let _e688 = phi_793_;
-                        phi_794_ = _e688;
-                        phi_795_ = false;
+                        let _e692 = phi_799_;
+                        phi_800_ = _e692;
+                        phi_801_ = false;
                     } else {
-                        phi_794_ = u32();
-                        phi_795_ = true;
+                        phi_800_ = u32();
+                        phi_801_ = true;
                     }
-                    let _e690 = phi_794_;
-                    let _e692 = phi_795_;
-                    phi_796_ = _e690;
-                    phi_797_ = false;
-                    phi_798_ = _e692;
+                    let _e694 = phi_800_;
+                    let _e696 = phi_801_;
+                    phi_802_ = _e694;
+                    phi_803_ = false;
+                    phi_804_ = _e696;
                 } else {
-                    phi_796_ = u32();
-                    phi_797_ = true;
-                    phi_798_ = false;
+                    phi_802_ = u32();
+                    phi_803_ = true;
+                    phi_804_ = false;
                 }
-                let _e694 = phi_796_;
-                let _e696 = phi_797_;
-                let _e698 = phi_798_;
-                phi_799_ = _e694;
-                phi_800_ = _e696;
-                phi_801_ = _e698;
+                let _e698 = phi_802_;
+                let _e700 = phi_803_;
+                let _e702 = phi_804_;
+                phi_805_ = _e698;
+                phi_806_ = _e700;
+                phi_807_ = _e702;
             }
-            let _e700 = phi_799_;
-            let _e702 = phi_800_;
-            let _e704 = phi_801_;
-            if _e702 {
-                phi_805_ = true;
-            } else {
-                phi_805_ = _e704;
-            }
-            let _e706 = phi_805_;
+            let _e704 = phi_805_;
+            let _e706 = phi_806_;
+            let _e708 = phi_807_;
             if _e706 {
-                phi_809_ = 0u;
+                phi_811_ = true;
             } else {
-                phi_809_ = _e700;
+                phi_811_ = _e708;
             }
-            let _e708 = phi_809_;
-            let _e709 = lt_mask_Neighbourhood(false, true);
-            if _e247 {
-                phi_814_ = _e644;
+            let _e710 = phi_811_;
+            if _e710 {
+                phi_815_ = 0u;
             } else {
-                phi_814_ = true;
+                phi_815_ = _e704;
             }
-            let _e711 = phi_814_;
-            if _e711 {
-                if _e634 {
-                    if ((_e708 & 2u) != 0u) {
-                        phi_854_ = _e709;
+            let _e712 = phi_815_;
+            let _e713 = lt_mask_Neighbourhood(false, true);
+            if _e251 {
+                phi_820_ = _e648;
+            } else {
+                phi_820_ = true;
+            }
+            let _e715 = phi_820_;
+            if _e715 {
+                if _e638 {
+                    if ((_e712 & 2u) != 0u) {
+                        phi_860_ = _e713;
                     } else {
-                        let _e728 = ((((_e640.pixel.y * _e80) + (_e640.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e243) | (select(0u, 1u, _e640.has_moved) << bitcast<u32>(1i))));
-                        if (_e728 < _e54) {
+                        let _e732 = ((((_e644.pixel.y * _e84) + (_e644.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e247) | (select(0u, 1u, _e644.has_moved) << bitcast<u32>(1i))));
+                        if (_e732 < _e57) {
                         } else {
                             return;
                         }
-                        let _e732 = heard.member[(0u + _e728)];
-                        let _e738 = (((_e732 >> bitcast<u32>(((_e640.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_854_ = lt_mask_Neighbourhood(_e738, !(_e738));
+                        let _e736 = heard.member[(0u + _e732)];
+                        let _e742 = (((_e736 >> bitcast<u32>(((_e644.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_860_ = lt_mask_Neighbourhood(_e742, !(_e742));
                     }
-                    let _e742 = phi_854_;
-                    phi_855_ = _e742;
+                    let _e746 = phi_860_;
+                    phi_861_ = _e746;
                 } else {
-                    phi_855_ = _e709;
+                    phi_861_ = _e713;
                 }
-                let _e744 = phi_855_;
-                phi_856_ = _e744;
+                let _e748 = phi_861_;
+                phi_862_ = _e748;
             } else {
-                phi_856_ = _e709;
+                phi_862_ = _e713;
             }
-            let _e746 = phi_856_;
-            let _e749 = p.member.frame;
-            let _e751 = p.member.refresh;
-            if (_e751 == 0u) {
-                phi_889_ = false;
+            let _e750 = phi_862_;
+            let _e753 = p.member.frame;
+            let _e755 = p.member.refresh;
+            if (_e755 == 0u) {
+                phi_895_ = false;
             } else {
-                if (_e751 == 0u) {
+                if (_e755 == 0u) {
                     return;
                 }
-                let _e760 = ((_e48.x + (_e48.y * (((_e751 * 5u) / 8u) | 1u))) + (_e749 % _e751));
-                if (_e751 == 0u) {
-                    phi_888_ = (_e760 == 0u);
+                let _e764 = ((_e51.x + (_e51.y * (((_e755 * 5u) / 8u) | 1u))) + (_e753 % _e755));
+                if (_e755 == 0u) {
+                    phi_894_ = (_e764 == 0u);
                 } else {
-                    if (_e751 == 0u) {
+                    if (_e755 == 0u) {
                         return;
                     }
-                    phi_888_ = ((_e760 % _e751) == 0u);
+                    phi_894_ = ((_e764 % _e755) == 0u);
                 }
-                let _e767 = phi_888_;
-                phi_889_ = _e767;
+                let _e771 = phi_894_;
+                phi_895_ = _e771;
             }
-            let _e769 = phi_889_;
-            if _e634 {
-                if _e769 {
-                    phi_911_ = bool();
+            let _e773 = phi_895_;
+            if _e638 {
+                if _e773 {
+                    phi_917_ = bool();
                 } else {
-                    phi_911_ = ((_e708 & 2u) != 0u);
+                    phi_917_ = ((_e712 & 2u) != 0u);
                 }
-                let _e775 = phi_911_;
-                phi_912_ = _e775;
-                phi_913_ = _e769;
+                let _e779 = phi_917_;
+                phi_918_ = _e779;
+                phi_919_ = _e773;
             } else {
-                phi_912_ = bool();
-                phi_913_ = true;
+                phi_918_ = bool();
+                phi_919_ = true;
             }
-            let _e777 = phi_912_;
-            let _e779 = phi_913_;
-            if _e779 {
-                phi_917_ = false;
+            let _e781 = phi_918_;
+            let _e783 = phi_919_;
+            if _e783 {
+                phi_923_ = false;
             } else {
-                phi_917_ = _e777;
+                phi_923_ = _e781;
             }
-            let _e781 = phi_917_;
-            if _e781 {
-                phi_968_ = 7u;
+            let _e785 = phi_923_;
+            if _e785 {
+                phi_974_ = 7u;
             } else {
-                if (_e85 != 0.5f) {
-                    if _e634 {
-                        if _e769 {
-                            phi_965_ = 6u;
+                if (_e89 != 0.5f) {
+                    if _e638 {
+                        if _e773 {
+                            phi_971_ = 6u;
                         } else {
-                            if _e247 {
-                                phi_940_ = true;
+                            if _e251 {
+                                phi_946_ = true;
                             } else {
-                                if _e746.any_expands {
-                                    phi_939_ = false;
+                                if _e750.any_expands {
+                                    phi_945_ = false;
                                 } else {
-                                    phi_939_ = true;
+                                    phi_945_ = true;
                                 }
-                                let _e783 = phi_939_;
-                                phi_940_ = _e783;
+                                let _e787 = phi_945_;
+                                phi_946_ = _e787;
                             }
-                            let _e785 = phi_940_;
-                            if _e785 {
-                                if _e247 {
-                                    if _e644 {
-                                        if _e746.all_remove {
-                                            phi_953_ = false;
+                            let _e789 = phi_946_;
+                            if _e789 {
+                                if _e251 {
+                                    if _e648 {
+                                        if _e750.all_remove {
+                                            phi_959_ = false;
                                         } else {
-                                            phi_953_ = true;
+                                            phi_959_ = true;
                                         }
-                                        let _e787 = phi_953_;
-                                        phi_954_ = _e787;
+                                        let _e791 = phi_959_;
+                                        phi_960_ = _e791;
                                     } else {
-                                        phi_954_ = true;
+                                        phi_960_ = true;
                                     }
-                                    let _e789 = phi_954_;
-                                    phi_955_ = _e789;
+                                    let _e793 = phi_960_;
+                                    phi_961_ = _e793;
                                 } else {
-                                    phi_955_ = true;
+                                    phi_961_ = true;
                                 }
-                                let _e791 = phi_955_;
-                                if _e791 {
-                                    if _e247 {
-                                        phi_962_ = 1u;
+                                let _e795 = phi_961_;
+                                if _e795 {
+                                    if _e251 {
+                                        phi_968_ = 1u;
                                     } else {
-                                        phi_962_ = 0u;
+                                        phi_968_ = 0u;
                                     }
-                                    let _e793 = phi_962_;
-                                    phi_963_ = _e793;
+                                    let _e797 = phi_968_;
+                                    phi_969_ = _e797;
                                 } else {
-                                    phi_963_ = 5u;
+                                    phi_969_ = 5u;
                                 }
-                                let _e795 = phi_963_;
-                                phi_964_ = _e795;
+                                let _e799 = phi_969_;
+                                phi_970_ = _e799;
                             } else {
-                                phi_964_ = 4u;
+                                phi_970_ = 4u;
                             }
-                            let _e797 = phi_964_;
-                            phi_965_ = _e797;
+                            let _e801 = phi_970_;
+                            phi_971_ = _e801;
                         }
-                        let _e799 = phi_965_;
-                        phi_966_ = _e799;
+                        let _e803 = phi_971_;
+                        phi_972_ = _e803;
                     } else {
-                        phi_966_ = 3u;
+                        phi_972_ = 3u;
                     }
-                    let _e801 = phi_966_;
-                    phi_967_ = _e801;
+                    let _e805 = phi_972_;
+                    phi_973_ = _e805;
                 } else {
-                    phi_967_ = 2u;
+                    phi_973_ = 2u;
                 }
-                let _e803 = phi_967_;
-                phi_968_ = _e803;
+                let _e807 = phi_973_;
+                phi_974_ = _e807;
             }
-            let _e805 = phi_968_;
-            if !((_e805 == 0u)) {
-                if !((_e805 == 5u)) {
-                    phi_980_ = !(_e781);
-                    phi_981_ = false;
+            let _e809 = phi_974_;
+            if !((_e809 == 0u)) {
+                if !((_e809 == 5u)) {
+                    phi_986_ = !(_e785);
+                    phi_987_ = false;
                 } else {
-                    phi_980_ = bool();
-                    phi_981_ = true;
+                    phi_986_ = bool();
+                    phi_987_ = true;
                 }
-                let _e812 = phi_980_;
-                let _e814 = phi_981_;
-                phi_982_ = _e812;
-                phi_983_ = _e814;
+                let _e816 = phi_986_;
+                let _e818 = phi_987_;
+                phi_988_ = _e816;
+                phi_989_ = _e818;
             } else {
-                phi_982_ = bool();
-                phi_983_ = true;
+                phi_988_ = bool();
+                phi_989_ = true;
             }
-            let _e816 = phi_982_;
-            let _e818 = phi_983_;
-            if _e818 {
-                phi_987_ = false;
+            let _e820 = phi_988_;
+            let _e822 = phi_989_;
+            if _e822 {
+                phi_993_ = false;
             } else {
-                phi_987_ = _e816;
-            }
-            let _e820 = phi_987_;
-            if _e781 {
-                phi_993_ = ((_e708 & 4u) != 0u);
-            } else {
-                phi_993_ = _e243;
+                phi_993_ = _e820;
             }
             let _e824 = phi_993_;
-            if _e820 {
-                if _e243 {
-                    phi_1001_ = (2u | 1u);
-                } else {
-                    phi_1001_ = 2u;
-                }
-                let _e827 = phi_1001_;
-                if false {
-                    phi_1006_ = (_e827 | 4u);
-                } else {
-                    phi_1006_ = _e827;
-                }
-                let _e830 = phi_1006_;
-                phi_1026_ = _e830;
+            if _e785 {
+                phi_999_ = ((_e712 & 4u) != 0u);
             } else {
-                if (_e805 == 7u) {
-                    if _e243 {
-                        phi_1015_ = (2u | 1u);
-                    } else {
-                        phi_1015_ = 2u;
-                    }
-                    let _e834 = phi_1015_;
-                    if _e824 {
-                        phi_1020_ = (_e834 | 4u);
-                    } else {
-                        phi_1020_ = _e834;
-                    }
-                    let _e837 = phi_1020_;
-                    phi_1025_ = _e837;
-                } else {
-                    if _e243 {
-                        phi_1024_ = 1u;
-                    } else {
-                        phi_1024_ = 0u;
-                    }
-                    let _e839 = phi_1024_;
-                    phi_1025_ = _e839;
-                }
-                let _e841 = phi_1025_;
-                phi_1026_ = _e841;
+                phi_999_ = _e247;
             }
-            let _e843 = phi_1026_;
+            let _e828 = phi_999_;
             if _e824 {
-                phi_1030_ = 0f;
+                if _e247 {
+                    phi_1007_ = (2u | 1u);
+                } else {
+                    phi_1007_ = 2u;
+                }
+                let _e831 = phi_1007_;
+                if false {
+                    phi_1012_ = (_e831 | 4u);
+                } else {
+                    phi_1012_ = _e831;
+                }
+                let _e834 = phi_1012_;
+                phi_1032_ = _e834;
             } else {
-                phi_1030_ = 1f;
+                if (_e809 == 7u) {
+                    if _e247 {
+                        phi_1021_ = (2u | 1u);
+                    } else {
+                        phi_1021_ = 2u;
+                    }
+                    let _e838 = phi_1021_;
+                    if _e828 {
+                        phi_1026_ = (_e838 | 4u);
+                    } else {
+                        phi_1026_ = _e838;
+                    }
+                    let _e841 = phi_1026_;
+                    phi_1031_ = _e841;
+                } else {
+                    if _e247 {
+                        phi_1030_ = 1u;
+                    } else {
+                        phi_1030_ = 0u;
+                    }
+                    let _e843 = phi_1030_;
+                    phi_1031_ = _e843;
+                }
+                let _e845 = phi_1031_;
+                phi_1032_ = _e845;
             }
-            let _e845 = phi_1030_;
-            phi_1032_ = mask_Masked(_e845, _e843, _e820);
+            let _e847 = phi_1032_;
+            if _e828 {
+                phi_1036_ = 0f;
+            } else {
+                phi_1036_ = 1f;
+            }
+            let _e849 = phi_1036_;
+            if _e251 {
+                if (_e89 == 0.99999994f) {
+                    phi_1045_ = true;
+                } else {
+                    phi_1045_ = (_e89 == 0.000000059604645f);
+                }
+                let _e853 = phi_1045_;
+                phi_1046_ = _e853;
+            } else {
+                phi_1046_ = true;
+            }
+            let _e855 = phi_1046_;
+            phi_1048_ = mask_Masked(_e849, _e847, _e824, _e855);
         }
-        let _e848 = phi_1032_;
-        visibility.member[_e64.first_primitive] = _e848.visibility;
-        let _e853 = p.member.light.number;
-        let _e854 = (_e853 * 3u);
-        let _e856 = (_e854 % 32u);
-        let _e858 = p.member.light.mask_words;
-        let _e860 = ((_e64.first_primitive * _e858) + (_e854 / 32u));
-        let _e862 = bits.member[_e860];
-        bits.member[_e860] = ((_e862 & ~((7u << bitcast<u32>((_e856 & 31u))))) | (_e848.bits << bitcast<u32>((_e856 & 31u))));
-        if (_e856 > 29u) {
-            let _e877 = bits.member[(_e860 + 1u)];
-            let _e879 = (32u - _e856);
-            bits.member[(_e860 + 1u)] = ((_e877 & ~((7u >> bitcast<u32>((_e879 & 31u))))) | (_e848.bits >> bitcast<u32>((_e879 & 31u))));
+        let _e858 = phi_1048_;
+        visibility.member[_e68.first_primitive] = _e858.visibility;
+        let _e863 = p.member.light.number;
+        let _e864 = (_e863 * 3u);
+        let _e866 = (_e864 % 32u);
+        let _e868 = p.member.light.mask_words;
+        let _e870 = ((_e68.first_primitive * _e868) + (_e864 / 32u));
+        let _e872 = bits.member[_e870];
+        bits.member[_e870] = ((_e872 & ~((7u << bitcast<u32>((_e866 & 31u))))) | (_e858.bits << bitcast<u32>((_e866 & 31u))));
+        if (_e866 > 29u) {
+            let _e887 = bits.member[(_e870 + 1u)];
+            let _e889 = (32u - _e866);
+            bits.member[(_e870 + 1u)] = ((_e887 & ~((7u >> bitcast<u32>((_e889 & 31u))))) | (_e858.bits >> bitcast<u32>((_e889 & 31u))));
         }
-        phi_1082_ = _e848.needs_ray;
-        phi_1083_ = _e64.first_primitive;
+        phi_1100_ = doubt_Listed(_e68.first_primitive, _e858.is_trusted);
+        phi_1101_ = _e858.needs_ray;
     } else {
-        phi_1082_ = false;
-        phi_1083_ = 0u;
+        phi_1100_ = doubt_Listed(0u, false);
+        phi_1101_ = false;
     }
-    let _e893 = phi_1082_;
-    let _e895 = phi_1083_;
-    if (_e49 == 0u) {
+    let _e905 = phi_1100_;
+    let _e907 = phi_1101_;
+    if (_e52 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e893 {
-        let _e899 = atomicAdd((&shared_[0u]), 1u);
-        phi_1094_ = _e899;
+    if _e907 {
+        let _e913 = atomicAdd((&shared_[0u]), 1u);
+        phi_1114_ = _e913;
     } else {
-        phi_1094_ = 0u;
+        phi_1114_ = 0u;
     }
-    let _e901 = phi_1094_;
+    let _e915 = phi_1114_;
     workgroupBarrier();
-    if (_e49 == 0u) {
-        let _e905 = atomicLoad((&shared_[0u]));
-        let _e906 = atomicAdd((&list.member[3u]), _e905);
-        atomicStore((&shared_[1u]), _e906);
+    if (_e52 == 0u) {
+        let _e919 = atomicLoad((&shared_[0u]));
+        let _e920 = atomicAdd((&list.member[3u]), _e919);
+        atomicStore((&shared_[1u]), _e920);
     }
     workgroupBarrier();
-    if _e893 {
-        let _e909 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e909) + _e901)]), _e895);
+    if _e907 {
+        if _e905.is_trusted {
+            phi_1131_ = (_e905.pixel | 2147483648u);
+        } else {
+            phi_1131_ = _e905.pixel;
+        }
+        let _e924 = phi_1131_;
+        let _e926 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e926) + _e915)]), _e924);
     }
     return;
 }

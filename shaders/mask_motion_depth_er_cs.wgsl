@@ -67,6 +67,11 @@ struct type_27 {
     member: array<f32>,
 }
 
+struct doubt_Listed {
+    pixel: u32,
+    is_trusted: bool,
+}
+
 struct evaluate_Verdict {
     visibility: f32,
     is_doubted: bool,
@@ -81,6 +86,7 @@ struct mask_Masked {
     visibility: f32,
     bits: u32,
     needs_ray: bool,
+    is_trusted: bool,
 }
 
 struct lt_mask_Reprojection {
@@ -120,962 +126,983 @@ var<storage> last_depths: type_27;
 var<storage, read_write> depths: type_27;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_164_: lt_bvh_traverse_Tree;
-    var phi_165_: bool;
-    var phi_166_: lt_bvh_traverse_Tree;
-    var phi_167_: bool;
-    var phi_172_: lt_bvh_traverse_Tree;
+    var phi_169_: lt_bvh_traverse_Tree;
+    var phi_170_: bool;
+    var phi_171_: lt_bvh_traverse_Tree;
+    var phi_172_: bool;
+    var phi_177_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_164_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_165_ = false;
+            phi_169_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_170_ = false;
         } else {
-            phi_164_ = lt_bvh_traverse_Tree();
-            phi_165_ = true;
+            phi_169_ = lt_bvh_traverse_Tree();
+            phi_170_ = true;
         }
-        let _e64 = phi_164_;
-        let _e66 = phi_165_;
-        phi_166_ = _e64;
-        phi_167_ = _e66;
+        let _e67 = phi_169_;
+        let _e69 = phi_170_;
+        phi_171_ = _e67;
+        phi_172_ = _e69;
     } else {
-        phi_166_ = lt_bvh_traverse_Tree();
-        phi_167_ = true;
+        phi_171_ = lt_bvh_traverse_Tree();
+        phi_172_ = true;
     }
-    let _e68 = phi_166_;
-    let _e70 = phi_167_;
-    if _e70 {
-        phi_172_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e71 = phi_171_;
+    let _e73 = phi_172_;
+    if _e73 {
+        phi_177_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_172_ = _e68;
+        phi_177_ = _e71;
     }
-    let _e75 = phi_172_;
-    return lt_bvh_traverse_Tree(_e75.root, _e75.first_primitive);
+    let _e78 = phi_177_;
+    return lt_bvh_traverse_Tree(_e78.root, _e78.first_primitive);
 }
 
 fn function_() {
-    var phi_240_: bool;
-    var phi_241_: bool;
-    var phi_242_: bool;
-    var phi_243_: bool;
+    var phi_246_: bool;
     var phi_247_: bool;
-    var phi_317_: bool;
-    var phi_318_: bool;
-    var phi_329_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_330_: bool;
-    var phi_331_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_332_: bool;
-    var phi_339_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_343_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_356_: bool;
-    var phi_387_: bool;
-    var phi_388_: bool;
-    var phi_389_: bool;
-    var phi_390_: bool;
+    var phi_248_: bool;
+    var phi_249_: bool;
+    var phi_253_: bool;
+    var phi_323_: bool;
+    var phi_324_: bool;
+    var phi_335_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_336_: bool;
+    var phi_337_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_338_: bool;
+    var phi_345_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_349_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_362_: bool;
+    var phi_393_: bool;
     var phi_394_: bool;
     var phi_395_: bool;
-    var phi_534_: f32;
-    var phi_539_: f32;
-    var phi_540_: bool;
-    var phi_541_: f32;
-    var phi_542_: bool;
-    var phi_546_: f32;
-    var phi_567_: f32;
-    var phi_572_: f32;
-    var phi_573_: bool;
-    var phi_574_: f32;
-    var phi_575_: bool;
-    var phi_579_: f32;
-    var phi_600_: bool;
-    var phi_619_: vec2<u32>;
-    var phi_620_: bool;
-    var phi_621_: bool;
-    var phi_622_: bool;
-    var phi_623_: vec2<u32>;
-    var phi_624_: bool;
-    var phi_625_: bool;
+    var phi_396_: bool;
+    var phi_400_: bool;
+    var phi_401_: bool;
+    var phi_540_: f32;
+    var phi_545_: f32;
+    var phi_546_: bool;
+    var phi_547_: f32;
+    var phi_548_: bool;
+    var phi_552_: f32;
+    var phi_573_: f32;
+    var phi_578_: f32;
+    var phi_579_: bool;
+    var phi_580_: f32;
+    var phi_581_: bool;
+    var phi_585_: f32;
+    var phi_606_: bool;
+    var phi_625_: vec2<u32>;
     var phi_626_: bool;
     var phi_627_: bool;
     var phi_628_: bool;
-    var phi_629_: bool;
-    var phi_630_: vec2<u32>;
+    var phi_629_: vec2<u32>;
+    var phi_630_: bool;
     var phi_631_: bool;
     var phi_632_: bool;
     var phi_633_: bool;
     var phi_634_: bool;
     var phi_635_: bool;
-    var phi_636_: bool;
-    var phi_637_: vec2<u32>;
+    var phi_636_: vec2<u32>;
+    var phi_637_: bool;
     var phi_638_: bool;
     var phi_639_: bool;
     var phi_640_: bool;
     var phi_641_: bool;
-    var phi_650_: bool;
-    var phi_651_: bool;
-    var phi_652_: bool;
-    var phi_653_: bool;
+    var phi_642_: bool;
+    var phi_643_: vec2<u32>;
+    var phi_644_: bool;
+    var phi_645_: bool;
+    var phi_646_: bool;
+    var phi_647_: bool;
+    var phi_656_: bool;
     var phi_657_: bool;
     var phi_658_: bool;
-    var phi_659_: vec2<u32>;
-    var phi_697_: bool;
-    var phi_699_: lt_mask_Reprojection;
-    var phi_700_: lt_mask_Reprojection;
-    var phi_701_: lt_mask_Reprojection;
-    var phi_702_: bool;
+    var phi_659_: bool;
+    var phi_663_: bool;
+    var phi_664_: bool;
+    var phi_665_: vec2<u32>;
     var phi_703_: bool;
-    var phi_704_: lt_mask_Reprojection;
     var phi_705_: lt_mask_Reprojection;
     var phi_706_: lt_mask_Reprojection;
-    var phi_707_: bool;
+    var phi_707_: lt_mask_Reprojection;
     var phi_708_: bool;
-    var phi_763_: bool;
-    var phi_767_: f32;
-    var phi_771_: lt_mask_Reprojection;
-    var phi_772_: bool;
-    var phi_784_: bool;
-    var phi_785_: bool;
-    var phi_786_: bool;
-    var phi_787_: lt_mask_Reprojection;
-    var phi_788_: bool;
+    var phi_709_: bool;
+    var phi_710_: lt_mask_Reprojection;
+    var phi_711_: lt_mask_Reprojection;
+    var phi_712_: lt_mask_Reprojection;
+    var phi_713_: bool;
+    var phi_714_: bool;
+    var phi_769_: bool;
+    var phi_773_: f32;
+    var phi_777_: lt_mask_Reprojection;
+    var phi_778_: bool;
+    var phi_790_: bool;
+    var phi_791_: bool;
     var phi_792_: bool;
     var phi_793_: lt_mask_Reprojection;
-    var phi_799_: bool;
-    var phi_831_: u32;
-    var phi_860_: lt_mask_Neighbourhood;
-    var phi_861_: lt_mask_Neighbourhood;
-    var phi_862_: lt_mask_Neighbourhood;
-    var phi_894_: bool;
-    var phi_895_: bool;
-    var phi_917_: bool;
-    var phi_918_: bool;
-    var phi_919_: bool;
+    var phi_794_: bool;
+    var phi_798_: bool;
+    var phi_799_: lt_mask_Reprojection;
+    var phi_805_: bool;
+    var phi_837_: u32;
+    var phi_866_: lt_mask_Neighbourhood;
+    var phi_867_: lt_mask_Neighbourhood;
+    var phi_868_: lt_mask_Neighbourhood;
+    var phi_900_: bool;
+    var phi_901_: bool;
     var phi_923_: bool;
-    var phi_945_: bool;
-    var phi_946_: bool;
-    var phi_959_: bool;
-    var phi_960_: bool;
-    var phi_961_: bool;
-    var phi_968_: u32;
-    var phi_969_: u32;
-    var phi_970_: u32;
-    var phi_971_: u32;
-    var phi_972_: u32;
-    var phi_973_: u32;
+    var phi_924_: bool;
+    var phi_925_: bool;
+    var phi_929_: bool;
+    var phi_951_: bool;
+    var phi_952_: bool;
+    var phi_965_: bool;
+    var phi_966_: bool;
+    var phi_967_: bool;
     var phi_974_: u32;
-    var phi_986_: bool;
-    var phi_987_: bool;
-    var phi_988_: bool;
-    var phi_989_: bool;
+    var phi_975_: u32;
+    var phi_976_: u32;
+    var phi_977_: u32;
+    var phi_978_: u32;
+    var phi_979_: u32;
+    var phi_980_: u32;
+    var phi_992_: bool;
     var phi_993_: bool;
+    var phi_994_: bool;
+    var phi_995_: bool;
     var phi_999_: bool;
-    var phi_1007_: u32;
-    var phi_1012_: u32;
-    var phi_1021_: u32;
-    var phi_1026_: u32;
-    var phi_1030_: u32;
-    var phi_1031_: u32;
+    var phi_1005_: bool;
+    var phi_1013_: u32;
+    var phi_1018_: u32;
+    var phi_1027_: u32;
     var phi_1032_: u32;
-    var phi_1036_: f32;
-    var phi_1038_: mask_Masked;
-    var phi_1110_: bool;
-    var phi_1111_: bool;
-    var phi_1112_: bool;
-    var phi_1113_: bool;
-    var phi_1117_: bool;
-    var phi_1145_: f32;
-    var phi_1148_: bool;
-    var phi_1149_: u32;
-    var phi_1160_: u32;
+    var phi_1036_: u32;
+    var phi_1037_: u32;
+    var phi_1038_: u32;
+    var phi_1042_: f32;
+    var phi_1051_: bool;
+    var phi_1052_: bool;
+    var phi_1054_: mask_Masked;
+    var phi_1126_: bool;
+    var phi_1127_: bool;
+    var phi_1128_: bool;
+    var phi_1129_: bool;
+    var phi_1133_: bool;
+    var phi_1161_: f32;
+    var phi_1166_: doubt_Listed;
+    var phi_1167_: bool;
+    var phi_1180_: u32;
+    var phi_1197_: u32;
 
-    let _e51 = id_1;
-    let _e52 = local_1;
-    let _e68 = p.member.current.size[0u];
-    let _e70 = p.member.current.size[1u];
-    let _e71 = lt_shaders_entry_pixel_index(_e51, _e68, _e70);
-    if (bitcast<i32>(_e71.root) != 0i) {
-        let _e79 = p.member.current.size[0u];
-        let _e82 = samples.member[_e71.first_primitive].position;
-        let _e84 = visibility.member[_e71.first_primitive];
-        let _e90 = samples.member[_e71.first_primitive].normal[0u];
-        let _e92 = global[0u];
-        if (_e90 == _e92) {
-            let _e95 = samples.member[_e71.first_primitive].normal[1u];
-            let _e97 = global[1u];
-            if (_e95 == _e97) {
-                let _e100 = samples.member[_e71.first_primitive].normal[2u];
-                let _e102 = global[2u];
-                phi_240_ = (_e100 == _e102);
-                phi_241_ = false;
+    let _e54 = id_1;
+    let _e55 = local_1;
+    let _e72 = p.member.current.size[0u];
+    let _e74 = p.member.current.size[1u];
+    let _e75 = lt_shaders_entry_pixel_index(_e54, _e72, _e74);
+    if (bitcast<i32>(_e75.root) != 0i) {
+        let _e83 = p.member.current.size[0u];
+        let _e86 = samples.member[_e75.first_primitive].position;
+        let _e88 = visibility.member[_e75.first_primitive];
+        let _e94 = samples.member[_e75.first_primitive].normal[0u];
+        let _e96 = global[0u];
+        if (_e94 == _e96) {
+            let _e99 = samples.member[_e75.first_primitive].normal[1u];
+            let _e101 = global[1u];
+            if (_e99 == _e101) {
+                let _e104 = samples.member[_e75.first_primitive].normal[2u];
+                let _e106 = global[2u];
+                phi_246_ = (_e104 == _e106);
+                phi_247_ = false;
             } else {
-                phi_240_ = bool();
-                phi_241_ = true;
+                phi_246_ = bool();
+                phi_247_ = true;
             }
-            let _e105 = phi_240_;
-            let _e107 = phi_241_;
-            phi_242_ = _e105;
-            phi_243_ = _e107;
+            let _e109 = phi_246_;
+            let _e111 = phi_247_;
+            phi_248_ = _e109;
+            phi_249_ = _e111;
         } else {
-            phi_242_ = bool();
-            phi_243_ = true;
+            phi_248_ = bool();
+            phi_249_ = true;
         }
-        let _e109 = phi_242_;
-        let _e111 = phi_243_;
-        if _e111 {
-            phi_247_ = false;
+        let _e113 = phi_248_;
+        let _e115 = phi_249_;
+        if _e115 {
+            phi_253_ = false;
         } else {
-            phi_247_ = _e109;
+            phi_253_ = _e113;
         }
-        let _e113 = phi_247_;
-        if !(_e113) {
-            let _e116 = samples.member[_e71.first_primitive].position;
-            let _e118 = p.member.light.place;
-            let _e124 = p.member.light.place[3u];
-            let _e131 = (_e118.x - (_e116.x * _e124));
-            let _e132 = (_e118.y - (_e116.y * _e124));
-            let _e133 = (_e118.z - (_e116.z * _e124));
-            let _e135 = samples.member[_e71.first_primitive].normal;
-            if ((((_e135.x * _e131) + (_e135.y * _e132)) + (_e135.z * _e133)) > 0f) {
-                let _e149 = (((_e131 * _e131) + (_e132 * _e132)) + (_e133 * _e133));
-                let _e151 = p.member.light.axis;
-                let _e163 = p.member.light.place[3u];
-                if (_e163 == 0f) {
-                    phi_318_ = true;
+        let _e117 = phi_253_;
+        if !(_e117) {
+            let _e120 = samples.member[_e75.first_primitive].position;
+            let _e122 = p.member.light.place;
+            let _e128 = p.member.light.place[3u];
+            let _e135 = (_e122.x - (_e120.x * _e128));
+            let _e136 = (_e122.y - (_e120.y * _e128));
+            let _e137 = (_e122.z - (_e120.z * _e128));
+            let _e139 = samples.member[_e75.first_primitive].normal;
+            if ((((_e139.x * _e135) + (_e139.y * _e136)) + (_e139.z * _e137)) > 0f) {
+                let _e153 = (((_e135 * _e135) + (_e136 * _e136)) + (_e137 * _e137));
+                let _e155 = p.member.light.axis;
+                let _e167 = p.member.light.place[3u];
+                if (_e167 == 0f) {
+                    phi_324_ = true;
                 } else {
-                    let _e166 = p.member.light.range_squared;
-                    if (_e149 <= _e166) {
-                        let _e169 = p.member.light.cos_outer;
-                        phi_317_ = (-((((_e131 * _e151.x) + (_e132 * _e151.y)) + (_e133 * _e151.z))) >= (_e169 * sqrt(_e149)));
+                    let _e170 = p.member.light.range_squared;
+                    if (_e153 <= _e170) {
+                        let _e173 = p.member.light.cos_outer;
+                        phi_323_ = (-((((_e135 * _e155.x) + (_e136 * _e155.y)) + (_e137 * _e155.z))) >= (_e173 * sqrt(_e153)));
                     } else {
-                        phi_317_ = false;
+                        phi_323_ = false;
                     }
-                    let _e174 = phi_317_;
-                    phi_318_ = _e174;
+                    let _e178 = phi_323_;
+                    phi_324_ = _e178;
                 }
-                let _e176 = phi_318_;
-                if _e176 {
-                    let _e178 = samples.member[_e71.first_primitive].flags;
-                    let _e186 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e186.unnamed.visibility, false), _e186.unnamed_1);
-                    phi_329_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e192.unnamed, ((_e178 & 1u) == 0u));
-                    phi_330_ = false;
+                let _e180 = phi_324_;
+                if _e180 {
+                    let _e182 = samples.member[_e75.first_primitive].flags;
+                    let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e190.unnamed.visibility, false), _e190.unnamed_1);
+                    phi_335_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e196.unnamed, ((_e182 & 1u) == 0u));
+                    phi_336_ = false;
                 } else {
-                    phi_329_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_330_ = true;
+                    phi_335_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_336_ = true;
                 }
-                let _e197 = phi_329_;
-                let _e199 = phi_330_;
-                phi_331_ = _e197;
-                phi_332_ = _e199;
+                let _e201 = phi_335_;
+                let _e203 = phi_336_;
+                phi_337_ = _e201;
+                phi_338_ = _e203;
             } else {
-                phi_331_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_332_ = true;
+                phi_337_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_338_ = true;
             }
-            let _e201 = phi_331_;
-            let _e203 = phi_332_;
-            if _e203 {
-                let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e209.unnamed.visibility, false), _e209.unnamed_1);
-                phi_339_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e215.unnamed, true);
+            let _e205 = phi_337_;
+            let _e207 = phi_338_;
+            if _e207 {
+                let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
+                phi_345_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
             } else {
-                phi_339_ = _e201;
+                phi_345_ = _e205;
             }
-            let _e220 = phi_339_;
-            phi_343_ = _e220;
+            let _e224 = phi_345_;
+            phi_349_ = _e224;
         } else {
-            let _e226 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e232 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e226.unnamed.visibility, false), _e226.unnamed_1);
-            phi_343_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e232.unnamed, true);
+            let _e230 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e236 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e230.unnamed.visibility, false), _e230.unnamed_1);
+            phi_349_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e236.unnamed, true);
         }
-        let _e237 = phi_343_;
-        if _e237.unnamed_1 {
-            phi_1038_ = mask_Masked(_e237.unnamed.visibility, 0u, false);
+        let _e241 = phi_349_;
+        if _e241.unnamed_1 {
+            phi_1054_ = mask_Masked(_e241.unnamed.visibility, 0u, false, false);
         } else {
-            let _e242 = (_e84 < 0.5f);
-            if (_e84 > 0f) {
-                phi_356_ = (_e84 < 1f);
+            let _e246 = (_e88 < 0.5f);
+            if (_e88 > 0f) {
+                phi_362_ = (_e88 < 1f);
             } else {
-                phi_356_ = false;
+                phi_362_ = false;
             }
-            let _e246 = phi_356_;
-            let _e253 = lt_mask_Reprojection(vec2<u32>(_e51.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e260 = lt_mask_Reprojection(vec2<u32>(_e253.pixel.x, _e51.y), _e253.is_valid, _e253.has_moved);
-            let _e264 = lt_mask_Reprojection(_e260.pixel, true, _e260.has_moved);
-            let _e270 = p.member.flags;
-            if ((_e270 & 16u) == 0u) {
-                phi_395_ = false;
+            let _e250 = phi_362_;
+            let _e257 = lt_mask_Reprojection(vec2<u32>(_e54.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e264 = lt_mask_Reprojection(vec2<u32>(_e257.pixel.x, _e54.y), _e257.is_valid, _e257.has_moved);
+            let _e268 = lt_mask_Reprojection(_e264.pixel, true, _e264.has_moved);
+            let _e274 = p.member.flags;
+            if ((_e274 & 16u) == 0u) {
+                phi_401_ = false;
             } else {
-                let _e276 = samples.member[_e71.first_primitive].position[0u];
-                if (_e82.x == _e276) {
-                    let _e280 = samples.member[_e71.first_primitive].position[1u];
-                    if (_e82.y == _e280) {
-                        let _e284 = samples.member[_e71.first_primitive].position[2u];
-                        phi_387_ = (_e82.z == _e284);
-                        phi_388_ = false;
+                let _e280 = samples.member[_e75.first_primitive].position[0u];
+                if (_e86.x == _e280) {
+                    let _e284 = samples.member[_e75.first_primitive].position[1u];
+                    if (_e86.y == _e284) {
+                        let _e288 = samples.member[_e75.first_primitive].position[2u];
+                        phi_393_ = (_e86.z == _e288);
+                        phi_394_ = false;
                     } else {
-                        phi_387_ = bool();
-                        phi_388_ = true;
+                        phi_393_ = bool();
+                        phi_394_ = true;
                     }
-                    let _e287 = phi_387_;
-                    let _e289 = phi_388_;
-                    phi_389_ = _e287;
-                    phi_390_ = _e289;
+                    let _e291 = phi_393_;
+                    let _e293 = phi_394_;
+                    phi_395_ = _e291;
+                    phi_396_ = _e293;
                 } else {
-                    phi_389_ = bool();
-                    phi_390_ = true;
+                    phi_395_ = bool();
+                    phi_396_ = true;
                 }
-                let _e291 = phi_389_;
-                let _e293 = phi_390_;
-                if _e293 {
-                    phi_394_ = false;
+                let _e295 = phi_395_;
+                let _e297 = phi_396_;
+                if _e297 {
+                    phi_400_ = false;
                 } else {
-                    phi_394_ = _e291;
+                    phi_400_ = _e295;
                 }
-                let _e295 = phi_394_;
-                phi_395_ = _e295;
+                let _e299 = phi_400_;
+                phi_401_ = _e299;
             }
-            let _e297 = phi_395_;
-            if _e297 {
-                phi_704_ = lt_mask_Reprojection(_e264.pixel, _e264.is_valid, false);
-                phi_705_ = lt_mask_Reprojection();
-                phi_706_ = lt_mask_Reprojection();
-                phi_707_ = true;
-                phi_708_ = false;
+            let _e301 = phi_401_;
+            if _e301 {
+                phi_710_ = lt_mask_Reprojection(_e268.pixel, _e268.is_valid, false);
+                phi_711_ = lt_mask_Reprojection();
+                phi_712_ = lt_mask_Reprojection();
+                phi_713_ = true;
+                phi_714_ = false;
             } else {
-                let _e301 = p.member.current.grid[0u];
-                let _e303 = p.member.current.grid[1u];
-                let _e317 = (f32(_e51.x) + ((f32((_e51.y & (_e303 - 1u))) + 0.5f) / f32(_e303)));
-                let _e319 = (f32(_e51.y) + ((f32((_e51.x & (_e301 - 1u))) + 0.5f) / f32(_e301)));
-                let _e322 = p.member.previous.eye;
-                let _e325 = (_e82.x - _e322.x);
-                let _e328 = (_e82.y - _e322.y);
-                let _e331 = (_e82.z - _e322.z);
-                let _e333 = p.member.previous.forward;
-                let _e341 = (((_e325 * _e333.x) + (_e328 * _e333.y)) + (_e331 * _e333.z));
-                let _e343 = p.member.previous.right;
-                let _e353 = p.member.previous.right;
-                let _e368 = p.member.previous.up;
-                let _e378 = p.member.previous.up;
-                let _e395 = p.member.previous.size[0u];
-                let _e402 = p.member.previous.size[1u];
-                let _e406 = (((((((_e325 * _e343.x) + (_e328 * _e343.y)) + (_e331 * _e343.z)) / ((((_e353.x * _e353.x) + (_e353.y * _e353.y)) + (_e353.z * _e353.z)) * _e341)) + 1f) * (0.5f * f32(_e395))) - _e317);
-                let _e407 = (((1f - ((((_e325 * _e368.x) + (_e328 * _e368.y)) + (_e331 * _e368.z)) / ((((_e378.x * _e378.x) + (_e378.y * _e378.y)) + (_e378.z * _e378.z)) * _e341))) * (0.5f * f32(_e402))) - _e319);
-                let _e411 = p.member.current.size[0u];
-                let _e413 = p.member.current.size[1u];
-                let _e415 = (_e317 + _e406);
-                if (_e415 > -8388608f) {
-                    let _e427 = f32(select(0i, select(select(i32(_e415), i32(-2147483648), (_e415 < bitcast<f32>(3472883712u))), 2147483647i, (_e415 > bitcast<f32>(1325400063u))), (_e415 == _e415)));
-                    if (_e427 > _e415) {
-                        phi_534_ = 1f;
+                let _e305 = p.member.current.grid[0u];
+                let _e307 = p.member.current.grid[1u];
+                let _e321 = (f32(_e54.x) + ((f32((_e54.y & (_e307 - 1u))) + 0.5f) / f32(_e307)));
+                let _e323 = (f32(_e54.y) + ((f32((_e54.x & (_e305 - 1u))) + 0.5f) / f32(_e305)));
+                let _e326 = p.member.previous.eye;
+                let _e329 = (_e86.x - _e326.x);
+                let _e332 = (_e86.y - _e326.y);
+                let _e335 = (_e86.z - _e326.z);
+                let _e337 = p.member.previous.forward;
+                let _e345 = (((_e329 * _e337.x) + (_e332 * _e337.y)) + (_e335 * _e337.z));
+                let _e347 = p.member.previous.right;
+                let _e357 = p.member.previous.right;
+                let _e372 = p.member.previous.up;
+                let _e382 = p.member.previous.up;
+                let _e399 = p.member.previous.size[0u];
+                let _e406 = p.member.previous.size[1u];
+                let _e410 = (((((((_e329 * _e347.x) + (_e332 * _e347.y)) + (_e335 * _e347.z)) / ((((_e357.x * _e357.x) + (_e357.y * _e357.y)) + (_e357.z * _e357.z)) * _e345)) + 1f) * (0.5f * f32(_e399))) - _e321);
+                let _e411 = (((1f - ((((_e329 * _e372.x) + (_e332 * _e372.y)) + (_e335 * _e372.z)) / ((((_e382.x * _e382.x) + (_e382.y * _e382.y)) + (_e382.z * _e382.z)) * _e345))) * (0.5f * f32(_e406))) - _e323);
+                let _e415 = p.member.current.size[0u];
+                let _e417 = p.member.current.size[1u];
+                let _e419 = (_e321 + _e410);
+                if (_e419 > -8388608f) {
+                    let _e431 = f32(select(0i, select(select(i32(_e419), i32(-2147483648), (_e419 < bitcast<f32>(3472883712u))), 2147483647i, (_e419 > bitcast<f32>(1325400063u))), (_e419 == _e419)));
+                    if (_e431 > _e419) {
+                        phi_540_ = 1f;
                     } else {
-                        phi_534_ = 0f;
+                        phi_540_ = 0f;
                     }
-                    let _e430 = phi_534_;
-                    if (_e415 < 8388608f) {
-                        phi_539_ = (_e427 - _e430);
-                        phi_540_ = false;
+                    let _e434 = phi_540_;
+                    if (_e419 < 8388608f) {
+                        phi_545_ = (_e431 - _e434);
+                        phi_546_ = false;
                     } else {
-                        phi_539_ = f32();
-                        phi_540_ = true;
+                        phi_545_ = f32();
+                        phi_546_ = true;
                     }
-                    let _e433 = phi_539_;
-                    let _e435 = phi_540_;
-                    phi_541_ = _e433;
-                    phi_542_ = _e435;
+                    let _e437 = phi_545_;
+                    let _e439 = phi_546_;
+                    phi_547_ = _e437;
+                    phi_548_ = _e439;
                 } else {
-                    phi_541_ = f32();
-                    phi_542_ = true;
+                    phi_547_ = f32();
+                    phi_548_ = true;
                 }
-                let _e437 = phi_541_;
-                let _e439 = phi_542_;
-                if _e439 {
-                    phi_546_ = _e415;
+                let _e441 = phi_547_;
+                let _e443 = phi_548_;
+                if _e443 {
+                    phi_552_ = _e419;
                 } else {
-                    phi_546_ = _e437;
+                    phi_552_ = _e441;
                 }
-                let _e441 = phi_546_;
-                let _e442 = (_e319 + _e407);
-                if (_e442 > -8388608f) {
-                    let _e454 = f32(select(0i, select(select(i32(_e442), i32(-2147483648), (_e442 < bitcast<f32>(3472883712u))), 2147483647i, (_e442 > bitcast<f32>(1325400063u))), (_e442 == _e442)));
-                    if (_e454 > _e442) {
-                        phi_567_ = 1f;
+                let _e445 = phi_552_;
+                let _e446 = (_e323 + _e411);
+                if (_e446 > -8388608f) {
+                    let _e458 = f32(select(0i, select(select(i32(_e446), i32(-2147483648), (_e446 < bitcast<f32>(3472883712u))), 2147483647i, (_e446 > bitcast<f32>(1325400063u))), (_e446 == _e446)));
+                    if (_e458 > _e446) {
+                        phi_573_ = 1f;
                     } else {
-                        phi_567_ = 0f;
+                        phi_573_ = 0f;
                     }
-                    let _e457 = phi_567_;
-                    if (_e442 < 8388608f) {
-                        phi_572_ = (_e454 - _e457);
-                        phi_573_ = false;
+                    let _e461 = phi_573_;
+                    if (_e446 < 8388608f) {
+                        phi_578_ = (_e458 - _e461);
+                        phi_579_ = false;
                     } else {
-                        phi_572_ = f32();
-                        phi_573_ = true;
+                        phi_578_ = f32();
+                        phi_579_ = true;
                     }
-                    let _e460 = phi_572_;
-                    let _e462 = phi_573_;
-                    phi_574_ = _e460;
-                    phi_575_ = _e462;
+                    let _e464 = phi_578_;
+                    let _e466 = phi_579_;
+                    phi_580_ = _e464;
+                    phi_581_ = _e466;
                 } else {
-                    phi_574_ = f32();
-                    phi_575_ = true;
+                    phi_580_ = f32();
+                    phi_581_ = true;
                 }
-                let _e464 = phi_574_;
-                let _e466 = phi_575_;
-                if _e466 {
-                    phi_579_ = _e442;
+                let _e468 = phi_580_;
+                let _e470 = phi_581_;
+                if _e470 {
+                    phi_585_ = _e446;
                 } else {
-                    phi_579_ = _e464;
+                    phi_585_ = _e468;
                 }
-                let _e468 = phi_579_;
-                if (_e441 >= 0f) {
-                    if (_e468 >= 0f) {
-                        if (_e441 < f32(_e411)) {
-                            let _e474 = (_e468 < f32(_e413));
-                            if (_e406 == 0f) {
-                                phi_600_ = (_e407 == 0f);
+                let _e472 = phi_585_;
+                if (_e445 >= 0f) {
+                    if (_e472 >= 0f) {
+                        if (_e445 < f32(_e415)) {
+                            let _e478 = (_e472 < f32(_e417));
+                            if (_e410 == 0f) {
+                                phi_606_ = (_e411 == 0f);
                             } else {
-                                phi_600_ = false;
+                                phi_606_ = false;
                             }
-                            let _e478 = phi_600_;
-                            if _e474 {
-                                phi_619_ = vec2<u32>(select(select(u32(_e441), 0u, (_e441 < bitcast<f32>(0u))), 4294967295u, (_e441 > bitcast<f32>(1333788671u))), select(select(u32(_e468), 0u, (_e468 < bitcast<f32>(0u))), 4294967295u, (_e468 > bitcast<f32>(1333788671u))));
-                                phi_620_ = false;
+                            let _e482 = phi_606_;
+                            if _e478 {
+                                phi_625_ = vec2<u32>(select(select(u32(_e445), 0u, (_e445 < bitcast<f32>(0u))), 4294967295u, (_e445 > bitcast<f32>(1333788671u))), select(select(u32(_e472), 0u, (_e472 < bitcast<f32>(0u))), 4294967295u, (_e472 > bitcast<f32>(1333788671u))));
+                                phi_626_ = false;
                             } else {
-                                phi_619_ = vec2<u32>();
-                                phi_620_ = true;
+                                phi_625_ = vec2<u32>();
+                                phi_626_ = true;
                             }
-                            let _e495 = phi_619_;
-                            let _e497 = phi_620_;
-                            phi_621_ = _e478;
-                            phi_622_ = _e474;
-                            phi_623_ = _e495;
-                            phi_624_ = _e478;
-                            phi_625_ = _e474;
-                            phi_626_ = false;
-                            phi_627_ = _e497;
+                            let _e499 = phi_625_;
+                            let _e501 = phi_626_;
+                            phi_627_ = _e482;
+                            phi_628_ = _e478;
+                            phi_629_ = _e499;
+                            phi_630_ = _e482;
+                            phi_631_ = _e478;
+                            phi_632_ = false;
+                            phi_633_ = _e501;
                         } else {
-                            phi_621_ = bool();
-                            phi_622_ = bool();
-                            phi_623_ = vec2<u32>();
-                            phi_624_ = bool();
-                            phi_625_ = bool();
-                            phi_626_ = true;
-                            phi_627_ = false;
+                            phi_627_ = bool();
+                            phi_628_ = bool();
+                            phi_629_ = vec2<u32>();
+                            phi_630_ = bool();
+                            phi_631_ = bool();
+                            phi_632_ = true;
+                            phi_633_ = false;
                         }
-                        let _e499 = phi_621_;
-                        let _e501 = phi_622_;
-                        let _e503 = phi_623_;
-                        let _e505 = phi_624_;
-                        let _e507 = phi_625_;
-                        let _e509 = phi_626_;
-                        let _e511 = phi_627_;
-                        phi_628_ = _e499;
-                        phi_629_ = _e501;
-                        phi_630_ = _e503;
-                        phi_631_ = _e505;
-                        phi_632_ = _e507;
-                        phi_633_ = _e509;
-                        phi_634_ = _e511;
+                        let _e503 = phi_627_;
+                        let _e505 = phi_628_;
+                        let _e507 = phi_629_;
+                        let _e509 = phi_630_;
+                        let _e511 = phi_631_;
+                        let _e513 = phi_632_;
+                        let _e515 = phi_633_;
+                        phi_634_ = _e503;
+                        phi_635_ = _e505;
+                        phi_636_ = _e507;
+                        phi_637_ = _e509;
+                        phi_638_ = _e511;
+                        phi_639_ = _e513;
+                        phi_640_ = _e515;
                     } else {
-                        phi_628_ = bool();
-                        phi_629_ = bool();
-                        phi_630_ = vec2<u32>();
-                        phi_631_ = bool();
-                        phi_632_ = bool();
-                        phi_633_ = true;
-                        phi_634_ = false;
+                        phi_634_ = bool();
+                        phi_635_ = bool();
+                        phi_636_ = vec2<u32>();
+                        phi_637_ = bool();
+                        phi_638_ = bool();
+                        phi_639_ = true;
+                        phi_640_ = false;
                     }
-                    let _e513 = phi_628_;
-                    let _e515 = phi_629_;
-                    let _e517 = phi_630_;
-                    let _e519 = phi_631_;
-                    let _e521 = phi_632_;
-                    let _e523 = phi_633_;
-                    let _e525 = phi_634_;
-                    phi_635_ = _e513;
-                    phi_636_ = _e515;
-                    phi_637_ = _e517;
-                    phi_638_ = _e519;
-                    phi_639_ = _e521;
-                    phi_640_ = _e523;
-                    phi_641_ = _e525;
+                    let _e517 = phi_634_;
+                    let _e519 = phi_635_;
+                    let _e521 = phi_636_;
+                    let _e523 = phi_637_;
+                    let _e525 = phi_638_;
+                    let _e527 = phi_639_;
+                    let _e529 = phi_640_;
+                    phi_641_ = _e517;
+                    phi_642_ = _e519;
+                    phi_643_ = _e521;
+                    phi_644_ = _e523;
+                    phi_645_ = _e525;
+                    phi_646_ = _e527;
+                    phi_647_ = _e529;
                 } else {
-                    phi_635_ = bool();
-                    phi_636_ = bool();
-                    phi_637_ = vec2<u32>();
-                    phi_638_ = bool();
-                    phi_639_ = bool();
-                    phi_640_ = true;
-                    phi_641_ = false;
+                    phi_641_ = bool();
+                    phi_642_ = bool();
+                    phi_643_ = vec2<u32>();
+                    phi_644_ = bool();
+                    phi_645_ = bool();
+                    phi_646_ = true;
+                    phi_647_ = false;
                 }
-                let _e527 = phi_635_;
-                let _e529 = phi_636_;
-                let _e531 = phi_637_;
-                let _e533 = phi_638_;
-                let _e535 = phi_639_;
-                let _e537 = phi_640_;
-                let _e539 = phi_641_;
-                if _e537 {
-                    if (_e406 == 0f) {
-                        phi_650_ = (_e407 == 0f);
+                let _e531 = phi_641_;
+                let _e533 = phi_642_;
+                let _e535 = phi_643_;
+                let _e537 = phi_644_;
+                let _e539 = phi_645_;
+                let _e541 = phi_646_;
+                let _e543 = phi_647_;
+                if _e541 {
+                    if (_e410 == 0f) {
+                        phi_656_ = (_e411 == 0f);
                     } else {
-                        phi_650_ = false;
+                        phi_656_ = false;
                     }
-                    let _e543 = phi_650_;
-                    phi_651_ = _e543;
-                    phi_652_ = false;
-                    phi_653_ = true;
+                    let _e547 = phi_656_;
+                    phi_657_ = _e547;
+                    phi_658_ = false;
+                    phi_659_ = true;
                 } else {
-                    phi_651_ = _e533;
-                    phi_652_ = _e535;
-                    phi_653_ = _e539;
+                    phi_657_ = _e537;
+                    phi_658_ = _e539;
+                    phi_659_ = _e543;
                 }
-                let _e545 = phi_651_;
-                let _e547 = phi_652_;
-                let _e549 = phi_653_;
-                if _e549 {
-                    phi_657_ = _e545;
-                    phi_658_ = _e547;
-                    phi_659_ = vec2<u32>(_e51.x, _e51.y);
-                } else {
-                    phi_657_ = _e527;
-                    phi_658_ = _e529;
-                    phi_659_ = _e531;
-                }
-                let _e551 = phi_657_;
-                let _e553 = phi_658_;
-                let _e555 = phi_659_;
-                let _e565 = lt_mask_Reprojection(vec2<u32>(_e555.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e572 = lt_mask_Reprojection(vec2<u32>(_e565.pixel.x, _e555.y), _e565.is_valid, _e565.has_moved);
-                let _e576 = lt_mask_Reprojection(_e572.pixel, _e553, _e572.has_moved);
-                let _e580 = lt_mask_Reprojection(_e576.pixel, _e576.is_valid, !(_e551));
+                let _e549 = phi_657_;
+                let _e551 = phi_658_;
+                let _e553 = phi_659_;
                 if _e553 {
-                    let _e583 = p.member.previous.eye;
-                    let _e594 = p.member.previous.forward;
-                    let _e603 = (((((_e82.x - _e583.x) * _e594.x) + ((_e82.y - _e583.y) * _e594.y)) + ((_e82.z - _e583.z) * _e594.z)) > 0f);
-                    let _e607 = lt_mask_Reprojection(_e580.pixel, _e603, _e580.has_moved);
-                    if _e603 {
-                        phi_697_ = false;
-                    } else {
-                        phi_697_ = true;
-                    }
-                    let _e609 = phi_697_;
-                    phi_699_ = _e607;
-                    phi_700_ = _e607;
-                    phi_701_ = lt_mask_Reprojection();
-                    phi_702_ = _e603;
-                    phi_703_ = _e609;
+                    phi_663_ = _e549;
+                    phi_664_ = _e551;
+                    phi_665_ = vec2<u32>(_e54.x, _e54.y);
                 } else {
-                    phi_699_ = lt_mask_Reprojection();
-                    phi_700_ = lt_mask_Reprojection();
-                    phi_701_ = lt_mask_Reprojection(_e580.pixel, false, _e580.has_moved);
-                    phi_702_ = false;
-                    phi_703_ = false;
+                    phi_663_ = _e531;
+                    phi_664_ = _e533;
+                    phi_665_ = _e535;
                 }
-                let _e615 = phi_699_;
-                let _e617 = phi_700_;
-                let _e619 = phi_701_;
-                let _e621 = phi_702_;
-                let _e623 = phi_703_;
-                phi_704_ = _e615;
-                phi_705_ = _e617;
-                phi_706_ = _e619;
-                phi_707_ = _e621;
-                phi_708_ = _e623;
+                let _e555 = phi_663_;
+                let _e557 = phi_664_;
+                let _e559 = phi_665_;
+                let _e569 = lt_mask_Reprojection(vec2<u32>(_e559.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e576 = lt_mask_Reprojection(vec2<u32>(_e569.pixel.x, _e559.y), _e569.is_valid, _e569.has_moved);
+                let _e580 = lt_mask_Reprojection(_e576.pixel, _e557, _e576.has_moved);
+                let _e584 = lt_mask_Reprojection(_e580.pixel, _e580.is_valid, !(_e555));
+                if _e557 {
+                    let _e587 = p.member.previous.eye;
+                    let _e598 = p.member.previous.forward;
+                    let _e607 = (((((_e86.x - _e587.x) * _e598.x) + ((_e86.y - _e587.y) * _e598.y)) + ((_e86.z - _e587.z) * _e598.z)) > 0f);
+                    let _e611 = lt_mask_Reprojection(_e584.pixel, _e607, _e584.has_moved);
+                    if _e607 {
+                        phi_703_ = false;
+                    } else {
+                        phi_703_ = true;
+                    }
+                    let _e613 = phi_703_;
+                    phi_705_ = _e611;
+                    phi_706_ = _e611;
+                    phi_707_ = lt_mask_Reprojection();
+                    phi_708_ = _e607;
+                    phi_709_ = _e613;
+                } else {
+                    phi_705_ = lt_mask_Reprojection();
+                    phi_706_ = lt_mask_Reprojection();
+                    phi_707_ = lt_mask_Reprojection(_e584.pixel, false, _e584.has_moved);
+                    phi_708_ = false;
+                    phi_709_ = false;
+                }
+                let _e619 = phi_705_;
+                let _e621 = phi_706_;
+                let _e623 = phi_707_;
+                let _e625 = phi_708_;
+                let _e627 = phi_709_;
+                phi_710_ = _e619;
+                phi_711_ = _e621;
+                phi_712_ = _e623;
+                phi_713_ = _e625;
+                phi_714_ = _e627;
             }
-            let _e625 = phi_704_;
-            let _e627 = phi_705_;
-            let _e629 = phi_706_;
-            let _e631 = phi_707_;
-            let _e633 = phi_708_;
-            if _e631 {
-                let _e636 = p.member.previous.eye;
-                let _e647 = p.member.previous.forward;
-                let _e655 = ((((_e82.x - _e636.x) * _e647.x) + ((_e82.y - _e636.y) * _e647.y)) + ((_e82.z - _e636.z) * _e647.z));
-                let _e661 = ((_e625.pixel.y * _e79) + _e625.pixel.x);
-                if (_e661 < arrayLength((&last_depths.member))) {
+            let _e629 = phi_710_;
+            let _e631 = phi_711_;
+            let _e633 = phi_712_;
+            let _e635 = phi_713_;
+            let _e637 = phi_714_;
+            if _e635 {
+                let _e640 = p.member.previous.eye;
+                let _e651 = p.member.previous.forward;
+                let _e659 = ((((_e86.x - _e640.x) * _e651.x) + ((_e86.y - _e640.y) * _e651.y)) + ((_e86.z - _e640.z) * _e651.z));
+                let _e665 = ((_e629.pixel.y * _e83) + _e629.pixel.x);
+                if (_e665 < arrayLength((&last_depths.member))) {
                 } else {
                     return;
                 }
-                let _e665 = last_depths.member[(0u + _e661)];
-                let _e667 = p.member.depth_tolerance;
-                let _e670 = abs(_e655);
-                let _e671 = abs(_e665);
-                if ((bitcast<u32>(_e671) & 2147483647u) > 2139095040u) {
-                    phi_763_ = true;
+                let _e669 = last_depths.member[(0u + _e665)];
+                let _e671 = p.member.depth_tolerance;
+                let _e674 = abs(_e659);
+                let _e675 = abs(_e669);
+                if ((bitcast<u32>(_e675) & 2147483647u) > 2139095040u) {
+                    phi_769_ = true;
                 } else {
-                    let _e675 = (_e671 > _e670);
-                    if _e675 {
+                    let _e679 = (_e675 > _e674);
+                    if _e679 {
                     }
-                    phi_763_ = _e675;
+                    phi_769_ = _e679;
                 }
-                let _e677 = phi_763_;
-                if _e677 {
-                    phi_767_ = _e671;
+                let _e681 = phi_769_;
+                if _e681 {
+                    phi_773_ = _e675;
                 } else {
-                    phi_767_ = _e670;
+                    phi_773_ = _e674;
                 }
-                let _e679 = phi_767_;
-                phi_771_ = lt_mask_Reprojection(_e625.pixel, (abs((_e655 - _e665)) <= (_e667 * _e679)), _e625.has_moved);
-                phi_772_ = true;
+                let _e683 = phi_773_;
+                phi_777_ = lt_mask_Reprojection(_e629.pixel, (abs((_e659 - _e669)) <= (_e671 * _e683)), _e629.has_moved);
+                phi_778_ = true;
             } else {
-                phi_771_ = _e627;
-                phi_772_ = _e633;
+                phi_777_ = _e631;
+                phi_778_ = _e637;
             }
-            let _e687 = phi_771_;
-            let _e689 = phi_772_;
-            if _e689 {
-                if _e687.is_valid {
-                    let _e692 = p.member.flags;
-                    phi_784_ = ((_e692 & 1u) != 0u);
-                    phi_785_ = false;
+            let _e691 = phi_777_;
+            let _e693 = phi_778_;
+            if _e693 {
+                if _e691.is_valid {
+                    let _e696 = p.member.flags;
+                    phi_790_ = ((_e696 & 1u) != 0u);
+                    phi_791_ = false;
                 } else {
-                    phi_784_ = bool();
-                    phi_785_ = true;
+                    phi_790_ = bool();
+                    phi_791_ = true;
                 }
-                let _e696 = phi_784_;
-                let _e698 = phi_785_;
-                phi_786_ = _e696;
-                phi_787_ = _e687;
-                phi_788_ = _e698;
-            } else {
-                phi_786_ = bool();
-                phi_787_ = _e629;
-                phi_788_ = true;
-            }
-            let _e700 = phi_786_;
-            let _e702 = phi_787_;
-            let _e704 = phi_788_;
-            if _e704 {
-                phi_792_ = false;
-                phi_793_ = _e702;
-            } else {
+                let _e700 = phi_790_;
+                let _e702 = phi_791_;
                 phi_792_ = _e700;
-                phi_793_ = _e687;
-            }
-            let _e706 = phi_792_;
-            let _e708 = phi_793_;
-            let _e712 = lt_mask_Reprojection(_e708.pixel, _e706, _e708.has_moved);
-            let _e713 = lt_mask_Neighbourhood(false, true);
-            if _e246 {
-                phi_799_ = false;
+                phi_793_ = _e691;
+                phi_794_ = _e702;
             } else {
-                phi_799_ = true;
+                phi_792_ = bool();
+                phi_793_ = _e633;
+                phi_794_ = true;
             }
-            let _e715 = phi_799_;
-            if _e715 {
-                if _e706 {
+            let _e704 = phi_792_;
+            let _e706 = phi_793_;
+            let _e708 = phi_794_;
+            if _e708 {
+                phi_798_ = false;
+                phi_799_ = _e706;
+            } else {
+                phi_798_ = _e704;
+                phi_799_ = _e691;
+            }
+            let _e710 = phi_798_;
+            let _e712 = phi_799_;
+            let _e716 = lt_mask_Reprojection(_e712.pixel, _e710, _e712.has_moved);
+            let _e717 = lt_mask_Neighbourhood(false, true);
+            if _e250 {
+                phi_805_ = false;
+            } else {
+                phi_805_ = true;
+            }
+            let _e719 = phi_805_;
+            if _e719 {
+                if _e710 {
                     if ((0u & 2u) != 0u) {
-                        phi_860_ = _e713;
+                        phi_866_ = _e717;
                     } else {
                         if (32u == 0u) {
                             return;
                         }
-                        let _e724 = (_e79 / 32u);
+                        let _e728 = (_e83 / 32u);
                         if (32u == 0u) {
                             return;
                         }
-                        if ((_e79 % 32u) > 0u) {
-                            phi_831_ = (_e724 + 1u);
+                        if ((_e83 % 32u) > 0u) {
+                            phi_837_ = (_e728 + 1u);
                         } else {
-                            phi_831_ = _e724;
+                            phi_837_ = _e728;
                         }
-                        let _e730 = phi_831_;
-                        let _e740 = ((((_e712.pixel.y * _e730) + (_e712.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e242) | (select(0u, 1u, _e712.has_moved) << bitcast<u32>(1i))));
-                        if (_e740 < arrayLength((&heard.member))) {
+                        let _e734 = phi_837_;
+                        let _e744 = ((((_e716.pixel.y * _e734) + (_e716.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e246) | (select(0u, 1u, _e716.has_moved) << bitcast<u32>(1i))));
+                        if (_e744 < arrayLength((&heard.member))) {
                         } else {
                             return;
                         }
-                        let _e744 = heard.member[(0u + _e740)];
-                        let _e750 = (((_e744 >> bitcast<u32>(((_e712.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_860_ = lt_mask_Neighbourhood(_e750, !(_e750));
+                        let _e748 = heard.member[(0u + _e744)];
+                        let _e754 = (((_e748 >> bitcast<u32>(((_e716.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_866_ = lt_mask_Neighbourhood(_e754, !(_e754));
                     }
-                    let _e754 = phi_860_;
-                    phi_861_ = _e754;
+                    let _e758 = phi_866_;
+                    phi_867_ = _e758;
                 } else {
-                    phi_861_ = _e713;
+                    phi_867_ = _e717;
                 }
-                let _e756 = phi_861_;
-                phi_862_ = _e756;
+                let _e760 = phi_867_;
+                phi_868_ = _e760;
             } else {
-                phi_862_ = _e713;
+                phi_868_ = _e717;
             }
-            let _e758 = phi_862_;
-            let _e761 = p.member.frame;
-            let _e763 = p.member.refresh;
-            if (_e763 == 0u) {
-                phi_895_ = false;
+            let _e762 = phi_868_;
+            let _e765 = p.member.frame;
+            let _e767 = p.member.refresh;
+            if (_e767 == 0u) {
+                phi_901_ = false;
             } else {
-                if (_e763 == 0u) {
+                if (_e767 == 0u) {
                     return;
                 }
-                let _e772 = ((_e51.x + (_e51.y * (((_e763 * 5u) / 8u) | 1u))) + (_e761 % _e763));
-                if (_e763 == 0u) {
-                    phi_894_ = (_e772 == 0u);
+                let _e776 = ((_e54.x + (_e54.y * (((_e767 * 5u) / 8u) | 1u))) + (_e765 % _e767));
+                if (_e767 == 0u) {
+                    phi_900_ = (_e776 == 0u);
                 } else {
-                    if (_e763 == 0u) {
+                    if (_e767 == 0u) {
                         return;
                     }
-                    phi_894_ = ((_e772 % _e763) == 0u);
+                    phi_900_ = ((_e776 % _e767) == 0u);
                 }
-                let _e779 = phi_894_;
-                phi_895_ = _e779;
+                let _e783 = phi_900_;
+                phi_901_ = _e783;
             }
-            let _e781 = phi_895_;
-            if _e706 {
-                if _e781 {
-                    phi_917_ = bool();
+            let _e785 = phi_901_;
+            if _e710 {
+                if _e785 {
+                    phi_923_ = bool();
                 } else {
-                    phi_917_ = ((0u & 2u) != 0u);
+                    phi_923_ = ((0u & 2u) != 0u);
                 }
-                let _e787 = phi_917_;
-                phi_918_ = _e787;
-                phi_919_ = _e781;
+                let _e791 = phi_923_;
+                phi_924_ = _e791;
+                phi_925_ = _e785;
             } else {
-                phi_918_ = bool();
-                phi_919_ = true;
+                phi_924_ = bool();
+                phi_925_ = true;
             }
-            let _e789 = phi_918_;
-            let _e791 = phi_919_;
-            if _e791 {
-                phi_923_ = false;
+            let _e793 = phi_924_;
+            let _e795 = phi_925_;
+            if _e795 {
+                phi_929_ = false;
             } else {
-                phi_923_ = _e789;
+                phi_929_ = _e793;
             }
-            let _e793 = phi_923_;
-            if _e793 {
-                phi_974_ = 7u;
+            let _e797 = phi_929_;
+            if _e797 {
+                phi_980_ = 7u;
             } else {
-                if (_e84 != 0.5f) {
-                    if _e706 {
-                        if _e781 {
-                            phi_971_ = 6u;
+                if (_e88 != 0.5f) {
+                    if _e710 {
+                        if _e785 {
+                            phi_977_ = 6u;
                         } else {
-                            if _e246 {
-                                phi_946_ = true;
+                            if _e250 {
+                                phi_952_ = true;
                             } else {
-                                if _e758.any_expands {
-                                    phi_945_ = false;
+                                if _e762.any_expands {
+                                    phi_951_ = false;
                                 } else {
-                                    phi_945_ = true;
+                                    phi_951_ = true;
                                 }
-                                let _e795 = phi_945_;
-                                phi_946_ = _e795;
+                                let _e799 = phi_951_;
+                                phi_952_ = _e799;
                             }
-                            let _e797 = phi_946_;
-                            if _e797 {
-                                if _e246 {
+                            let _e801 = phi_952_;
+                            if _e801 {
+                                if _e250 {
                                     if false {
-                                        if _e758.all_remove {
-                                            phi_959_ = false;
+                                        if _e762.all_remove {
+                                            phi_965_ = false;
                                         } else {
-                                            phi_959_ = true;
+                                            phi_965_ = true;
                                         }
-                                        let _e799 = phi_959_;
-                                        phi_960_ = _e799;
+                                        let _e803 = phi_965_;
+                                        phi_966_ = _e803;
                                     } else {
-                                        phi_960_ = true;
+                                        phi_966_ = true;
                                     }
-                                    let _e801 = phi_960_;
-                                    phi_961_ = _e801;
+                                    let _e805 = phi_966_;
+                                    phi_967_ = _e805;
                                 } else {
-                                    phi_961_ = true;
+                                    phi_967_ = true;
                                 }
-                                let _e803 = phi_961_;
-                                if _e803 {
-                                    if _e246 {
-                                        phi_968_ = 1u;
+                                let _e807 = phi_967_;
+                                if _e807 {
+                                    if _e250 {
+                                        phi_974_ = 1u;
                                     } else {
-                                        phi_968_ = 0u;
+                                        phi_974_ = 0u;
                                     }
-                                    let _e805 = phi_968_;
-                                    phi_969_ = _e805;
+                                    let _e809 = phi_974_;
+                                    phi_975_ = _e809;
                                 } else {
-                                    phi_969_ = 5u;
+                                    phi_975_ = 5u;
                                 }
-                                let _e807 = phi_969_;
-                                phi_970_ = _e807;
+                                let _e811 = phi_975_;
+                                phi_976_ = _e811;
                             } else {
-                                phi_970_ = 4u;
+                                phi_976_ = 4u;
                             }
-                            let _e809 = phi_970_;
-                            phi_971_ = _e809;
+                            let _e813 = phi_976_;
+                            phi_977_ = _e813;
                         }
-                        let _e811 = phi_971_;
-                        phi_972_ = _e811;
+                        let _e815 = phi_977_;
+                        phi_978_ = _e815;
                     } else {
-                        phi_972_ = 3u;
+                        phi_978_ = 3u;
                     }
-                    let _e813 = phi_972_;
-                    phi_973_ = _e813;
+                    let _e817 = phi_978_;
+                    phi_979_ = _e817;
                 } else {
-                    phi_973_ = 2u;
+                    phi_979_ = 2u;
                 }
-                let _e815 = phi_973_;
-                phi_974_ = _e815;
+                let _e819 = phi_979_;
+                phi_980_ = _e819;
             }
-            let _e817 = phi_974_;
-            if !((_e817 == 0u)) {
-                if !((_e817 == 5u)) {
-                    phi_986_ = !(_e793);
-                    phi_987_ = false;
+            let _e821 = phi_980_;
+            if !((_e821 == 0u)) {
+                if !((_e821 == 5u)) {
+                    phi_992_ = !(_e797);
+                    phi_993_ = false;
                 } else {
-                    phi_986_ = bool();
-                    phi_987_ = true;
+                    phi_992_ = bool();
+                    phi_993_ = true;
                 }
-                let _e824 = phi_986_;
-                let _e826 = phi_987_;
-                phi_988_ = _e824;
-                phi_989_ = _e826;
+                let _e828 = phi_992_;
+                let _e830 = phi_993_;
+                phi_994_ = _e828;
+                phi_995_ = _e830;
             } else {
-                phi_988_ = bool();
-                phi_989_ = true;
+                phi_994_ = bool();
+                phi_995_ = true;
             }
-            let _e828 = phi_988_;
-            let _e830 = phi_989_;
-            if _e830 {
-                phi_993_ = false;
+            let _e832 = phi_994_;
+            let _e834 = phi_995_;
+            if _e834 {
+                phi_999_ = false;
             } else {
-                phi_993_ = _e828;
-            }
-            let _e832 = phi_993_;
-            if _e793 {
-                phi_999_ = ((0u & 4u) != 0u);
-            } else {
-                phi_999_ = _e242;
+                phi_999_ = _e832;
             }
             let _e836 = phi_999_;
-            if _e832 {
-                if _e242 {
-                    phi_1007_ = (2u | 1u);
-                } else {
-                    phi_1007_ = 2u;
-                }
-                let _e839 = phi_1007_;
-                if false {
-                    phi_1012_ = (_e839 | 4u);
-                } else {
-                    phi_1012_ = _e839;
-                }
-                let _e842 = phi_1012_;
-                phi_1032_ = _e842;
+            if _e797 {
+                phi_1005_ = ((0u & 4u) != 0u);
             } else {
-                if (_e817 == 7u) {
-                    if _e242 {
-                        phi_1021_ = (2u | 1u);
-                    } else {
-                        phi_1021_ = 2u;
-                    }
-                    let _e846 = phi_1021_;
-                    if _e836 {
-                        phi_1026_ = (_e846 | 4u);
-                    } else {
-                        phi_1026_ = _e846;
-                    }
-                    let _e849 = phi_1026_;
-                    phi_1031_ = _e849;
-                } else {
-                    if _e242 {
-                        phi_1030_ = 1u;
-                    } else {
-                        phi_1030_ = 0u;
-                    }
-                    let _e851 = phi_1030_;
-                    phi_1031_ = _e851;
-                }
-                let _e853 = phi_1031_;
-                phi_1032_ = _e853;
+                phi_1005_ = _e246;
             }
-            let _e855 = phi_1032_;
+            let _e840 = phi_1005_;
             if _e836 {
-                phi_1036_ = 0f;
+                if _e246 {
+                    phi_1013_ = (2u | 1u);
+                } else {
+                    phi_1013_ = 2u;
+                }
+                let _e843 = phi_1013_;
+                if false {
+                    phi_1018_ = (_e843 | 4u);
+                } else {
+                    phi_1018_ = _e843;
+                }
+                let _e846 = phi_1018_;
+                phi_1038_ = _e846;
             } else {
-                phi_1036_ = 1f;
+                if (_e821 == 7u) {
+                    if _e246 {
+                        phi_1027_ = (2u | 1u);
+                    } else {
+                        phi_1027_ = 2u;
+                    }
+                    let _e850 = phi_1027_;
+                    if _e840 {
+                        phi_1032_ = (_e850 | 4u);
+                    } else {
+                        phi_1032_ = _e850;
+                    }
+                    let _e853 = phi_1032_;
+                    phi_1037_ = _e853;
+                } else {
+                    if _e246 {
+                        phi_1036_ = 1u;
+                    } else {
+                        phi_1036_ = 0u;
+                    }
+                    let _e855 = phi_1036_;
+                    phi_1037_ = _e855;
+                }
+                let _e857 = phi_1037_;
+                phi_1038_ = _e857;
             }
-            let _e857 = phi_1036_;
-            phi_1038_ = mask_Masked(_e857, _e855, _e832);
-        }
-        let _e860 = phi_1038_;
-        visibility.member[_e71.first_primitive] = _e860.visibility;
-        let _e865 = p.member.light.number;
-        let _e866 = (_e865 * 3u);
-        let _e868 = (_e866 % 32u);
-        let _e870 = p.member.light.mask_words;
-        let _e872 = ((_e71.first_primitive * _e870) + (_e866 / 32u));
-        let _e874 = bits.member[_e872];
-        bits.member[_e872] = ((_e874 & ~((7u << bitcast<u32>((_e868 & 31u))))) | (_e860.bits << bitcast<u32>((_e868 & 31u))));
-        if (_e868 > 29u) {
-            let _e889 = bits.member[(_e872 + 1u)];
-            let _e891 = (32u - _e868);
-            bits.member[(_e872 + 1u)] = ((_e889 & ~((7u >> bitcast<u32>((_e891 & 31u))))) | (_e860.bits >> bitcast<u32>((_e891 & 31u))));
-        }
-        let _e906 = samples.member[_e71.first_primitive].normal[0u];
-        let _e908 = global[0u];
-        if (_e906 == _e908) {
-            let _e911 = samples.member[_e71.first_primitive].normal[1u];
-            let _e913 = global[1u];
-            if (_e911 == _e913) {
-                let _e916 = samples.member[_e71.first_primitive].normal[2u];
-                let _e918 = global[2u];
-                phi_1110_ = (_e916 == _e918);
-                phi_1111_ = false;
+            let _e859 = phi_1038_;
+            if _e840 {
+                phi_1042_ = 0f;
             } else {
-                phi_1110_ = bool();
-                phi_1111_ = true;
+                phi_1042_ = 1f;
             }
-            let _e921 = phi_1110_;
-            let _e923 = phi_1111_;
-            phi_1112_ = _e921;
-            phi_1113_ = _e923;
-        } else {
-            phi_1112_ = bool();
-            phi_1113_ = true;
+            let _e861 = phi_1042_;
+            if _e250 {
+                if (_e88 == 0.99999994f) {
+                    phi_1051_ = true;
+                } else {
+                    phi_1051_ = (_e88 == 0.000000059604645f);
+                }
+                let _e865 = phi_1051_;
+                phi_1052_ = _e865;
+            } else {
+                phi_1052_ = true;
+            }
+            let _e867 = phi_1052_;
+            phi_1054_ = mask_Masked(_e861, _e859, _e836, _e867);
         }
-        let _e925 = phi_1112_;
-        let _e927 = phi_1113_;
-        if _e927 {
-            phi_1117_ = false;
-        } else {
-            phi_1117_ = _e925;
+        let _e870 = phi_1054_;
+        visibility.member[_e75.first_primitive] = _e870.visibility;
+        let _e875 = p.member.light.number;
+        let _e876 = (_e875 * 3u);
+        let _e878 = (_e876 % 32u);
+        let _e880 = p.member.light.mask_words;
+        let _e882 = ((_e75.first_primitive * _e880) + (_e876 / 32u));
+        let _e884 = bits.member[_e882];
+        bits.member[_e882] = ((_e884 & ~((7u << bitcast<u32>((_e878 & 31u))))) | (_e870.bits << bitcast<u32>((_e878 & 31u))));
+        if (_e878 > 29u) {
+            let _e899 = bits.member[(_e882 + 1u)];
+            let _e901 = (32u - _e878);
+            bits.member[(_e882 + 1u)] = ((_e899 & ~((7u >> bitcast<u32>((_e901 & 31u))))) | (_e870.bits >> bitcast<u32>((_e901 & 31u))));
         }
-        let _e929 = phi_1117_;
-        if !(_e929) {
-            let _e932 = samples.member[_e71.first_primitive].position;
-            let _e934 = p.member.current.eye;
-            let _e945 = p.member.current.forward;
-            phi_1145_ = ((((_e932.x - _e934.x) * _e945.x) + ((_e932.y - _e934.y) * _e945.y)) + ((_e932.z - _e934.z) * _e945.z));
+        let _e916 = samples.member[_e75.first_primitive].normal[0u];
+        let _e918 = global[0u];
+        if (_e916 == _e918) {
+            let _e921 = samples.member[_e75.first_primitive].normal[1u];
+            let _e923 = global[1u];
+            if (_e921 == _e923) {
+                let _e926 = samples.member[_e75.first_primitive].normal[2u];
+                let _e928 = global[2u];
+                phi_1126_ = (_e926 == _e928);
+                phi_1127_ = false;
+            } else {
+                phi_1126_ = bool();
+                phi_1127_ = true;
+            }
+            let _e931 = phi_1126_;
+            let _e933 = phi_1127_;
+            phi_1128_ = _e931;
+            phi_1129_ = _e933;
         } else {
-            phi_1145_ = 0f;
+            phi_1128_ = bool();
+            phi_1129_ = true;
         }
-        let _e955 = phi_1145_;
-        depths.member[_e71.first_primitive] = _e955;
-        phi_1148_ = _e860.needs_ray;
-        phi_1149_ = _e71.first_primitive;
+        let _e935 = phi_1128_;
+        let _e937 = phi_1129_;
+        if _e937 {
+            phi_1133_ = false;
+        } else {
+            phi_1133_ = _e935;
+        }
+        let _e939 = phi_1133_;
+        if !(_e939) {
+            let _e942 = samples.member[_e75.first_primitive].position;
+            let _e944 = p.member.current.eye;
+            let _e955 = p.member.current.forward;
+            phi_1161_ = ((((_e942.x - _e944.x) * _e955.x) + ((_e942.y - _e944.y) * _e955.y)) + ((_e942.z - _e944.z) * _e955.z));
+        } else {
+            phi_1161_ = 0f;
+        }
+        let _e965 = phi_1161_;
+        depths.member[_e75.first_primitive] = _e965;
+        phi_1166_ = doubt_Listed(_e75.first_primitive, _e870.is_trusted);
+        phi_1167_ = _e870.needs_ray;
     } else {
-        phi_1148_ = false;
-        phi_1149_ = 0u;
+        phi_1166_ = doubt_Listed(0u, false);
+        phi_1167_ = false;
     }
-    let _e959 = phi_1148_;
-    let _e961 = phi_1149_;
-    if (_e52 == 0u) {
+    let _e971 = phi_1166_;
+    let _e973 = phi_1167_;
+    if (_e55 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e959 {
-        let _e965 = atomicAdd((&shared_[0u]), 1u);
-        phi_1160_ = _e965;
+    if _e973 {
+        let _e979 = atomicAdd((&shared_[0u]), 1u);
+        phi_1180_ = _e979;
     } else {
-        phi_1160_ = 0u;
+        phi_1180_ = 0u;
     }
-    let _e967 = phi_1160_;
+    let _e981 = phi_1180_;
     workgroupBarrier();
-    if (_e52 == 0u) {
-        let _e971 = atomicLoad((&shared_[0u]));
-        let _e972 = atomicAdd((&list.member[3u]), _e971);
-        atomicStore((&shared_[1u]), _e972);
+    if (_e55 == 0u) {
+        let _e985 = atomicLoad((&shared_[0u]));
+        let _e986 = atomicAdd((&list.member[3u]), _e985);
+        atomicStore((&shared_[1u]), _e986);
     }
     workgroupBarrier();
-    if _e959 {
-        let _e975 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e975) + _e967)]), _e961);
+    if _e973 {
+        if _e971.is_trusted {
+            phi_1197_ = (_e971.pixel | 2147483648u);
+        } else {
+            phi_1197_ = _e971.pixel;
+        }
+        let _e990 = phi_1197_;
+        let _e992 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e992) + _e981)]), _e990);
     }
     return;
 }

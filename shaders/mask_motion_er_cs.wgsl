@@ -67,6 +67,11 @@ struct type_27 {
     member: array<f32>,
 }
 
+struct doubt_Listed {
+    pixel: u32,
+    is_trusted: bool,
+}
+
 struct evaluate_Verdict {
     visibility: f32,
     is_doubted: bool,
@@ -81,6 +86,7 @@ struct mask_Masked {
     visibility: f32,
     bits: u32,
     needs_ray: bool,
+    is_trusted: bool,
 }
 
 struct lt_mask_Reprojection {
@@ -116,841 +122,862 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_156_: lt_bvh_traverse_Tree;
-    var phi_157_: bool;
-    var phi_158_: lt_bvh_traverse_Tree;
-    var phi_159_: bool;
-    var phi_164_: lt_bvh_traverse_Tree;
+    var phi_161_: lt_bvh_traverse_Tree;
+    var phi_162_: bool;
+    var phi_163_: lt_bvh_traverse_Tree;
+    var phi_164_: bool;
+    var phi_169_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_156_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_157_ = false;
+            phi_161_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_162_ = false;
         } else {
-            phi_156_ = lt_bvh_traverse_Tree();
-            phi_157_ = true;
+            phi_161_ = lt_bvh_traverse_Tree();
+            phi_162_ = true;
         }
-        let _e60 = phi_156_;
-        let _e62 = phi_157_;
-        phi_158_ = _e60;
-        phi_159_ = _e62;
+        let _e63 = phi_161_;
+        let _e65 = phi_162_;
+        phi_163_ = _e63;
+        phi_164_ = _e65;
     } else {
-        phi_158_ = lt_bvh_traverse_Tree();
-        phi_159_ = true;
+        phi_163_ = lt_bvh_traverse_Tree();
+        phi_164_ = true;
     }
-    let _e64 = phi_158_;
-    let _e66 = phi_159_;
-    if _e66 {
-        phi_164_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e67 = phi_163_;
+    let _e69 = phi_164_;
+    if _e69 {
+        phi_169_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_164_ = _e64;
+        phi_169_ = _e67;
     }
-    let _e71 = phi_164_;
-    return lt_bvh_traverse_Tree(_e71.root, _e71.first_primitive);
+    let _e74 = phi_169_;
+    return lt_bvh_traverse_Tree(_e74.root, _e74.first_primitive);
 }
 
 fn function_() {
-    var phi_209_: u32;
-    var phi_243_: bool;
-    var phi_244_: bool;
-    var phi_245_: bool;
-    var phi_246_: bool;
+    var phi_215_: u32;
+    var phi_249_: bool;
     var phi_250_: bool;
-    var phi_320_: bool;
-    var phi_321_: bool;
-    var phi_332_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_333_: bool;
-    var phi_334_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_335_: bool;
-    var phi_342_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_346_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_359_: bool;
-    var phi_390_: bool;
-    var phi_391_: bool;
-    var phi_392_: bool;
-    var phi_393_: bool;
+    var phi_251_: bool;
+    var phi_252_: bool;
+    var phi_256_: bool;
+    var phi_326_: bool;
+    var phi_327_: bool;
+    var phi_338_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_339_: bool;
+    var phi_340_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_341_: bool;
+    var phi_348_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_352_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_365_: bool;
+    var phi_396_: bool;
     var phi_397_: bool;
     var phi_398_: bool;
-    var phi_537_: f32;
-    var phi_542_: f32;
-    var phi_543_: bool;
-    var phi_544_: f32;
-    var phi_545_: bool;
-    var phi_549_: f32;
-    var phi_570_: f32;
-    var phi_575_: f32;
-    var phi_576_: bool;
-    var phi_577_: f32;
-    var phi_578_: bool;
-    var phi_582_: f32;
-    var phi_603_: bool;
-    var phi_622_: vec2<u32>;
-    var phi_623_: bool;
-    var phi_624_: bool;
-    var phi_625_: bool;
-    var phi_626_: vec2<u32>;
-    var phi_627_: bool;
-    var phi_628_: bool;
+    var phi_399_: bool;
+    var phi_403_: bool;
+    var phi_404_: bool;
+    var phi_543_: f32;
+    var phi_548_: f32;
+    var phi_549_: bool;
+    var phi_550_: f32;
+    var phi_551_: bool;
+    var phi_555_: f32;
+    var phi_576_: f32;
+    var phi_581_: f32;
+    var phi_582_: bool;
+    var phi_583_: f32;
+    var phi_584_: bool;
+    var phi_588_: f32;
+    var phi_609_: bool;
+    var phi_628_: vec2<u32>;
     var phi_629_: bool;
     var phi_630_: bool;
     var phi_631_: bool;
-    var phi_632_: bool;
-    var phi_633_: vec2<u32>;
+    var phi_632_: vec2<u32>;
+    var phi_633_: bool;
     var phi_634_: bool;
     var phi_635_: bool;
     var phi_636_: bool;
     var phi_637_: bool;
     var phi_638_: bool;
-    var phi_639_: bool;
-    var phi_640_: vec2<u32>;
+    var phi_639_: vec2<u32>;
+    var phi_640_: bool;
     var phi_641_: bool;
     var phi_642_: bool;
     var phi_643_: bool;
     var phi_644_: bool;
-    var phi_653_: bool;
-    var phi_654_: bool;
-    var phi_655_: bool;
-    var phi_656_: bool;
+    var phi_645_: bool;
+    var phi_646_: vec2<u32>;
+    var phi_647_: bool;
+    var phi_648_: bool;
+    var phi_649_: bool;
+    var phi_650_: bool;
+    var phi_659_: bool;
     var phi_660_: bool;
     var phi_661_: bool;
-    var phi_662_: vec2<u32>;
-    var phi_700_: bool;
-    var phi_702_: lt_mask_Reprojection;
-    var phi_703_: lt_mask_Reprojection;
-    var phi_704_: bool;
-    var phi_708_: bool;
+    var phi_662_: bool;
+    var phi_666_: bool;
+    var phi_667_: bool;
+    var phi_668_: vec2<u32>;
+    var phi_706_: bool;
+    var phi_708_: lt_mask_Reprojection;
     var phi_709_: lt_mask_Reprojection;
-    var phi_710_: lt_mask_Reprojection;
-    var phi_711_: bool;
-    var phi_719_: bool;
-    var phi_720_: lt_mask_Reprojection;
-    var phi_726_: bool;
-    var phi_766_: lt_mask_Neighbourhood;
-    var phi_767_: lt_mask_Neighbourhood;
-    var phi_768_: lt_mask_Neighbourhood;
-    var phi_800_: bool;
-    var phi_801_: bool;
-    var phi_823_: bool;
-    var phi_824_: bool;
-    var phi_825_: bool;
+    var phi_710_: bool;
+    var phi_714_: bool;
+    var phi_715_: lt_mask_Reprojection;
+    var phi_716_: lt_mask_Reprojection;
+    var phi_717_: bool;
+    var phi_725_: bool;
+    var phi_726_: lt_mask_Reprojection;
+    var phi_732_: bool;
+    var phi_772_: lt_mask_Neighbourhood;
+    var phi_773_: lt_mask_Neighbourhood;
+    var phi_774_: lt_mask_Neighbourhood;
+    var phi_806_: bool;
+    var phi_807_: bool;
     var phi_829_: bool;
-    var phi_851_: bool;
-    var phi_852_: bool;
-    var phi_865_: bool;
-    var phi_866_: bool;
-    var phi_867_: bool;
-    var phi_874_: u32;
-    var phi_875_: u32;
-    var phi_876_: u32;
-    var phi_877_: u32;
-    var phi_878_: u32;
-    var phi_879_: u32;
+    var phi_830_: bool;
+    var phi_831_: bool;
+    var phi_835_: bool;
+    var phi_857_: bool;
+    var phi_858_: bool;
+    var phi_871_: bool;
+    var phi_872_: bool;
+    var phi_873_: bool;
     var phi_880_: u32;
-    var phi_892_: bool;
-    var phi_893_: bool;
-    var phi_894_: bool;
-    var phi_895_: bool;
+    var phi_881_: u32;
+    var phi_882_: u32;
+    var phi_883_: u32;
+    var phi_884_: u32;
+    var phi_885_: u32;
+    var phi_886_: u32;
+    var phi_898_: bool;
     var phi_899_: bool;
+    var phi_900_: bool;
+    var phi_901_: bool;
     var phi_905_: bool;
-    var phi_913_: u32;
-    var phi_918_: u32;
-    var phi_927_: u32;
-    var phi_932_: u32;
-    var phi_936_: u32;
-    var phi_937_: u32;
+    var phi_911_: bool;
+    var phi_919_: u32;
+    var phi_924_: u32;
+    var phi_933_: u32;
     var phi_938_: u32;
-    var phi_942_: f32;
-    var phi_944_: mask_Masked;
-    var phi_994_: bool;
-    var phi_995_: u32;
-    var phi_1006_: u32;
+    var phi_942_: u32;
+    var phi_943_: u32;
+    var phi_944_: u32;
+    var phi_948_: f32;
+    var phi_957_: bool;
+    var phi_958_: bool;
+    var phi_960_: mask_Masked;
+    var phi_1012_: doubt_Listed;
+    var phi_1013_: bool;
+    var phi_1026_: u32;
+    var phi_1043_: u32;
 
-    let _e47 = id_1;
-    let _e48 = local_1;
-    let _e60 = p.member.current.size[0u];
-    let _e62 = p.member.current.size[1u];
-    let _e63 = lt_shaders_entry_pixel_index(_e47, _e60, _e62);
-    if (bitcast<i32>(_e63.root) != 0i) {
-        let _e71 = p.member.current.size[0u];
+    let _e50 = id_1;
+    let _e51 = local_1;
+    let _e64 = p.member.current.size[0u];
+    let _e66 = p.member.current.size[1u];
+    let _e67 = lt_shaders_entry_pixel_index(_e50, _e64, _e66);
+    if (bitcast<i32>(_e67.root) != 0i) {
+        let _e75 = p.member.current.size[0u];
         if (32u == 0u) {
             return;
         }
-        let _e73 = (_e71 / 32u);
+        let _e77 = (_e75 / 32u);
         if (32u == 0u) {
             return;
         }
-        if ((_e71 % 32u) > 0u) {
-            phi_209_ = (_e73 + 1u);
+        if ((_e75 % 32u) > 0u) {
+            phi_215_ = (_e77 + 1u);
         } else {
-            phi_209_ = _e73;
+            phi_215_ = _e77;
         }
-        let _e79 = phi_209_;
-        let _e82 = samples.member[_e63.first_primitive].position;
-        let _e84 = visibility.member[_e63.first_primitive];
-        let _e90 = samples.member[_e63.first_primitive].normal[0u];
-        let _e92 = global[0u];
-        if (_e90 == _e92) {
-            let _e95 = samples.member[_e63.first_primitive].normal[1u];
-            let _e97 = global[1u];
-            if (_e95 == _e97) {
-                let _e100 = samples.member[_e63.first_primitive].normal[2u];
-                let _e102 = global[2u];
-                phi_243_ = (_e100 == _e102);
-                phi_244_ = false;
+        let _e83 = phi_215_;
+        let _e86 = samples.member[_e67.first_primitive].position;
+        let _e88 = visibility.member[_e67.first_primitive];
+        let _e94 = samples.member[_e67.first_primitive].normal[0u];
+        let _e96 = global[0u];
+        if (_e94 == _e96) {
+            let _e99 = samples.member[_e67.first_primitive].normal[1u];
+            let _e101 = global[1u];
+            if (_e99 == _e101) {
+                let _e104 = samples.member[_e67.first_primitive].normal[2u];
+                let _e106 = global[2u];
+                phi_249_ = (_e104 == _e106);
+                phi_250_ = false;
             } else {
-                phi_243_ = bool();
-                phi_244_ = true;
+                phi_249_ = bool();
+                phi_250_ = true;
             }
-            let _e105 = phi_243_;
-            let _e107 = phi_244_;
-            phi_245_ = _e105;
-            phi_246_ = _e107;
+            let _e109 = phi_249_;
+            let _e111 = phi_250_;
+            phi_251_ = _e109;
+            phi_252_ = _e111;
         } else {
-            phi_245_ = bool();
-            phi_246_ = true;
+            phi_251_ = bool();
+            phi_252_ = true;
         }
-        let _e109 = phi_245_;
-        let _e111 = phi_246_;
-        if _e111 {
-            phi_250_ = false;
+        let _e113 = phi_251_;
+        let _e115 = phi_252_;
+        if _e115 {
+            phi_256_ = false;
         } else {
-            phi_250_ = _e109;
+            phi_256_ = _e113;
         }
-        let _e113 = phi_250_;
-        if !(_e113) {
-            let _e116 = samples.member[_e63.first_primitive].position;
-            let _e118 = p.member.light.place;
-            let _e124 = p.member.light.place[3u];
-            let _e131 = (_e118.x - (_e116.x * _e124));
-            let _e132 = (_e118.y - (_e116.y * _e124));
-            let _e133 = (_e118.z - (_e116.z * _e124));
-            let _e135 = samples.member[_e63.first_primitive].normal;
-            if ((((_e135.x * _e131) + (_e135.y * _e132)) + (_e135.z * _e133)) > 0f) {
-                let _e149 = (((_e131 * _e131) + (_e132 * _e132)) + (_e133 * _e133));
-                let _e151 = p.member.light.axis;
-                let _e163 = p.member.light.place[3u];
-                if (_e163 == 0f) {
-                    phi_321_ = true;
+        let _e117 = phi_256_;
+        if !(_e117) {
+            let _e120 = samples.member[_e67.first_primitive].position;
+            let _e122 = p.member.light.place;
+            let _e128 = p.member.light.place[3u];
+            let _e135 = (_e122.x - (_e120.x * _e128));
+            let _e136 = (_e122.y - (_e120.y * _e128));
+            let _e137 = (_e122.z - (_e120.z * _e128));
+            let _e139 = samples.member[_e67.first_primitive].normal;
+            if ((((_e139.x * _e135) + (_e139.y * _e136)) + (_e139.z * _e137)) > 0f) {
+                let _e153 = (((_e135 * _e135) + (_e136 * _e136)) + (_e137 * _e137));
+                let _e155 = p.member.light.axis;
+                let _e167 = p.member.light.place[3u];
+                if (_e167 == 0f) {
+                    phi_327_ = true;
                 } else {
-                    let _e166 = p.member.light.range_squared;
-                    if (_e149 <= _e166) {
-                        let _e169 = p.member.light.cos_outer;
-                        phi_320_ = (-((((_e131 * _e151.x) + (_e132 * _e151.y)) + (_e133 * _e151.z))) >= (_e169 * sqrt(_e149)));
+                    let _e170 = p.member.light.range_squared;
+                    if (_e153 <= _e170) {
+                        let _e173 = p.member.light.cos_outer;
+                        phi_326_ = (-((((_e135 * _e155.x) + (_e136 * _e155.y)) + (_e137 * _e155.z))) >= (_e173 * sqrt(_e153)));
                     } else {
-                        phi_320_ = false;
+                        phi_326_ = false;
                     }
-                    let _e174 = phi_320_;
-                    phi_321_ = _e174;
+                    let _e178 = phi_326_;
+                    phi_327_ = _e178;
                 }
-                let _e176 = phi_321_;
-                if _e176 {
-                    let _e178 = samples.member[_e63.first_primitive].flags;
-                    let _e186 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e192 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e186.unnamed.visibility, false), _e186.unnamed_1);
-                    phi_332_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e192.unnamed, ((_e178 & 1u) == 0u));
-                    phi_333_ = false;
+                let _e180 = phi_327_;
+                if _e180 {
+                    let _e182 = samples.member[_e67.first_primitive].flags;
+                    let _e190 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e196 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e190.unnamed.visibility, false), _e190.unnamed_1);
+                    phi_338_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e196.unnamed, ((_e182 & 1u) == 0u));
+                    phi_339_ = false;
                 } else {
-                    phi_332_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_333_ = true;
+                    phi_338_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_339_ = true;
                 }
-                let _e197 = phi_332_;
-                let _e199 = phi_333_;
-                phi_334_ = _e197;
-                phi_335_ = _e199;
+                let _e201 = phi_338_;
+                let _e203 = phi_339_;
+                phi_340_ = _e201;
+                phi_341_ = _e203;
             } else {
-                phi_334_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_335_ = true;
+                phi_340_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_341_ = true;
             }
-            let _e201 = phi_334_;
-            let _e203 = phi_335_;
-            if _e203 {
-                let _e209 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e215 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e209.unnamed.visibility, false), _e209.unnamed_1);
-                phi_342_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e215.unnamed, true);
+            let _e205 = phi_340_;
+            let _e207 = phi_341_;
+            if _e207 {
+                let _e213 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e219 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e213.unnamed.visibility, false), _e213.unnamed_1);
+                phi_348_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e219.unnamed, true);
             } else {
-                phi_342_ = _e201;
+                phi_348_ = _e205;
             }
-            let _e220 = phi_342_;
-            phi_346_ = _e220;
+            let _e224 = phi_348_;
+            phi_352_ = _e224;
         } else {
-            let _e226 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e232 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e226.unnamed.visibility, false), _e226.unnamed_1);
-            phi_346_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e232.unnamed, true);
+            let _e230 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e236 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e230.unnamed.visibility, false), _e230.unnamed_1);
+            phi_352_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e236.unnamed, true);
         }
-        let _e237 = phi_346_;
-        if _e237.unnamed_1 {
-            phi_944_ = mask_Masked(_e237.unnamed.visibility, 0u, false);
+        let _e241 = phi_352_;
+        if _e241.unnamed_1 {
+            phi_960_ = mask_Masked(_e241.unnamed.visibility, 0u, false, false);
         } else {
-            let _e242 = (_e84 < 0.5f);
-            if (_e84 > 0f) {
-                phi_359_ = (_e84 < 1f);
+            let _e246 = (_e88 < 0.5f);
+            if (_e88 > 0f) {
+                phi_365_ = (_e88 < 1f);
             } else {
-                phi_359_ = false;
+                phi_365_ = false;
             }
-            let _e246 = phi_359_;
-            let _e253 = lt_mask_Reprojection(vec2<u32>(_e47.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e260 = lt_mask_Reprojection(vec2<u32>(_e253.pixel.x, _e47.y), _e253.is_valid, _e253.has_moved);
-            let _e264 = lt_mask_Reprojection(_e260.pixel, true, _e260.has_moved);
-            let _e270 = p.member.flags;
-            if ((_e270 & 16u) == 0u) {
-                phi_398_ = false;
+            let _e250 = phi_365_;
+            let _e257 = lt_mask_Reprojection(vec2<u32>(_e50.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e264 = lt_mask_Reprojection(vec2<u32>(_e257.pixel.x, _e50.y), _e257.is_valid, _e257.has_moved);
+            let _e268 = lt_mask_Reprojection(_e264.pixel, true, _e264.has_moved);
+            let _e274 = p.member.flags;
+            if ((_e274 & 16u) == 0u) {
+                phi_404_ = false;
             } else {
-                let _e276 = samples.member[_e63.first_primitive].position[0u];
-                if (_e82.x == _e276) {
-                    let _e280 = samples.member[_e63.first_primitive].position[1u];
-                    if (_e82.y == _e280) {
-                        let _e284 = samples.member[_e63.first_primitive].position[2u];
-                        phi_390_ = (_e82.z == _e284);
-                        phi_391_ = false;
+                let _e280 = samples.member[_e67.first_primitive].position[0u];
+                if (_e86.x == _e280) {
+                    let _e284 = samples.member[_e67.first_primitive].position[1u];
+                    if (_e86.y == _e284) {
+                        let _e288 = samples.member[_e67.first_primitive].position[2u];
+                        phi_396_ = (_e86.z == _e288);
+                        phi_397_ = false;
                     } else {
-                        phi_390_ = bool();
-                        phi_391_ = true;
+                        phi_396_ = bool();
+                        phi_397_ = true;
                     }
-                    let _e287 = phi_390_;
-                    let _e289 = phi_391_;
-                    phi_392_ = _e287;
-                    phi_393_ = _e289;
+                    let _e291 = phi_396_;
+                    let _e293 = phi_397_;
+                    phi_398_ = _e291;
+                    phi_399_ = _e293;
                 } else {
-                    phi_392_ = bool();
-                    phi_393_ = true;
+                    phi_398_ = bool();
+                    phi_399_ = true;
                 }
-                let _e291 = phi_392_;
-                let _e293 = phi_393_;
-                if _e293 {
-                    phi_397_ = false;
+                let _e295 = phi_398_;
+                let _e297 = phi_399_;
+                if _e297 {
+                    phi_403_ = false;
                 } else {
-                    phi_397_ = _e291;
+                    phi_403_ = _e295;
                 }
-                let _e295 = phi_397_;
-                phi_398_ = _e295;
+                let _e299 = phi_403_;
+                phi_404_ = _e299;
             }
-            let _e297 = phi_398_;
-            if _e297 {
-                phi_709_ = lt_mask_Reprojection(_e264.pixel, _e264.is_valid, false);
-                phi_710_ = lt_mask_Reprojection();
-                phi_711_ = true;
+            let _e301 = phi_404_;
+            if _e301 {
+                phi_715_ = lt_mask_Reprojection(_e268.pixel, _e268.is_valid, false);
+                phi_716_ = lt_mask_Reprojection();
+                phi_717_ = true;
             } else {
-                let _e301 = p.member.current.grid[0u];
-                let _e303 = p.member.current.grid[1u];
-                let _e317 = (f32(_e47.x) + ((f32((_e47.y & (_e303 - 1u))) + 0.5f) / f32(_e303)));
-                let _e319 = (f32(_e47.y) + ((f32((_e47.x & (_e301 - 1u))) + 0.5f) / f32(_e301)));
-                let _e322 = p.member.previous.eye;
-                let _e325 = (_e82.x - _e322.x);
-                let _e328 = (_e82.y - _e322.y);
-                let _e331 = (_e82.z - _e322.z);
-                let _e333 = p.member.previous.forward;
-                let _e341 = (((_e325 * _e333.x) + (_e328 * _e333.y)) + (_e331 * _e333.z));
-                let _e343 = p.member.previous.right;
-                let _e353 = p.member.previous.right;
-                let _e368 = p.member.previous.up;
-                let _e378 = p.member.previous.up;
-                let _e395 = p.member.previous.size[0u];
-                let _e402 = p.member.previous.size[1u];
-                let _e406 = (((((((_e325 * _e343.x) + (_e328 * _e343.y)) + (_e331 * _e343.z)) / ((((_e353.x * _e353.x) + (_e353.y * _e353.y)) + (_e353.z * _e353.z)) * _e341)) + 1f) * (0.5f * f32(_e395))) - _e317);
-                let _e407 = (((1f - ((((_e325 * _e368.x) + (_e328 * _e368.y)) + (_e331 * _e368.z)) / ((((_e378.x * _e378.x) + (_e378.y * _e378.y)) + (_e378.z * _e378.z)) * _e341))) * (0.5f * f32(_e402))) - _e319);
-                let _e411 = p.member.current.size[0u];
-                let _e413 = p.member.current.size[1u];
-                let _e415 = (_e317 + _e406);
-                if (_e415 > -8388608f) {
-                    let _e427 = f32(select(0i, select(select(i32(_e415), i32(-2147483648), (_e415 < bitcast<f32>(3472883712u))), 2147483647i, (_e415 > bitcast<f32>(1325400063u))), (_e415 == _e415)));
-                    if (_e427 > _e415) {
-                        phi_537_ = 1f;
+                let _e305 = p.member.current.grid[0u];
+                let _e307 = p.member.current.grid[1u];
+                let _e321 = (f32(_e50.x) + ((f32((_e50.y & (_e307 - 1u))) + 0.5f) / f32(_e307)));
+                let _e323 = (f32(_e50.y) + ((f32((_e50.x & (_e305 - 1u))) + 0.5f) / f32(_e305)));
+                let _e326 = p.member.previous.eye;
+                let _e329 = (_e86.x - _e326.x);
+                let _e332 = (_e86.y - _e326.y);
+                let _e335 = (_e86.z - _e326.z);
+                let _e337 = p.member.previous.forward;
+                let _e345 = (((_e329 * _e337.x) + (_e332 * _e337.y)) + (_e335 * _e337.z));
+                let _e347 = p.member.previous.right;
+                let _e357 = p.member.previous.right;
+                let _e372 = p.member.previous.up;
+                let _e382 = p.member.previous.up;
+                let _e399 = p.member.previous.size[0u];
+                let _e406 = p.member.previous.size[1u];
+                let _e410 = (((((((_e329 * _e347.x) + (_e332 * _e347.y)) + (_e335 * _e347.z)) / ((((_e357.x * _e357.x) + (_e357.y * _e357.y)) + (_e357.z * _e357.z)) * _e345)) + 1f) * (0.5f * f32(_e399))) - _e321);
+                let _e411 = (((1f - ((((_e329 * _e372.x) + (_e332 * _e372.y)) + (_e335 * _e372.z)) / ((((_e382.x * _e382.x) + (_e382.y * _e382.y)) + (_e382.z * _e382.z)) * _e345))) * (0.5f * f32(_e406))) - _e323);
+                let _e415 = p.member.current.size[0u];
+                let _e417 = p.member.current.size[1u];
+                let _e419 = (_e321 + _e410);
+                if (_e419 > -8388608f) {
+                    let _e431 = f32(select(0i, select(select(i32(_e419), i32(-2147483648), (_e419 < bitcast<f32>(3472883712u))), 2147483647i, (_e419 > bitcast<f32>(1325400063u))), (_e419 == _e419)));
+                    if (_e431 > _e419) {
+                        phi_543_ = 1f;
                     } else {
-                        phi_537_ = 0f;
+                        phi_543_ = 0f;
                     }
-                    let _e430 = phi_537_;
-                    if (_e415 < 8388608f) {
-                        phi_542_ = (_e427 - _e430);
-                        phi_543_ = false;
+                    let _e434 = phi_543_;
+                    if (_e419 < 8388608f) {
+                        phi_548_ = (_e431 - _e434);
+                        phi_549_ = false;
                     } else {
-                        phi_542_ = f32();
-                        phi_543_ = true;
+                        phi_548_ = f32();
+                        phi_549_ = true;
                     }
-                    let _e433 = phi_542_;
-                    let _e435 = phi_543_;
-                    phi_544_ = _e433;
-                    phi_545_ = _e435;
+                    let _e437 = phi_548_;
+                    let _e439 = phi_549_;
+                    phi_550_ = _e437;
+                    phi_551_ = _e439;
                 } else {
-                    phi_544_ = f32();
-                    phi_545_ = true;
+                    phi_550_ = f32();
+                    phi_551_ = true;
                 }
-                let _e437 = phi_544_;
-                let _e439 = phi_545_;
-                if _e439 {
-                    phi_549_ = _e415;
+                let _e441 = phi_550_;
+                let _e443 = phi_551_;
+                if _e443 {
+                    phi_555_ = _e419;
                 } else {
-                    phi_549_ = _e437;
+                    phi_555_ = _e441;
                 }
-                let _e441 = phi_549_;
-                let _e442 = (_e319 + _e407);
-                if (_e442 > -8388608f) {
-                    let _e454 = f32(select(0i, select(select(i32(_e442), i32(-2147483648), (_e442 < bitcast<f32>(3472883712u))), 2147483647i, (_e442 > bitcast<f32>(1325400063u))), (_e442 == _e442)));
-                    if (_e454 > _e442) {
-                        phi_570_ = 1f;
+                let _e445 = phi_555_;
+                let _e446 = (_e323 + _e411);
+                if (_e446 > -8388608f) {
+                    let _e458 = f32(select(0i, select(select(i32(_e446), i32(-2147483648), (_e446 < bitcast<f32>(3472883712u))), 2147483647i, (_e446 > bitcast<f32>(1325400063u))), (_e446 == _e446)));
+                    if (_e458 > _e446) {
+                        phi_576_ = 1f;
                     } else {
-                        phi_570_ = 0f;
+                        phi_576_ = 0f;
                     }
-                    let _e457 = phi_570_;
-                    if (_e442 < 8388608f) {
-                        phi_575_ = (_e454 - _e457);
-                        phi_576_ = false;
+                    let _e461 = phi_576_;
+                    if (_e446 < 8388608f) {
+                        phi_581_ = (_e458 - _e461);
+                        phi_582_ = false;
                     } else {
-                        phi_575_ = f32();
-                        phi_576_ = true;
+                        phi_581_ = f32();
+                        phi_582_ = true;
                     }
-                    let _e460 = phi_575_;
-                    let _e462 = phi_576_;
-                    phi_577_ = _e460;
-                    phi_578_ = _e462;
+                    let _e464 = phi_581_;
+                    let _e466 = phi_582_;
+                    phi_583_ = _e464;
+                    phi_584_ = _e466;
                 } else {
-                    phi_577_ = f32();
-                    phi_578_ = true;
+                    phi_583_ = f32();
+                    phi_584_ = true;
                 }
-                let _e464 = phi_577_;
-                let _e466 = phi_578_;
-                if _e466 {
-                    phi_582_ = _e442;
+                let _e468 = phi_583_;
+                let _e470 = phi_584_;
+                if _e470 {
+                    phi_588_ = _e446;
                 } else {
-                    phi_582_ = _e464;
+                    phi_588_ = _e468;
                 }
-                let _e468 = phi_582_;
-                if (_e441 >= 0f) {
-                    if (_e468 >= 0f) {
-                        if (_e441 < f32(_e411)) {
-                            let _e474 = (_e468 < f32(_e413));
-                            if (_e406 == 0f) {
-                                phi_603_ = (_e407 == 0f);
+                let _e472 = phi_588_;
+                if (_e445 >= 0f) {
+                    if (_e472 >= 0f) {
+                        if (_e445 < f32(_e415)) {
+                            let _e478 = (_e472 < f32(_e417));
+                            if (_e410 == 0f) {
+                                phi_609_ = (_e411 == 0f);
                             } else {
-                                phi_603_ = false;
+                                phi_609_ = false;
                             }
-                            let _e478 = phi_603_;
-                            if _e474 {
-                                phi_622_ = vec2<u32>(select(select(u32(_e441), 0u, (_e441 < bitcast<f32>(0u))), 4294967295u, (_e441 > bitcast<f32>(1333788671u))), select(select(u32(_e468), 0u, (_e468 < bitcast<f32>(0u))), 4294967295u, (_e468 > bitcast<f32>(1333788671u))));
-                                phi_623_ = false;
+                            let _e482 = phi_609_;
+                            if _e478 {
+                                phi_628_ = vec2<u32>(select(select(u32(_e445), 0u, (_e445 < bitcast<f32>(0u))), 4294967295u, (_e445 > bitcast<f32>(1333788671u))), select(select(u32(_e472), 0u, (_e472 < bitcast<f32>(0u))), 4294967295u, (_e472 > bitcast<f32>(1333788671u))));
+                                phi_629_ = false;
                             } else {
-                                phi_622_ = vec2<u32>();
-                                phi_623_ = true;
+                                phi_628_ = vec2<u32>();
+                                phi_629_ = true;
                             }
-                            let _e495 = phi_622_;
-                            let _e497 = phi_623_;
-                            phi_624_ = _e478;
-                            phi_625_ = _e474;
-                            phi_626_ = _e495;
-                            phi_627_ = _e478;
-                            phi_628_ = _e474;
-                            phi_629_ = false;
-                            phi_630_ = _e497;
+                            let _e499 = phi_628_;
+                            let _e501 = phi_629_;
+                            phi_630_ = _e482;
+                            phi_631_ = _e478;
+                            phi_632_ = _e499;
+                            phi_633_ = _e482;
+                            phi_634_ = _e478;
+                            phi_635_ = false;
+                            phi_636_ = _e501;
                         } else {
-                            phi_624_ = bool();
-                            phi_625_ = bool();
-                            phi_626_ = vec2<u32>();
-                            phi_627_ = bool();
-                            phi_628_ = bool();
-                            phi_629_ = true;
-                            phi_630_ = false;
+                            phi_630_ = bool();
+                            phi_631_ = bool();
+                            phi_632_ = vec2<u32>();
+                            phi_633_ = bool();
+                            phi_634_ = bool();
+                            phi_635_ = true;
+                            phi_636_ = false;
                         }
-                        let _e499 = phi_624_;
-                        let _e501 = phi_625_;
-                        let _e503 = phi_626_;
-                        let _e505 = phi_627_;
-                        let _e507 = phi_628_;
-                        let _e509 = phi_629_;
-                        let _e511 = phi_630_;
-                        phi_631_ = _e499;
-                        phi_632_ = _e501;
-                        phi_633_ = _e503;
-                        phi_634_ = _e505;
-                        phi_635_ = _e507;
-                        phi_636_ = _e509;
-                        phi_637_ = _e511;
+                        let _e503 = phi_630_;
+                        let _e505 = phi_631_;
+                        let _e507 = phi_632_;
+                        let _e509 = phi_633_;
+                        let _e511 = phi_634_;
+                        let _e513 = phi_635_;
+                        let _e515 = phi_636_;
+                        phi_637_ = _e503;
+                        phi_638_ = _e505;
+                        phi_639_ = _e507;
+                        phi_640_ = _e509;
+                        phi_641_ = _e511;
+                        phi_642_ = _e513;
+                        phi_643_ = _e515;
                     } else {
-                        phi_631_ = bool();
-                        phi_632_ = bool();
-                        phi_633_ = vec2<u32>();
-                        phi_634_ = bool();
-                        phi_635_ = bool();
-                        phi_636_ = true;
-                        phi_637_ = false;
+                        phi_637_ = bool();
+                        phi_638_ = bool();
+                        phi_639_ = vec2<u32>();
+                        phi_640_ = bool();
+                        phi_641_ = bool();
+                        phi_642_ = true;
+                        phi_643_ = false;
                     }
-                    let _e513 = phi_631_;
-                    let _e515 = phi_632_;
-                    let _e517 = phi_633_;
-                    let _e519 = phi_634_;
-                    let _e521 = phi_635_;
-                    let _e523 = phi_636_;
-                    let _e525 = phi_637_;
-                    phi_638_ = _e513;
-                    phi_639_ = _e515;
-                    phi_640_ = _e517;
-                    phi_641_ = _e519;
-                    phi_642_ = _e521;
-                    phi_643_ = _e523;
-                    phi_644_ = _e525;
+                    let _e517 = phi_637_;
+                    let _e519 = phi_638_;
+                    let _e521 = phi_639_;
+                    let _e523 = phi_640_;
+                    let _e525 = phi_641_;
+                    let _e527 = phi_642_;
+                    let _e529 = phi_643_;
+                    phi_644_ = _e517;
+                    phi_645_ = _e519;
+                    phi_646_ = _e521;
+                    phi_647_ = _e523;
+                    phi_648_ = _e525;
+                    phi_649_ = _e527;
+                    phi_650_ = _e529;
                 } else {
-                    phi_638_ = bool();
-                    phi_639_ = bool();
-                    phi_640_ = vec2<u32>();
-                    phi_641_ = bool();
-                    phi_642_ = bool();
-                    phi_643_ = true;
-                    phi_644_ = false;
+                    phi_644_ = bool();
+                    phi_645_ = bool();
+                    phi_646_ = vec2<u32>();
+                    phi_647_ = bool();
+                    phi_648_ = bool();
+                    phi_649_ = true;
+                    phi_650_ = false;
                 }
-                let _e527 = phi_638_;
-                let _e529 = phi_639_;
-                let _e531 = phi_640_;
-                let _e533 = phi_641_;
-                let _e535 = phi_642_;
-                let _e537 = phi_643_;
-                let _e539 = phi_644_;
-                if _e537 {
-                    if (_e406 == 0f) {
-                        phi_653_ = (_e407 == 0f);
+                let _e531 = phi_644_;
+                let _e533 = phi_645_;
+                let _e535 = phi_646_;
+                let _e537 = phi_647_;
+                let _e539 = phi_648_;
+                let _e541 = phi_649_;
+                let _e543 = phi_650_;
+                if _e541 {
+                    if (_e410 == 0f) {
+                        phi_659_ = (_e411 == 0f);
                     } else {
-                        phi_653_ = false;
+                        phi_659_ = false;
                     }
-                    let _e543 = phi_653_;
-                    phi_654_ = _e543;
-                    phi_655_ = false;
-                    phi_656_ = true;
+                    let _e547 = phi_659_;
+                    phi_660_ = _e547;
+                    phi_661_ = false;
+                    phi_662_ = true;
                 } else {
-                    phi_654_ = _e533;
-                    phi_655_ = _e535;
-                    phi_656_ = _e539;
+                    phi_660_ = _e537;
+                    phi_661_ = _e539;
+                    phi_662_ = _e543;
                 }
-                let _e545 = phi_654_;
-                let _e547 = phi_655_;
-                let _e549 = phi_656_;
-                if _e549 {
-                    phi_660_ = _e545;
-                    phi_661_ = _e547;
-                    phi_662_ = vec2<u32>(_e47.x, _e47.y);
-                } else {
-                    phi_660_ = _e527;
-                    phi_661_ = _e529;
-                    phi_662_ = _e531;
-                }
-                let _e551 = phi_660_;
-                let _e553 = phi_661_;
-                let _e555 = phi_662_;
-                let _e565 = lt_mask_Reprojection(vec2<u32>(_e555.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e572 = lt_mask_Reprojection(vec2<u32>(_e565.pixel.x, _e555.y), _e565.is_valid, _e565.has_moved);
-                let _e576 = lt_mask_Reprojection(_e572.pixel, _e553, _e572.has_moved);
-                let _e580 = lt_mask_Reprojection(_e576.pixel, _e576.is_valid, !(_e551));
+                let _e549 = phi_660_;
+                let _e551 = phi_661_;
+                let _e553 = phi_662_;
                 if _e553 {
-                    let _e583 = p.member.previous.eye;
-                    let _e594 = p.member.previous.forward;
-                    let _e603 = (((((_e82.x - _e583.x) * _e594.x) + ((_e82.y - _e583.y) * _e594.y)) + ((_e82.z - _e583.z) * _e594.z)) > 0f);
-                    let _e607 = lt_mask_Reprojection(_e580.pixel, _e603, _e580.has_moved);
-                    if _e603 {
-                        phi_700_ = false;
+                    phi_666_ = _e549;
+                    phi_667_ = _e551;
+                    phi_668_ = vec2<u32>(_e50.x, _e50.y);
+                } else {
+                    phi_666_ = _e531;
+                    phi_667_ = _e533;
+                    phi_668_ = _e535;
+                }
+                let _e555 = phi_666_;
+                let _e557 = phi_667_;
+                let _e559 = phi_668_;
+                let _e569 = lt_mask_Reprojection(vec2<u32>(_e559.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e576 = lt_mask_Reprojection(vec2<u32>(_e569.pixel.x, _e559.y), _e569.is_valid, _e569.has_moved);
+                let _e580 = lt_mask_Reprojection(_e576.pixel, _e557, _e576.has_moved);
+                let _e584 = lt_mask_Reprojection(_e580.pixel, _e580.is_valid, !(_e555));
+                if _e557 {
+                    let _e587 = p.member.previous.eye;
+                    let _e598 = p.member.previous.forward;
+                    let _e607 = (((((_e86.x - _e587.x) * _e598.x) + ((_e86.y - _e587.y) * _e598.y)) + ((_e86.z - _e587.z) * _e598.z)) > 0f);
+                    let _e611 = lt_mask_Reprojection(_e584.pixel, _e607, _e584.has_moved);
+                    if _e607 {
+                        phi_706_ = false;
                     } else {
-                        phi_700_ = true;
+                        phi_706_ = true;
                     }
-                    let _e609 = phi_700_;
-                    phi_702_ = _e607;
-                    phi_703_ = _e607;
-                    phi_704_ = _e609;
+                    let _e613 = phi_706_;
+                    phi_708_ = _e611;
+                    phi_709_ = _e611;
+                    phi_710_ = _e613;
                 } else {
-                    phi_702_ = lt_mask_Reprojection();
-                    phi_703_ = lt_mask_Reprojection(_e580.pixel, false, _e580.has_moved);
-                    phi_704_ = true;
+                    phi_708_ = lt_mask_Reprojection();
+                    phi_709_ = lt_mask_Reprojection(_e584.pixel, false, _e584.has_moved);
+                    phi_710_ = true;
                 }
-                let _e615 = phi_702_;
-                let _e617 = phi_703_;
-                let _e619 = phi_704_;
-                if _e619 {
-                    phi_708_ = false;
+                let _e619 = phi_708_;
+                let _e621 = phi_709_;
+                let _e623 = phi_710_;
+                if _e623 {
+                    phi_714_ = false;
                 } else {
-                    phi_708_ = true;
+                    phi_714_ = true;
                 }
-                let _e621 = phi_708_;
-                phi_709_ = _e615;
-                phi_710_ = _e617;
-                phi_711_ = _e621;
+                let _e625 = phi_714_;
+                phi_715_ = _e619;
+                phi_716_ = _e621;
+                phi_717_ = _e625;
             }
-            let _e623 = phi_709_;
-            let _e625 = phi_710_;
-            let _e627 = phi_711_;
-            if _e627 {
-                let _e629 = p.member.flags;
-                phi_719_ = ((_e629 & 1u) != 0u);
-                phi_720_ = _e623;
+            let _e627 = phi_715_;
+            let _e629 = phi_716_;
+            let _e631 = phi_717_;
+            if _e631 {
+                let _e633 = p.member.flags;
+                phi_725_ = ((_e633 & 1u) != 0u);
+                phi_726_ = _e627;
             } else {
-                phi_719_ = false;
-                phi_720_ = _e625;
+                phi_725_ = false;
+                phi_726_ = _e629;
             }
-            let _e633 = phi_719_;
-            let _e635 = phi_720_;
-            let _e639 = lt_mask_Reprojection(_e635.pixel, _e633, _e635.has_moved);
-            let _e640 = lt_mask_Neighbourhood(false, true);
-            if _e246 {
-                phi_726_ = false;
+            let _e637 = phi_725_;
+            let _e639 = phi_726_;
+            let _e643 = lt_mask_Reprojection(_e639.pixel, _e637, _e639.has_moved);
+            let _e644 = lt_mask_Neighbourhood(false, true);
+            if _e250 {
+                phi_732_ = false;
             } else {
-                phi_726_ = true;
+                phi_732_ = true;
             }
-            let _e642 = phi_726_;
-            if _e642 {
-                if _e633 {
+            let _e646 = phi_732_;
+            if _e646 {
+                if _e637 {
                     if ((0u & 2u) != 0u) {
-                        phi_766_ = _e640;
+                        phi_772_ = _e644;
                     } else {
-                        let _e659 = ((((_e639.pixel.y * _e79) + (_e639.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e242) | (select(0u, 1u, _e639.has_moved) << bitcast<u32>(1i))));
-                        if (_e659 < arrayLength((&heard.member))) {
+                        let _e663 = ((((_e643.pixel.y * _e83) + (_e643.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e246) | (select(0u, 1u, _e643.has_moved) << bitcast<u32>(1i))));
+                        if (_e663 < arrayLength((&heard.member))) {
                         } else {
                             return;
                         }
-                        let _e663 = heard.member[(0u + _e659)];
-                        let _e669 = (((_e663 >> bitcast<u32>(((_e639.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_766_ = lt_mask_Neighbourhood(_e669, !(_e669));
+                        let _e667 = heard.member[(0u + _e663)];
+                        let _e673 = (((_e667 >> bitcast<u32>(((_e643.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_772_ = lt_mask_Neighbourhood(_e673, !(_e673));
                     }
-                    let _e673 = phi_766_;
-                    phi_767_ = _e673;
+                    let _e677 = phi_772_;
+                    phi_773_ = _e677;
                 } else {
-                    phi_767_ = _e640;
+                    phi_773_ = _e644;
                 }
-                let _e675 = phi_767_;
-                phi_768_ = _e675;
+                let _e679 = phi_773_;
+                phi_774_ = _e679;
             } else {
-                phi_768_ = _e640;
+                phi_774_ = _e644;
             }
-            let _e677 = phi_768_;
-            let _e680 = p.member.frame;
-            let _e682 = p.member.refresh;
-            if (_e682 == 0u) {
-                phi_801_ = false;
+            let _e681 = phi_774_;
+            let _e684 = p.member.frame;
+            let _e686 = p.member.refresh;
+            if (_e686 == 0u) {
+                phi_807_ = false;
             } else {
-                if (_e682 == 0u) {
+                if (_e686 == 0u) {
                     return;
                 }
-                let _e691 = ((_e47.x + (_e47.y * (((_e682 * 5u) / 8u) | 1u))) + (_e680 % _e682));
-                if (_e682 == 0u) {
-                    phi_800_ = (_e691 == 0u);
+                let _e695 = ((_e50.x + (_e50.y * (((_e686 * 5u) / 8u) | 1u))) + (_e684 % _e686));
+                if (_e686 == 0u) {
+                    phi_806_ = (_e695 == 0u);
                 } else {
-                    if (_e682 == 0u) {
+                    if (_e686 == 0u) {
                         return;
                     }
-                    phi_800_ = ((_e691 % _e682) == 0u);
+                    phi_806_ = ((_e695 % _e686) == 0u);
                 }
-                let _e698 = phi_800_;
-                phi_801_ = _e698;
+                let _e702 = phi_806_;
+                phi_807_ = _e702;
             }
-            let _e700 = phi_801_;
-            if _e633 {
-                if _e700 {
-                    phi_823_ = bool();
+            let _e704 = phi_807_;
+            if _e637 {
+                if _e704 {
+                    phi_829_ = bool();
                 } else {
-                    phi_823_ = ((0u & 2u) != 0u);
+                    phi_829_ = ((0u & 2u) != 0u);
                 }
-                let _e706 = phi_823_;
-                phi_824_ = _e706;
-                phi_825_ = _e700;
+                let _e710 = phi_829_;
+                phi_830_ = _e710;
+                phi_831_ = _e704;
             } else {
-                phi_824_ = bool();
-                phi_825_ = true;
+                phi_830_ = bool();
+                phi_831_ = true;
             }
-            let _e708 = phi_824_;
-            let _e710 = phi_825_;
-            if _e710 {
-                phi_829_ = false;
+            let _e712 = phi_830_;
+            let _e714 = phi_831_;
+            if _e714 {
+                phi_835_ = false;
             } else {
-                phi_829_ = _e708;
+                phi_835_ = _e712;
             }
-            let _e712 = phi_829_;
-            if _e712 {
-                phi_880_ = 7u;
+            let _e716 = phi_835_;
+            if _e716 {
+                phi_886_ = 7u;
             } else {
-                if (_e84 != 0.5f) {
-                    if _e633 {
-                        if _e700 {
-                            phi_877_ = 6u;
+                if (_e88 != 0.5f) {
+                    if _e637 {
+                        if _e704 {
+                            phi_883_ = 6u;
                         } else {
-                            if _e246 {
-                                phi_852_ = true;
+                            if _e250 {
+                                phi_858_ = true;
                             } else {
-                                if _e677.any_expands {
-                                    phi_851_ = false;
+                                if _e681.any_expands {
+                                    phi_857_ = false;
                                 } else {
-                                    phi_851_ = true;
+                                    phi_857_ = true;
                                 }
-                                let _e714 = phi_851_;
-                                phi_852_ = _e714;
+                                let _e718 = phi_857_;
+                                phi_858_ = _e718;
                             }
-                            let _e716 = phi_852_;
-                            if _e716 {
-                                if _e246 {
+                            let _e720 = phi_858_;
+                            if _e720 {
+                                if _e250 {
                                     if false {
-                                        if _e677.all_remove {
-                                            phi_865_ = false;
+                                        if _e681.all_remove {
+                                            phi_871_ = false;
                                         } else {
-                                            phi_865_ = true;
+                                            phi_871_ = true;
                                         }
-                                        let _e718 = phi_865_;
-                                        phi_866_ = _e718;
+                                        let _e722 = phi_871_;
+                                        phi_872_ = _e722;
                                     } else {
-                                        phi_866_ = true;
+                                        phi_872_ = true;
                                     }
-                                    let _e720 = phi_866_;
-                                    phi_867_ = _e720;
+                                    let _e724 = phi_872_;
+                                    phi_873_ = _e724;
                                 } else {
-                                    phi_867_ = true;
+                                    phi_873_ = true;
                                 }
-                                let _e722 = phi_867_;
-                                if _e722 {
-                                    if _e246 {
-                                        phi_874_ = 1u;
+                                let _e726 = phi_873_;
+                                if _e726 {
+                                    if _e250 {
+                                        phi_880_ = 1u;
                                     } else {
-                                        phi_874_ = 0u;
+                                        phi_880_ = 0u;
                                     }
-                                    let _e724 = phi_874_;
-                                    phi_875_ = _e724;
+                                    let _e728 = phi_880_;
+                                    phi_881_ = _e728;
                                 } else {
-                                    phi_875_ = 5u;
+                                    phi_881_ = 5u;
                                 }
-                                let _e726 = phi_875_;
-                                phi_876_ = _e726;
+                                let _e730 = phi_881_;
+                                phi_882_ = _e730;
                             } else {
-                                phi_876_ = 4u;
+                                phi_882_ = 4u;
                             }
-                            let _e728 = phi_876_;
-                            phi_877_ = _e728;
+                            let _e732 = phi_882_;
+                            phi_883_ = _e732;
                         }
-                        let _e730 = phi_877_;
-                        phi_878_ = _e730;
+                        let _e734 = phi_883_;
+                        phi_884_ = _e734;
                     } else {
-                        phi_878_ = 3u;
+                        phi_884_ = 3u;
                     }
-                    let _e732 = phi_878_;
-                    phi_879_ = _e732;
+                    let _e736 = phi_884_;
+                    phi_885_ = _e736;
                 } else {
-                    phi_879_ = 2u;
+                    phi_885_ = 2u;
                 }
-                let _e734 = phi_879_;
-                phi_880_ = _e734;
+                let _e738 = phi_885_;
+                phi_886_ = _e738;
             }
-            let _e736 = phi_880_;
-            if !((_e736 == 0u)) {
-                if !((_e736 == 5u)) {
-                    phi_892_ = !(_e712);
-                    phi_893_ = false;
+            let _e740 = phi_886_;
+            if !((_e740 == 0u)) {
+                if !((_e740 == 5u)) {
+                    phi_898_ = !(_e716);
+                    phi_899_ = false;
                 } else {
-                    phi_892_ = bool();
-                    phi_893_ = true;
+                    phi_898_ = bool();
+                    phi_899_ = true;
                 }
-                let _e743 = phi_892_;
-                let _e745 = phi_893_;
-                phi_894_ = _e743;
-                phi_895_ = _e745;
+                let _e747 = phi_898_;
+                let _e749 = phi_899_;
+                phi_900_ = _e747;
+                phi_901_ = _e749;
             } else {
-                phi_894_ = bool();
-                phi_895_ = true;
+                phi_900_ = bool();
+                phi_901_ = true;
             }
-            let _e747 = phi_894_;
-            let _e749 = phi_895_;
-            if _e749 {
-                phi_899_ = false;
+            let _e751 = phi_900_;
+            let _e753 = phi_901_;
+            if _e753 {
+                phi_905_ = false;
             } else {
-                phi_899_ = _e747;
-            }
-            let _e751 = phi_899_;
-            if _e712 {
-                phi_905_ = ((0u & 4u) != 0u);
-            } else {
-                phi_905_ = _e242;
+                phi_905_ = _e751;
             }
             let _e755 = phi_905_;
-            if _e751 {
-                if _e242 {
-                    phi_913_ = (2u | 1u);
-                } else {
-                    phi_913_ = 2u;
-                }
-                let _e758 = phi_913_;
-                if false {
-                    phi_918_ = (_e758 | 4u);
-                } else {
-                    phi_918_ = _e758;
-                }
-                let _e761 = phi_918_;
-                phi_938_ = _e761;
+            if _e716 {
+                phi_911_ = ((0u & 4u) != 0u);
             } else {
-                if (_e736 == 7u) {
-                    if _e242 {
-                        phi_927_ = (2u | 1u);
-                    } else {
-                        phi_927_ = 2u;
-                    }
-                    let _e765 = phi_927_;
-                    if _e755 {
-                        phi_932_ = (_e765 | 4u);
-                    } else {
-                        phi_932_ = _e765;
-                    }
-                    let _e768 = phi_932_;
-                    phi_937_ = _e768;
-                } else {
-                    if _e242 {
-                        phi_936_ = 1u;
-                    } else {
-                        phi_936_ = 0u;
-                    }
-                    let _e770 = phi_936_;
-                    phi_937_ = _e770;
-                }
-                let _e772 = phi_937_;
-                phi_938_ = _e772;
+                phi_911_ = _e246;
             }
-            let _e774 = phi_938_;
+            let _e759 = phi_911_;
             if _e755 {
-                phi_942_ = 0f;
+                if _e246 {
+                    phi_919_ = (2u | 1u);
+                } else {
+                    phi_919_ = 2u;
+                }
+                let _e762 = phi_919_;
+                if false {
+                    phi_924_ = (_e762 | 4u);
+                } else {
+                    phi_924_ = _e762;
+                }
+                let _e765 = phi_924_;
+                phi_944_ = _e765;
             } else {
-                phi_942_ = 1f;
+                if (_e740 == 7u) {
+                    if _e246 {
+                        phi_933_ = (2u | 1u);
+                    } else {
+                        phi_933_ = 2u;
+                    }
+                    let _e769 = phi_933_;
+                    if _e759 {
+                        phi_938_ = (_e769 | 4u);
+                    } else {
+                        phi_938_ = _e769;
+                    }
+                    let _e772 = phi_938_;
+                    phi_943_ = _e772;
+                } else {
+                    if _e246 {
+                        phi_942_ = 1u;
+                    } else {
+                        phi_942_ = 0u;
+                    }
+                    let _e774 = phi_942_;
+                    phi_943_ = _e774;
+                }
+                let _e776 = phi_943_;
+                phi_944_ = _e776;
             }
-            let _e776 = phi_942_;
-            phi_944_ = mask_Masked(_e776, _e774, _e751);
+            let _e778 = phi_944_;
+            if _e759 {
+                phi_948_ = 0f;
+            } else {
+                phi_948_ = 1f;
+            }
+            let _e780 = phi_948_;
+            if _e250 {
+                if (_e88 == 0.99999994f) {
+                    phi_957_ = true;
+                } else {
+                    phi_957_ = (_e88 == 0.000000059604645f);
+                }
+                let _e784 = phi_957_;
+                phi_958_ = _e784;
+            } else {
+                phi_958_ = true;
+            }
+            let _e786 = phi_958_;
+            phi_960_ = mask_Masked(_e780, _e778, _e755, _e786);
         }
-        let _e779 = phi_944_;
-        visibility.member[_e63.first_primitive] = _e779.visibility;
-        let _e784 = p.member.light.number;
-        let _e785 = (_e784 * 3u);
-        let _e787 = (_e785 % 32u);
-        let _e789 = p.member.light.mask_words;
-        let _e791 = ((_e63.first_primitive * _e789) + (_e785 / 32u));
-        let _e793 = bits.member[_e791];
-        bits.member[_e791] = ((_e793 & ~((7u << bitcast<u32>((_e787 & 31u))))) | (_e779.bits << bitcast<u32>((_e787 & 31u))));
-        if (_e787 > 29u) {
-            let _e808 = bits.member[(_e791 + 1u)];
-            let _e810 = (32u - _e787);
-            bits.member[(_e791 + 1u)] = ((_e808 & ~((7u >> bitcast<u32>((_e810 & 31u))))) | (_e779.bits >> bitcast<u32>((_e810 & 31u))));
+        let _e789 = phi_960_;
+        visibility.member[_e67.first_primitive] = _e789.visibility;
+        let _e794 = p.member.light.number;
+        let _e795 = (_e794 * 3u);
+        let _e797 = (_e795 % 32u);
+        let _e799 = p.member.light.mask_words;
+        let _e801 = ((_e67.first_primitive * _e799) + (_e795 / 32u));
+        let _e803 = bits.member[_e801];
+        bits.member[_e801] = ((_e803 & ~((7u << bitcast<u32>((_e797 & 31u))))) | (_e789.bits << bitcast<u32>((_e797 & 31u))));
+        if (_e797 > 29u) {
+            let _e818 = bits.member[(_e801 + 1u)];
+            let _e820 = (32u - _e797);
+            bits.member[(_e801 + 1u)] = ((_e818 & ~((7u >> bitcast<u32>((_e820 & 31u))))) | (_e789.bits >> bitcast<u32>((_e820 & 31u))));
         }
-        phi_994_ = _e779.needs_ray;
-        phi_995_ = _e63.first_primitive;
+        phi_1012_ = doubt_Listed(_e67.first_primitive, _e789.is_trusted);
+        phi_1013_ = _e789.needs_ray;
     } else {
-        phi_994_ = false;
-        phi_995_ = 0u;
+        phi_1012_ = doubt_Listed(0u, false);
+        phi_1013_ = false;
     }
-    let _e824 = phi_994_;
-    let _e826 = phi_995_;
-    if (_e48 == 0u) {
+    let _e836 = phi_1012_;
+    let _e838 = phi_1013_;
+    if (_e51 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e824 {
-        let _e830 = atomicAdd((&shared_[0u]), 1u);
-        phi_1006_ = _e830;
+    if _e838 {
+        let _e844 = atomicAdd((&shared_[0u]), 1u);
+        phi_1026_ = _e844;
     } else {
-        phi_1006_ = 0u;
+        phi_1026_ = 0u;
     }
-    let _e832 = phi_1006_;
+    let _e846 = phi_1026_;
     workgroupBarrier();
-    if (_e48 == 0u) {
-        let _e836 = atomicLoad((&shared_[0u]));
-        let _e837 = atomicAdd((&list.member[3u]), _e836);
-        atomicStore((&shared_[1u]), _e837);
+    if (_e51 == 0u) {
+        let _e850 = atomicLoad((&shared_[0u]));
+        let _e851 = atomicAdd((&list.member[3u]), _e850);
+        atomicStore((&shared_[1u]), _e851);
     }
     workgroupBarrier();
-    if _e824 {
-        let _e840 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e840) + _e832)]), _e826);
+    if _e838 {
+        if _e836.is_trusted {
+            phi_1043_ = (_e836.pixel | 2147483648u);
+        } else {
+            phi_1043_ = _e836.pixel;
+        }
+        let _e855 = phi_1043_;
+        let _e857 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e857) + _e846)]), _e855);
     }
     return;
 }

@@ -67,6 +67,11 @@ struct type_27 {
     member: array<f32>,
 }
 
+struct doubt_Listed {
+    pixel: u32,
+    is_trusted: bool,
+}
+
 struct evaluate_Verdict {
     visibility: f32,
     is_doubted: bool,
@@ -81,6 +86,7 @@ struct mask_Masked {
     visibility: f32,
     bits: u32,
     needs_ray: bool,
+    is_trusted: bool,
 }
 
 struct lt_mask_Reprojection {
@@ -126,962 +132,983 @@ var<storage, read_write> depths: type_27;
 var<storage> past: type_43;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_170_: lt_bvh_traverse_Tree;
-    var phi_171_: bool;
-    var phi_172_: lt_bvh_traverse_Tree;
-    var phi_173_: bool;
-    var phi_178_: lt_bvh_traverse_Tree;
+    var phi_175_: lt_bvh_traverse_Tree;
+    var phi_176_: bool;
+    var phi_177_: lt_bvh_traverse_Tree;
+    var phi_178_: bool;
+    var phi_183_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_170_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_171_ = false;
+            phi_175_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_176_ = false;
         } else {
-            phi_170_ = lt_bvh_traverse_Tree();
-            phi_171_ = true;
+            phi_175_ = lt_bvh_traverse_Tree();
+            phi_176_ = true;
         }
-        let _e65 = phi_170_;
-        let _e67 = phi_171_;
-        phi_172_ = _e65;
-        phi_173_ = _e67;
+        let _e68 = phi_175_;
+        let _e70 = phi_176_;
+        phi_177_ = _e68;
+        phi_178_ = _e70;
     } else {
-        phi_172_ = lt_bvh_traverse_Tree();
-        phi_173_ = true;
+        phi_177_ = lt_bvh_traverse_Tree();
+        phi_178_ = true;
     }
-    let _e69 = phi_172_;
-    let _e71 = phi_173_;
-    if _e71 {
-        phi_178_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e72 = phi_177_;
+    let _e74 = phi_178_;
+    if _e74 {
+        phi_183_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_178_ = _e69;
+        phi_183_ = _e72;
     }
-    let _e76 = phi_178_;
-    return lt_bvh_traverse_Tree(_e76.root, _e76.first_primitive);
+    let _e79 = phi_183_;
+    return lt_bvh_traverse_Tree(_e79.root, _e79.first_primitive);
 }
 
 fn function_() {
-    var phi_250_: bool;
-    var phi_251_: bool;
-    var phi_252_: bool;
-    var phi_253_: bool;
+    var phi_256_: bool;
     var phi_257_: bool;
-    var phi_327_: bool;
-    var phi_328_: bool;
-    var phi_339_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_340_: bool;
-    var phi_341_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_342_: bool;
-    var phi_349_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_353_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_366_: bool;
-    var phi_394_: bool;
-    var phi_395_: bool;
-    var phi_396_: bool;
-    var phi_397_: bool;
+    var phi_258_: bool;
+    var phi_259_: bool;
+    var phi_263_: bool;
+    var phi_333_: bool;
+    var phi_334_: bool;
+    var phi_345_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_346_: bool;
+    var phi_347_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_348_: bool;
+    var phi_355_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_359_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_372_: bool;
+    var phi_400_: bool;
     var phi_401_: bool;
     var phi_402_: bool;
-    var phi_538_: f32;
-    var phi_543_: f32;
-    var phi_544_: bool;
-    var phi_545_: f32;
-    var phi_546_: bool;
-    var phi_550_: f32;
-    var phi_571_: f32;
-    var phi_576_: f32;
-    var phi_577_: bool;
-    var phi_578_: f32;
-    var phi_579_: bool;
-    var phi_583_: f32;
-    var phi_604_: bool;
-    var phi_623_: vec2<u32>;
-    var phi_624_: bool;
-    var phi_625_: bool;
-    var phi_626_: bool;
-    var phi_627_: vec2<u32>;
-    var phi_628_: bool;
-    var phi_629_: bool;
+    var phi_403_: bool;
+    var phi_407_: bool;
+    var phi_408_: bool;
+    var phi_544_: f32;
+    var phi_549_: f32;
+    var phi_550_: bool;
+    var phi_551_: f32;
+    var phi_552_: bool;
+    var phi_556_: f32;
+    var phi_577_: f32;
+    var phi_582_: f32;
+    var phi_583_: bool;
+    var phi_584_: f32;
+    var phi_585_: bool;
+    var phi_589_: f32;
+    var phi_610_: bool;
+    var phi_629_: vec2<u32>;
     var phi_630_: bool;
     var phi_631_: bool;
     var phi_632_: bool;
-    var phi_633_: bool;
-    var phi_634_: vec2<u32>;
+    var phi_633_: vec2<u32>;
+    var phi_634_: bool;
     var phi_635_: bool;
     var phi_636_: bool;
     var phi_637_: bool;
     var phi_638_: bool;
     var phi_639_: bool;
-    var phi_640_: bool;
-    var phi_641_: vec2<u32>;
+    var phi_640_: vec2<u32>;
+    var phi_641_: bool;
     var phi_642_: bool;
     var phi_643_: bool;
     var phi_644_: bool;
     var phi_645_: bool;
-    var phi_654_: bool;
-    var phi_655_: bool;
-    var phi_656_: bool;
-    var phi_657_: bool;
+    var phi_646_: bool;
+    var phi_647_: vec2<u32>;
+    var phi_648_: bool;
+    var phi_649_: bool;
+    var phi_650_: bool;
+    var phi_651_: bool;
+    var phi_660_: bool;
     var phi_661_: bool;
     var phi_662_: bool;
-    var phi_663_: vec2<u32>;
-    var phi_698_: bool;
-    var phi_700_: lt_mask_Reprojection;
-    var phi_701_: lt_mask_Reprojection;
-    var phi_702_: lt_mask_Reprojection;
-    var phi_703_: bool;
+    var phi_663_: bool;
+    var phi_667_: bool;
+    var phi_668_: bool;
+    var phi_669_: vec2<u32>;
     var phi_704_: bool;
-    var phi_705_: lt_mask_Reprojection;
     var phi_706_: lt_mask_Reprojection;
     var phi_707_: lt_mask_Reprojection;
-    var phi_708_: bool;
+    var phi_708_: lt_mask_Reprojection;
     var phi_709_: bool;
-    var phi_761_: bool;
-    var phi_765_: f32;
-    var phi_769_: lt_mask_Reprojection;
-    var phi_770_: bool;
-    var phi_782_: bool;
-    var phi_783_: bool;
-    var phi_784_: bool;
-    var phi_785_: lt_mask_Reprojection;
-    var phi_786_: bool;
+    var phi_710_: bool;
+    var phi_711_: lt_mask_Reprojection;
+    var phi_712_: lt_mask_Reprojection;
+    var phi_713_: lt_mask_Reprojection;
+    var phi_714_: bool;
+    var phi_715_: bool;
+    var phi_767_: bool;
+    var phi_771_: f32;
+    var phi_775_: lt_mask_Reprojection;
+    var phi_776_: bool;
+    var phi_788_: bool;
+    var phi_789_: bool;
     var phi_790_: bool;
     var phi_791_: lt_mask_Reprojection;
-    var phi_797_: bool;
-    var phi_829_: u32;
-    var phi_858_: lt_mask_Neighbourhood;
-    var phi_859_: lt_mask_Neighbourhood;
-    var phi_860_: lt_mask_Neighbourhood;
-    var phi_892_: bool;
-    var phi_893_: bool;
-    var phi_915_: bool;
-    var phi_916_: bool;
-    var phi_917_: bool;
+    var phi_792_: bool;
+    var phi_796_: bool;
+    var phi_797_: lt_mask_Reprojection;
+    var phi_803_: bool;
+    var phi_835_: u32;
+    var phi_864_: lt_mask_Neighbourhood;
+    var phi_865_: lt_mask_Neighbourhood;
+    var phi_866_: lt_mask_Neighbourhood;
+    var phi_898_: bool;
+    var phi_899_: bool;
     var phi_921_: bool;
-    var phi_943_: bool;
-    var phi_944_: bool;
-    var phi_957_: bool;
-    var phi_958_: bool;
-    var phi_959_: bool;
-    var phi_966_: u32;
-    var phi_967_: u32;
-    var phi_968_: u32;
-    var phi_969_: u32;
-    var phi_970_: u32;
-    var phi_971_: u32;
+    var phi_922_: bool;
+    var phi_923_: bool;
+    var phi_927_: bool;
+    var phi_949_: bool;
+    var phi_950_: bool;
+    var phi_963_: bool;
+    var phi_964_: bool;
+    var phi_965_: bool;
     var phi_972_: u32;
-    var phi_984_: bool;
-    var phi_985_: bool;
-    var phi_986_: bool;
-    var phi_987_: bool;
+    var phi_973_: u32;
+    var phi_974_: u32;
+    var phi_975_: u32;
+    var phi_976_: u32;
+    var phi_977_: u32;
+    var phi_978_: u32;
+    var phi_990_: bool;
     var phi_991_: bool;
+    var phi_992_: bool;
+    var phi_993_: bool;
     var phi_997_: bool;
-    var phi_1005_: u32;
-    var phi_1010_: u32;
-    var phi_1019_: u32;
-    var phi_1024_: u32;
-    var phi_1028_: u32;
-    var phi_1029_: u32;
+    var phi_1003_: bool;
+    var phi_1011_: u32;
+    var phi_1016_: u32;
+    var phi_1025_: u32;
     var phi_1030_: u32;
-    var phi_1034_: f32;
-    var phi_1036_: mask_Masked;
-    var phi_1108_: bool;
-    var phi_1109_: bool;
-    var phi_1110_: bool;
-    var phi_1111_: bool;
-    var phi_1115_: bool;
-    var phi_1143_: f32;
-    var phi_1146_: bool;
-    var phi_1147_: u32;
-    var phi_1158_: u32;
+    var phi_1034_: u32;
+    var phi_1035_: u32;
+    var phi_1036_: u32;
+    var phi_1040_: f32;
+    var phi_1049_: bool;
+    var phi_1050_: bool;
+    var phi_1052_: mask_Masked;
+    var phi_1124_: bool;
+    var phi_1125_: bool;
+    var phi_1126_: bool;
+    var phi_1127_: bool;
+    var phi_1131_: bool;
+    var phi_1159_: f32;
+    var phi_1164_: doubt_Listed;
+    var phi_1165_: bool;
+    var phi_1178_: u32;
+    var phi_1195_: u32;
 
-    let _e52 = id_1;
-    let _e53 = local_1;
-    let _e70 = p.member.current.size[0u];
-    let _e72 = p.member.current.size[1u];
-    let _e73 = lt_shaders_entry_pixel_index(_e52, _e70, _e72);
-    if (bitcast<i32>(_e73.root) != 0i) {
-        let _e81 = p.member.current.size[0u];
-        let _e84 = past.member[_e73.first_primitive];
-        let _e89 = visibility.member[_e73.first_primitive];
-        let _e95 = samples.member[_e73.first_primitive].normal[0u];
-        let _e97 = global[0u];
-        if (_e95 == _e97) {
-            let _e100 = samples.member[_e73.first_primitive].normal[1u];
-            let _e102 = global[1u];
-            if (_e100 == _e102) {
-                let _e105 = samples.member[_e73.first_primitive].normal[2u];
-                let _e107 = global[2u];
-                phi_250_ = (_e105 == _e107);
-                phi_251_ = false;
+    let _e55 = id_1;
+    let _e56 = local_1;
+    let _e74 = p.member.current.size[0u];
+    let _e76 = p.member.current.size[1u];
+    let _e77 = lt_shaders_entry_pixel_index(_e55, _e74, _e76);
+    if (bitcast<i32>(_e77.root) != 0i) {
+        let _e85 = p.member.current.size[0u];
+        let _e88 = past.member[_e77.first_primitive];
+        let _e93 = visibility.member[_e77.first_primitive];
+        let _e99 = samples.member[_e77.first_primitive].normal[0u];
+        let _e101 = global[0u];
+        if (_e99 == _e101) {
+            let _e104 = samples.member[_e77.first_primitive].normal[1u];
+            let _e106 = global[1u];
+            if (_e104 == _e106) {
+                let _e109 = samples.member[_e77.first_primitive].normal[2u];
+                let _e111 = global[2u];
+                phi_256_ = (_e109 == _e111);
+                phi_257_ = false;
             } else {
-                phi_250_ = bool();
-                phi_251_ = true;
+                phi_256_ = bool();
+                phi_257_ = true;
             }
-            let _e110 = phi_250_;
-            let _e112 = phi_251_;
-            phi_252_ = _e110;
-            phi_253_ = _e112;
+            let _e114 = phi_256_;
+            let _e116 = phi_257_;
+            phi_258_ = _e114;
+            phi_259_ = _e116;
         } else {
-            phi_252_ = bool();
-            phi_253_ = true;
+            phi_258_ = bool();
+            phi_259_ = true;
         }
-        let _e114 = phi_252_;
-        let _e116 = phi_253_;
-        if _e116 {
-            phi_257_ = false;
+        let _e118 = phi_258_;
+        let _e120 = phi_259_;
+        if _e120 {
+            phi_263_ = false;
         } else {
-            phi_257_ = _e114;
+            phi_263_ = _e118;
         }
-        let _e118 = phi_257_;
-        if !(_e118) {
-            let _e121 = samples.member[_e73.first_primitive].position;
-            let _e123 = p.member.light.place;
-            let _e129 = p.member.light.place[3u];
-            let _e136 = (_e123.x - (_e121.x * _e129));
-            let _e137 = (_e123.y - (_e121.y * _e129));
-            let _e138 = (_e123.z - (_e121.z * _e129));
-            let _e140 = samples.member[_e73.first_primitive].normal;
-            if ((((_e140.x * _e136) + (_e140.y * _e137)) + (_e140.z * _e138)) > 0f) {
-                let _e154 = (((_e136 * _e136) + (_e137 * _e137)) + (_e138 * _e138));
-                let _e156 = p.member.light.axis;
-                let _e168 = p.member.light.place[3u];
-                if (_e168 == 0f) {
-                    phi_328_ = true;
+        let _e122 = phi_263_;
+        if !(_e122) {
+            let _e125 = samples.member[_e77.first_primitive].position;
+            let _e127 = p.member.light.place;
+            let _e133 = p.member.light.place[3u];
+            let _e140 = (_e127.x - (_e125.x * _e133));
+            let _e141 = (_e127.y - (_e125.y * _e133));
+            let _e142 = (_e127.z - (_e125.z * _e133));
+            let _e144 = samples.member[_e77.first_primitive].normal;
+            if ((((_e144.x * _e140) + (_e144.y * _e141)) + (_e144.z * _e142)) > 0f) {
+                let _e158 = (((_e140 * _e140) + (_e141 * _e141)) + (_e142 * _e142));
+                let _e160 = p.member.light.axis;
+                let _e172 = p.member.light.place[3u];
+                if (_e172 == 0f) {
+                    phi_334_ = true;
                 } else {
-                    let _e171 = p.member.light.range_squared;
-                    if (_e154 <= _e171) {
-                        let _e174 = p.member.light.cos_outer;
-                        phi_327_ = (-((((_e136 * _e156.x) + (_e137 * _e156.y)) + (_e138 * _e156.z))) >= (_e174 * sqrt(_e154)));
+                    let _e175 = p.member.light.range_squared;
+                    if (_e158 <= _e175) {
+                        let _e178 = p.member.light.cos_outer;
+                        phi_333_ = (-((((_e140 * _e160.x) + (_e141 * _e160.y)) + (_e142 * _e160.z))) >= (_e178 * sqrt(_e158)));
                     } else {
-                        phi_327_ = false;
+                        phi_333_ = false;
                     }
-                    let _e179 = phi_327_;
-                    phi_328_ = _e179;
+                    let _e183 = phi_333_;
+                    phi_334_ = _e183;
                 }
-                let _e181 = phi_328_;
-                if _e181 {
-                    let _e183 = samples.member[_e73.first_primitive].flags;
-                    let _e191 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e191.unnamed.visibility, false), _e191.unnamed_1);
-                    phi_339_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e197.unnamed, ((_e183 & 1u) == 0u));
-                    phi_340_ = false;
+                let _e185 = phi_334_;
+                if _e185 {
+                    let _e187 = samples.member[_e77.first_primitive].flags;
+                    let _e195 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e201 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e195.unnamed.visibility, false), _e195.unnamed_1);
+                    phi_345_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e201.unnamed, ((_e187 & 1u) == 0u));
+                    phi_346_ = false;
                 } else {
-                    phi_339_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_340_ = true;
+                    phi_345_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_346_ = true;
                 }
-                let _e202 = phi_339_;
-                let _e204 = phi_340_;
-                phi_341_ = _e202;
-                phi_342_ = _e204;
+                let _e206 = phi_345_;
+                let _e208 = phi_346_;
+                phi_347_ = _e206;
+                phi_348_ = _e208;
             } else {
-                phi_341_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_342_ = true;
+                phi_347_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_348_ = true;
             }
-            let _e206 = phi_341_;
-            let _e208 = phi_342_;
-            if _e208 {
-                let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e220 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e214.unnamed.visibility, false), _e214.unnamed_1);
-                phi_349_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e220.unnamed, true);
+            let _e210 = phi_347_;
+            let _e212 = phi_348_;
+            if _e212 {
+                let _e218 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e224 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e218.unnamed.visibility, false), _e218.unnamed_1);
+                phi_355_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e224.unnamed, true);
             } else {
-                phi_349_ = _e206;
+                phi_355_ = _e210;
             }
-            let _e225 = phi_349_;
-            phi_353_ = _e225;
+            let _e229 = phi_355_;
+            phi_359_ = _e229;
         } else {
-            let _e231 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e237 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e231.unnamed.visibility, false), _e231.unnamed_1);
-            phi_353_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e237.unnamed, true);
+            let _e235 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e241 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e235.unnamed.visibility, false), _e235.unnamed_1);
+            phi_359_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e241.unnamed, true);
         }
-        let _e242 = phi_353_;
-        if _e242.unnamed_1 {
-            phi_1036_ = mask_Masked(_e242.unnamed.visibility, 0u, false);
+        let _e246 = phi_359_;
+        if _e246.unnamed_1 {
+            phi_1052_ = mask_Masked(_e246.unnamed.visibility, 0u, false, false);
         } else {
-            let _e247 = (_e89 < 0.5f);
-            if (_e89 > 0f) {
-                phi_366_ = (_e89 < 1f);
+            let _e251 = (_e93 < 0.5f);
+            if (_e93 > 0f) {
+                phi_372_ = (_e93 < 1f);
             } else {
-                phi_366_ = false;
+                phi_372_ = false;
             }
-            let _e251 = phi_366_;
-            let _e258 = lt_mask_Reprojection(vec2<u32>(_e52.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-            let _e265 = lt_mask_Reprojection(vec2<u32>(_e258.pixel.x, _e52.y), _e258.is_valid, _e258.has_moved);
-            let _e269 = lt_mask_Reprojection(_e265.pixel, true, _e265.has_moved);
-            let _e275 = p.member.flags;
-            if ((_e275 & 16u) == 0u) {
-                phi_402_ = false;
+            let _e255 = phi_372_;
+            let _e262 = lt_mask_Reprojection(vec2<u32>(_e55.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+            let _e269 = lt_mask_Reprojection(vec2<u32>(_e262.pixel.x, _e55.y), _e262.is_valid, _e262.has_moved);
+            let _e273 = lt_mask_Reprojection(_e269.pixel, true, _e269.has_moved);
+            let _e279 = p.member.flags;
+            if ((_e279 & 16u) == 0u) {
+                phi_408_ = false;
             } else {
-                let _e280 = samples.member[_e73.first_primitive].position[0u];
-                if (_e84.x == _e280) {
-                    let _e283 = samples.member[_e73.first_primitive].position[1u];
-                    if (_e84.y == _e283) {
-                        let _e286 = samples.member[_e73.first_primitive].position[2u];
-                        phi_394_ = (_e84.z == _e286);
-                        phi_395_ = false;
+                let _e284 = samples.member[_e77.first_primitive].position[0u];
+                if (_e88.x == _e284) {
+                    let _e287 = samples.member[_e77.first_primitive].position[1u];
+                    if (_e88.y == _e287) {
+                        let _e290 = samples.member[_e77.first_primitive].position[2u];
+                        phi_400_ = (_e88.z == _e290);
+                        phi_401_ = false;
                     } else {
-                        phi_394_ = bool();
-                        phi_395_ = true;
+                        phi_400_ = bool();
+                        phi_401_ = true;
                     }
-                    let _e289 = phi_394_;
-                    let _e291 = phi_395_;
-                    phi_396_ = _e289;
-                    phi_397_ = _e291;
+                    let _e293 = phi_400_;
+                    let _e295 = phi_401_;
+                    phi_402_ = _e293;
+                    phi_403_ = _e295;
                 } else {
-                    phi_396_ = bool();
-                    phi_397_ = true;
+                    phi_402_ = bool();
+                    phi_403_ = true;
                 }
-                let _e293 = phi_396_;
-                let _e295 = phi_397_;
-                if _e295 {
-                    phi_401_ = false;
+                let _e297 = phi_402_;
+                let _e299 = phi_403_;
+                if _e299 {
+                    phi_407_ = false;
                 } else {
-                    phi_401_ = _e293;
+                    phi_407_ = _e297;
                 }
-                let _e297 = phi_401_;
-                phi_402_ = _e297;
+                let _e301 = phi_407_;
+                phi_408_ = _e301;
             }
-            let _e299 = phi_402_;
-            if _e299 {
-                phi_705_ = lt_mask_Reprojection(_e269.pixel, _e269.is_valid, false);
-                phi_706_ = lt_mask_Reprojection();
-                phi_707_ = lt_mask_Reprojection();
-                phi_708_ = true;
-                phi_709_ = false;
+            let _e303 = phi_408_;
+            if _e303 {
+                phi_711_ = lt_mask_Reprojection(_e273.pixel, _e273.is_valid, false);
+                phi_712_ = lt_mask_Reprojection();
+                phi_713_ = lt_mask_Reprojection();
+                phi_714_ = true;
+                phi_715_ = false;
             } else {
-                let _e303 = p.member.current.grid[0u];
-                let _e305 = p.member.current.grid[1u];
-                let _e319 = (f32(_e52.x) + ((f32((_e52.y & (_e305 - 1u))) + 0.5f) / f32(_e305)));
-                let _e321 = (f32(_e52.y) + ((f32((_e52.x & (_e303 - 1u))) + 0.5f) / f32(_e303)));
-                let _e324 = p.member.previous.eye;
-                let _e326 = (_e84.x - _e324.x);
-                let _e328 = (_e84.y - _e324.y);
-                let _e330 = (_e84.z - _e324.z);
-                let _e332 = p.member.previous.forward;
-                let _e340 = (((_e326 * _e332.x) + (_e328 * _e332.y)) + (_e330 * _e332.z));
-                let _e342 = p.member.previous.right;
-                let _e352 = p.member.previous.right;
-                let _e367 = p.member.previous.up;
-                let _e377 = p.member.previous.up;
-                let _e394 = p.member.previous.size[0u];
-                let _e401 = p.member.previous.size[1u];
-                let _e405 = (((((((_e326 * _e342.x) + (_e328 * _e342.y)) + (_e330 * _e342.z)) / ((((_e352.x * _e352.x) + (_e352.y * _e352.y)) + (_e352.z * _e352.z)) * _e340)) + 1f) * (0.5f * f32(_e394))) - _e319);
-                let _e406 = (((1f - ((((_e326 * _e367.x) + (_e328 * _e367.y)) + (_e330 * _e367.z)) / ((((_e377.x * _e377.x) + (_e377.y * _e377.y)) + (_e377.z * _e377.z)) * _e340))) * (0.5f * f32(_e401))) - _e321);
-                let _e410 = p.member.current.size[0u];
-                let _e412 = p.member.current.size[1u];
-                let _e414 = (_e319 + _e405);
-                if (_e414 > -8388608f) {
-                    let _e426 = f32(select(0i, select(select(i32(_e414), i32(-2147483648), (_e414 < bitcast<f32>(3472883712u))), 2147483647i, (_e414 > bitcast<f32>(1325400063u))), (_e414 == _e414)));
-                    if (_e426 > _e414) {
-                        phi_538_ = 1f;
+                let _e307 = p.member.current.grid[0u];
+                let _e309 = p.member.current.grid[1u];
+                let _e323 = (f32(_e55.x) + ((f32((_e55.y & (_e309 - 1u))) + 0.5f) / f32(_e309)));
+                let _e325 = (f32(_e55.y) + ((f32((_e55.x & (_e307 - 1u))) + 0.5f) / f32(_e307)));
+                let _e328 = p.member.previous.eye;
+                let _e330 = (_e88.x - _e328.x);
+                let _e332 = (_e88.y - _e328.y);
+                let _e334 = (_e88.z - _e328.z);
+                let _e336 = p.member.previous.forward;
+                let _e344 = (((_e330 * _e336.x) + (_e332 * _e336.y)) + (_e334 * _e336.z));
+                let _e346 = p.member.previous.right;
+                let _e356 = p.member.previous.right;
+                let _e371 = p.member.previous.up;
+                let _e381 = p.member.previous.up;
+                let _e398 = p.member.previous.size[0u];
+                let _e405 = p.member.previous.size[1u];
+                let _e409 = (((((((_e330 * _e346.x) + (_e332 * _e346.y)) + (_e334 * _e346.z)) / ((((_e356.x * _e356.x) + (_e356.y * _e356.y)) + (_e356.z * _e356.z)) * _e344)) + 1f) * (0.5f * f32(_e398))) - _e323);
+                let _e410 = (((1f - ((((_e330 * _e371.x) + (_e332 * _e371.y)) + (_e334 * _e371.z)) / ((((_e381.x * _e381.x) + (_e381.y * _e381.y)) + (_e381.z * _e381.z)) * _e344))) * (0.5f * f32(_e405))) - _e325);
+                let _e414 = p.member.current.size[0u];
+                let _e416 = p.member.current.size[1u];
+                let _e418 = (_e323 + _e409);
+                if (_e418 > -8388608f) {
+                    let _e430 = f32(select(0i, select(select(i32(_e418), i32(-2147483648), (_e418 < bitcast<f32>(3472883712u))), 2147483647i, (_e418 > bitcast<f32>(1325400063u))), (_e418 == _e418)));
+                    if (_e430 > _e418) {
+                        phi_544_ = 1f;
                     } else {
-                        phi_538_ = 0f;
+                        phi_544_ = 0f;
                     }
-                    let _e429 = phi_538_;
-                    if (_e414 < 8388608f) {
-                        phi_543_ = (_e426 - _e429);
-                        phi_544_ = false;
+                    let _e433 = phi_544_;
+                    if (_e418 < 8388608f) {
+                        phi_549_ = (_e430 - _e433);
+                        phi_550_ = false;
                     } else {
-                        phi_543_ = f32();
-                        phi_544_ = true;
+                        phi_549_ = f32();
+                        phi_550_ = true;
                     }
-                    let _e432 = phi_543_;
-                    let _e434 = phi_544_;
-                    phi_545_ = _e432;
-                    phi_546_ = _e434;
+                    let _e436 = phi_549_;
+                    let _e438 = phi_550_;
+                    phi_551_ = _e436;
+                    phi_552_ = _e438;
                 } else {
-                    phi_545_ = f32();
-                    phi_546_ = true;
+                    phi_551_ = f32();
+                    phi_552_ = true;
                 }
-                let _e436 = phi_545_;
-                let _e438 = phi_546_;
-                if _e438 {
-                    phi_550_ = _e414;
+                let _e440 = phi_551_;
+                let _e442 = phi_552_;
+                if _e442 {
+                    phi_556_ = _e418;
                 } else {
-                    phi_550_ = _e436;
+                    phi_556_ = _e440;
                 }
-                let _e440 = phi_550_;
-                let _e441 = (_e321 + _e406);
-                if (_e441 > -8388608f) {
-                    let _e453 = f32(select(0i, select(select(i32(_e441), i32(-2147483648), (_e441 < bitcast<f32>(3472883712u))), 2147483647i, (_e441 > bitcast<f32>(1325400063u))), (_e441 == _e441)));
-                    if (_e453 > _e441) {
-                        phi_571_ = 1f;
+                let _e444 = phi_556_;
+                let _e445 = (_e325 + _e410);
+                if (_e445 > -8388608f) {
+                    let _e457 = f32(select(0i, select(select(i32(_e445), i32(-2147483648), (_e445 < bitcast<f32>(3472883712u))), 2147483647i, (_e445 > bitcast<f32>(1325400063u))), (_e445 == _e445)));
+                    if (_e457 > _e445) {
+                        phi_577_ = 1f;
                     } else {
-                        phi_571_ = 0f;
+                        phi_577_ = 0f;
                     }
-                    let _e456 = phi_571_;
-                    if (_e441 < 8388608f) {
-                        phi_576_ = (_e453 - _e456);
-                        phi_577_ = false;
+                    let _e460 = phi_577_;
+                    if (_e445 < 8388608f) {
+                        phi_582_ = (_e457 - _e460);
+                        phi_583_ = false;
                     } else {
-                        phi_576_ = f32();
-                        phi_577_ = true;
+                        phi_582_ = f32();
+                        phi_583_ = true;
                     }
-                    let _e459 = phi_576_;
-                    let _e461 = phi_577_;
-                    phi_578_ = _e459;
-                    phi_579_ = _e461;
+                    let _e463 = phi_582_;
+                    let _e465 = phi_583_;
+                    phi_584_ = _e463;
+                    phi_585_ = _e465;
                 } else {
-                    phi_578_ = f32();
-                    phi_579_ = true;
+                    phi_584_ = f32();
+                    phi_585_ = true;
                 }
-                let _e463 = phi_578_;
-                let _e465 = phi_579_;
-                if _e465 {
-                    phi_583_ = _e441;
+                let _e467 = phi_584_;
+                let _e469 = phi_585_;
+                if _e469 {
+                    phi_589_ = _e445;
                 } else {
-                    phi_583_ = _e463;
+                    phi_589_ = _e467;
                 }
-                let _e467 = phi_583_;
-                if (_e440 >= 0f) {
-                    if (_e467 >= 0f) {
-                        if (_e440 < f32(_e410)) {
-                            let _e473 = (_e467 < f32(_e412));
-                            if (_e405 == 0f) {
-                                phi_604_ = (_e406 == 0f);
+                let _e471 = phi_589_;
+                if (_e444 >= 0f) {
+                    if (_e471 >= 0f) {
+                        if (_e444 < f32(_e414)) {
+                            let _e477 = (_e471 < f32(_e416));
+                            if (_e409 == 0f) {
+                                phi_610_ = (_e410 == 0f);
                             } else {
-                                phi_604_ = false;
+                                phi_610_ = false;
                             }
-                            let _e477 = phi_604_;
-                            if _e473 {
-                                phi_623_ = vec2<u32>(select(select(u32(_e440), 0u, (_e440 < bitcast<f32>(0u))), 4294967295u, (_e440 > bitcast<f32>(1333788671u))), select(select(u32(_e467), 0u, (_e467 < bitcast<f32>(0u))), 4294967295u, (_e467 > bitcast<f32>(1333788671u))));
-                                phi_624_ = false;
+                            let _e481 = phi_610_;
+                            if _e477 {
+                                phi_629_ = vec2<u32>(select(select(u32(_e444), 0u, (_e444 < bitcast<f32>(0u))), 4294967295u, (_e444 > bitcast<f32>(1333788671u))), select(select(u32(_e471), 0u, (_e471 < bitcast<f32>(0u))), 4294967295u, (_e471 > bitcast<f32>(1333788671u))));
+                                phi_630_ = false;
                             } else {
-                                phi_623_ = vec2<u32>();
-                                phi_624_ = true;
+                                phi_629_ = vec2<u32>();
+                                phi_630_ = true;
                             }
-                            let _e494 = phi_623_;
-                            let _e496 = phi_624_;
-                            phi_625_ = _e477;
-                            phi_626_ = _e473;
-                            phi_627_ = _e494;
-                            phi_628_ = _e477;
-                            phi_629_ = _e473;
-                            phi_630_ = false;
-                            phi_631_ = _e496;
+                            let _e498 = phi_629_;
+                            let _e500 = phi_630_;
+                            phi_631_ = _e481;
+                            phi_632_ = _e477;
+                            phi_633_ = _e498;
+                            phi_634_ = _e481;
+                            phi_635_ = _e477;
+                            phi_636_ = false;
+                            phi_637_ = _e500;
                         } else {
-                            phi_625_ = bool();
-                            phi_626_ = bool();
-                            phi_627_ = vec2<u32>();
-                            phi_628_ = bool();
-                            phi_629_ = bool();
-                            phi_630_ = true;
-                            phi_631_ = false;
+                            phi_631_ = bool();
+                            phi_632_ = bool();
+                            phi_633_ = vec2<u32>();
+                            phi_634_ = bool();
+                            phi_635_ = bool();
+                            phi_636_ = true;
+                            phi_637_ = false;
                         }
-                        let _e498 = phi_625_;
-                        let _e500 = phi_626_;
-                        let _e502 = phi_627_;
-                        let _e504 = phi_628_;
-                        let _e506 = phi_629_;
-                        let _e508 = phi_630_;
-                        let _e510 = phi_631_;
-                        phi_632_ = _e498;
-                        phi_633_ = _e500;
-                        phi_634_ = _e502;
-                        phi_635_ = _e504;
-                        phi_636_ = _e506;
-                        phi_637_ = _e508;
-                        phi_638_ = _e510;
+                        let _e502 = phi_631_;
+                        let _e504 = phi_632_;
+                        let _e506 = phi_633_;
+                        let _e508 = phi_634_;
+                        let _e510 = phi_635_;
+                        let _e512 = phi_636_;
+                        let _e514 = phi_637_;
+                        phi_638_ = _e502;
+                        phi_639_ = _e504;
+                        phi_640_ = _e506;
+                        phi_641_ = _e508;
+                        phi_642_ = _e510;
+                        phi_643_ = _e512;
+                        phi_644_ = _e514;
                     } else {
-                        phi_632_ = bool();
-                        phi_633_ = bool();
-                        phi_634_ = vec2<u32>();
-                        phi_635_ = bool();
-                        phi_636_ = bool();
-                        phi_637_ = true;
-                        phi_638_ = false;
+                        phi_638_ = bool();
+                        phi_639_ = bool();
+                        phi_640_ = vec2<u32>();
+                        phi_641_ = bool();
+                        phi_642_ = bool();
+                        phi_643_ = true;
+                        phi_644_ = false;
                     }
-                    let _e512 = phi_632_;
-                    let _e514 = phi_633_;
-                    let _e516 = phi_634_;
-                    let _e518 = phi_635_;
-                    let _e520 = phi_636_;
-                    let _e522 = phi_637_;
-                    let _e524 = phi_638_;
-                    phi_639_ = _e512;
-                    phi_640_ = _e514;
-                    phi_641_ = _e516;
-                    phi_642_ = _e518;
-                    phi_643_ = _e520;
-                    phi_644_ = _e522;
-                    phi_645_ = _e524;
+                    let _e516 = phi_638_;
+                    let _e518 = phi_639_;
+                    let _e520 = phi_640_;
+                    let _e522 = phi_641_;
+                    let _e524 = phi_642_;
+                    let _e526 = phi_643_;
+                    let _e528 = phi_644_;
+                    phi_645_ = _e516;
+                    phi_646_ = _e518;
+                    phi_647_ = _e520;
+                    phi_648_ = _e522;
+                    phi_649_ = _e524;
+                    phi_650_ = _e526;
+                    phi_651_ = _e528;
                 } else {
-                    phi_639_ = bool();
-                    phi_640_ = bool();
-                    phi_641_ = vec2<u32>();
-                    phi_642_ = bool();
-                    phi_643_ = bool();
-                    phi_644_ = true;
-                    phi_645_ = false;
+                    phi_645_ = bool();
+                    phi_646_ = bool();
+                    phi_647_ = vec2<u32>();
+                    phi_648_ = bool();
+                    phi_649_ = bool();
+                    phi_650_ = true;
+                    phi_651_ = false;
                 }
-                let _e526 = phi_639_;
-                let _e528 = phi_640_;
-                let _e530 = phi_641_;
-                let _e532 = phi_642_;
-                let _e534 = phi_643_;
-                let _e536 = phi_644_;
-                let _e538 = phi_645_;
-                if _e536 {
-                    if (_e405 == 0f) {
-                        phi_654_ = (_e406 == 0f);
+                let _e530 = phi_645_;
+                let _e532 = phi_646_;
+                let _e534 = phi_647_;
+                let _e536 = phi_648_;
+                let _e538 = phi_649_;
+                let _e540 = phi_650_;
+                let _e542 = phi_651_;
+                if _e540 {
+                    if (_e409 == 0f) {
+                        phi_660_ = (_e410 == 0f);
                     } else {
-                        phi_654_ = false;
+                        phi_660_ = false;
                     }
-                    let _e542 = phi_654_;
-                    phi_655_ = _e542;
-                    phi_656_ = false;
-                    phi_657_ = true;
+                    let _e546 = phi_660_;
+                    phi_661_ = _e546;
+                    phi_662_ = false;
+                    phi_663_ = true;
                 } else {
-                    phi_655_ = _e532;
-                    phi_656_ = _e534;
-                    phi_657_ = _e538;
+                    phi_661_ = _e536;
+                    phi_662_ = _e538;
+                    phi_663_ = _e542;
                 }
-                let _e544 = phi_655_;
-                let _e546 = phi_656_;
-                let _e548 = phi_657_;
-                if _e548 {
-                    phi_661_ = _e544;
-                    phi_662_ = _e546;
-                    phi_663_ = vec2<u32>(_e52.x, _e52.y);
-                } else {
-                    phi_661_ = _e526;
-                    phi_662_ = _e528;
-                    phi_663_ = _e530;
-                }
-                let _e550 = phi_661_;
-                let _e552 = phi_662_;
-                let _e554 = phi_663_;
-                let _e564 = lt_mask_Reprojection(vec2<u32>(_e554.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e571 = lt_mask_Reprojection(vec2<u32>(_e564.pixel.x, _e554.y), _e564.is_valid, _e564.has_moved);
-                let _e575 = lt_mask_Reprojection(_e571.pixel, _e552, _e571.has_moved);
-                let _e579 = lt_mask_Reprojection(_e575.pixel, _e575.is_valid, !(_e550));
+                let _e548 = phi_661_;
+                let _e550 = phi_662_;
+                let _e552 = phi_663_;
                 if _e552 {
-                    let _e582 = p.member.previous.eye;
-                    let _e590 = p.member.previous.forward;
-                    let _e599 = (((((_e84.x - _e582.x) * _e590.x) + ((_e84.y - _e582.y) * _e590.y)) + ((_e84.z - _e582.z) * _e590.z)) > 0f);
-                    let _e603 = lt_mask_Reprojection(_e579.pixel, _e599, _e579.has_moved);
-                    if _e599 {
-                        phi_698_ = false;
-                    } else {
-                        phi_698_ = true;
-                    }
-                    let _e605 = phi_698_;
-                    phi_700_ = _e603;
-                    phi_701_ = _e603;
-                    phi_702_ = lt_mask_Reprojection();
-                    phi_703_ = _e599;
-                    phi_704_ = _e605;
+                    phi_667_ = _e548;
+                    phi_668_ = _e550;
+                    phi_669_ = vec2<u32>(_e55.x, _e55.y);
                 } else {
-                    phi_700_ = lt_mask_Reprojection();
-                    phi_701_ = lt_mask_Reprojection();
-                    phi_702_ = lt_mask_Reprojection(_e579.pixel, false, _e579.has_moved);
-                    phi_703_ = false;
-                    phi_704_ = false;
+                    phi_667_ = _e530;
+                    phi_668_ = _e532;
+                    phi_669_ = _e534;
                 }
-                let _e611 = phi_700_;
-                let _e613 = phi_701_;
-                let _e615 = phi_702_;
-                let _e617 = phi_703_;
-                let _e619 = phi_704_;
-                phi_705_ = _e611;
-                phi_706_ = _e613;
-                phi_707_ = _e615;
-                phi_708_ = _e617;
-                phi_709_ = _e619;
+                let _e554 = phi_667_;
+                let _e556 = phi_668_;
+                let _e558 = phi_669_;
+                let _e568 = lt_mask_Reprojection(vec2<u32>(_e558.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e575 = lt_mask_Reprojection(vec2<u32>(_e568.pixel.x, _e558.y), _e568.is_valid, _e568.has_moved);
+                let _e579 = lt_mask_Reprojection(_e575.pixel, _e556, _e575.has_moved);
+                let _e583 = lt_mask_Reprojection(_e579.pixel, _e579.is_valid, !(_e554));
+                if _e556 {
+                    let _e586 = p.member.previous.eye;
+                    let _e594 = p.member.previous.forward;
+                    let _e603 = (((((_e88.x - _e586.x) * _e594.x) + ((_e88.y - _e586.y) * _e594.y)) + ((_e88.z - _e586.z) * _e594.z)) > 0f);
+                    let _e607 = lt_mask_Reprojection(_e583.pixel, _e603, _e583.has_moved);
+                    if _e603 {
+                        phi_704_ = false;
+                    } else {
+                        phi_704_ = true;
+                    }
+                    let _e609 = phi_704_;
+                    phi_706_ = _e607;
+                    phi_707_ = _e607;
+                    phi_708_ = lt_mask_Reprojection();
+                    phi_709_ = _e603;
+                    phi_710_ = _e609;
+                } else {
+                    phi_706_ = lt_mask_Reprojection();
+                    phi_707_ = lt_mask_Reprojection();
+                    phi_708_ = lt_mask_Reprojection(_e583.pixel, false, _e583.has_moved);
+                    phi_709_ = false;
+                    phi_710_ = false;
+                }
+                let _e615 = phi_706_;
+                let _e617 = phi_707_;
+                let _e619 = phi_708_;
+                let _e621 = phi_709_;
+                let _e623 = phi_710_;
+                phi_711_ = _e615;
+                phi_712_ = _e617;
+                phi_713_ = _e619;
+                phi_714_ = _e621;
+                phi_715_ = _e623;
             }
-            let _e621 = phi_705_;
-            let _e623 = phi_706_;
-            let _e625 = phi_707_;
-            let _e627 = phi_708_;
-            let _e629 = phi_709_;
-            if _e627 {
-                let _e632 = p.member.previous.eye;
-                let _e640 = p.member.previous.forward;
-                let _e648 = ((((_e84.x - _e632.x) * _e640.x) + ((_e84.y - _e632.y) * _e640.y)) + ((_e84.z - _e632.z) * _e640.z));
-                let _e654 = ((_e621.pixel.y * _e81) + _e621.pixel.x);
-                if (_e654 < arrayLength((&last_depths.member))) {
+            let _e625 = phi_711_;
+            let _e627 = phi_712_;
+            let _e629 = phi_713_;
+            let _e631 = phi_714_;
+            let _e633 = phi_715_;
+            if _e631 {
+                let _e636 = p.member.previous.eye;
+                let _e644 = p.member.previous.forward;
+                let _e652 = ((((_e88.x - _e636.x) * _e644.x) + ((_e88.y - _e636.y) * _e644.y)) + ((_e88.z - _e636.z) * _e644.z));
+                let _e658 = ((_e625.pixel.y * _e85) + _e625.pixel.x);
+                if (_e658 < arrayLength((&last_depths.member))) {
                 } else {
                     return;
                 }
-                let _e658 = last_depths.member[(0u + _e654)];
-                let _e660 = p.member.depth_tolerance;
-                let _e663 = abs(_e648);
-                let _e664 = abs(_e658);
-                if ((bitcast<u32>(_e664) & 2147483647u) > 2139095040u) {
-                    phi_761_ = true;
+                let _e662 = last_depths.member[(0u + _e658)];
+                let _e664 = p.member.depth_tolerance;
+                let _e667 = abs(_e652);
+                let _e668 = abs(_e662);
+                if ((bitcast<u32>(_e668) & 2147483647u) > 2139095040u) {
+                    phi_767_ = true;
                 } else {
-                    let _e668 = (_e664 > _e663);
-                    if _e668 {
+                    let _e672 = (_e668 > _e667);
+                    if _e672 {
                     }
-                    phi_761_ = _e668;
+                    phi_767_ = _e672;
                 }
-                let _e670 = phi_761_;
-                if _e670 {
-                    phi_765_ = _e664;
+                let _e674 = phi_767_;
+                if _e674 {
+                    phi_771_ = _e668;
                 } else {
-                    phi_765_ = _e663;
+                    phi_771_ = _e667;
                 }
-                let _e672 = phi_765_;
-                phi_769_ = lt_mask_Reprojection(_e621.pixel, (abs((_e648 - _e658)) <= (_e660 * _e672)), _e621.has_moved);
-                phi_770_ = true;
+                let _e676 = phi_771_;
+                phi_775_ = lt_mask_Reprojection(_e625.pixel, (abs((_e652 - _e662)) <= (_e664 * _e676)), _e625.has_moved);
+                phi_776_ = true;
             } else {
-                phi_769_ = _e623;
-                phi_770_ = _e629;
+                phi_775_ = _e627;
+                phi_776_ = _e633;
             }
-            let _e680 = phi_769_;
-            let _e682 = phi_770_;
-            if _e682 {
-                if _e680.is_valid {
-                    let _e685 = p.member.flags;
-                    phi_782_ = ((_e685 & 1u) != 0u);
-                    phi_783_ = false;
+            let _e684 = phi_775_;
+            let _e686 = phi_776_;
+            if _e686 {
+                if _e684.is_valid {
+                    let _e689 = p.member.flags;
+                    phi_788_ = ((_e689 & 1u) != 0u);
+                    phi_789_ = false;
                 } else {
-                    phi_782_ = bool();
-                    phi_783_ = true;
+                    phi_788_ = bool();
+                    phi_789_ = true;
                 }
-                let _e689 = phi_782_;
-                let _e691 = phi_783_;
-                phi_784_ = _e689;
-                phi_785_ = _e680;
-                phi_786_ = _e691;
-            } else {
-                phi_784_ = bool();
-                phi_785_ = _e625;
-                phi_786_ = true;
-            }
-            let _e693 = phi_784_;
-            let _e695 = phi_785_;
-            let _e697 = phi_786_;
-            if _e697 {
-                phi_790_ = false;
-                phi_791_ = _e695;
-            } else {
+                let _e693 = phi_788_;
+                let _e695 = phi_789_;
                 phi_790_ = _e693;
-                phi_791_ = _e680;
-            }
-            let _e699 = phi_790_;
-            let _e701 = phi_791_;
-            let _e705 = lt_mask_Reprojection(_e701.pixel, _e699, _e701.has_moved);
-            let _e706 = lt_mask_Neighbourhood(false, true);
-            if _e251 {
-                phi_797_ = false;
+                phi_791_ = _e684;
+                phi_792_ = _e695;
             } else {
-                phi_797_ = true;
+                phi_790_ = bool();
+                phi_791_ = _e629;
+                phi_792_ = true;
             }
-            let _e708 = phi_797_;
-            if _e708 {
-                if _e699 {
+            let _e697 = phi_790_;
+            let _e699 = phi_791_;
+            let _e701 = phi_792_;
+            if _e701 {
+                phi_796_ = false;
+                phi_797_ = _e699;
+            } else {
+                phi_796_ = _e697;
+                phi_797_ = _e684;
+            }
+            let _e703 = phi_796_;
+            let _e705 = phi_797_;
+            let _e709 = lt_mask_Reprojection(_e705.pixel, _e703, _e705.has_moved);
+            let _e710 = lt_mask_Neighbourhood(false, true);
+            if _e255 {
+                phi_803_ = false;
+            } else {
+                phi_803_ = true;
+            }
+            let _e712 = phi_803_;
+            if _e712 {
+                if _e703 {
                     if ((0u & 2u) != 0u) {
-                        phi_858_ = _e706;
+                        phi_864_ = _e710;
                     } else {
                         if (32u == 0u) {
                             return;
                         }
-                        let _e717 = (_e81 / 32u);
+                        let _e721 = (_e85 / 32u);
                         if (32u == 0u) {
                             return;
                         }
-                        if ((_e81 % 32u) > 0u) {
-                            phi_829_ = (_e717 + 1u);
+                        if ((_e85 % 32u) > 0u) {
+                            phi_835_ = (_e721 + 1u);
                         } else {
-                            phi_829_ = _e717;
+                            phi_835_ = _e721;
                         }
-                        let _e723 = phi_829_;
-                        let _e733 = ((((_e705.pixel.y * _e723) + (_e705.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e247) | (select(0u, 1u, _e705.has_moved) << bitcast<u32>(1i))));
-                        if (_e733 < arrayLength((&heard.member))) {
+                        let _e727 = phi_835_;
+                        let _e737 = ((((_e709.pixel.y * _e727) + (_e709.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e251) | (select(0u, 1u, _e709.has_moved) << bitcast<u32>(1i))));
+                        if (_e737 < arrayLength((&heard.member))) {
                         } else {
                             return;
                         }
-                        let _e737 = heard.member[(0u + _e733)];
-                        let _e743 = (((_e737 >> bitcast<u32>(((_e705.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_858_ = lt_mask_Neighbourhood(_e743, !(_e743));
+                        let _e741 = heard.member[(0u + _e737)];
+                        let _e747 = (((_e741 >> bitcast<u32>(((_e709.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_864_ = lt_mask_Neighbourhood(_e747, !(_e747));
                     }
-                    let _e747 = phi_858_;
-                    phi_859_ = _e747;
+                    let _e751 = phi_864_;
+                    phi_865_ = _e751;
                 } else {
-                    phi_859_ = _e706;
+                    phi_865_ = _e710;
                 }
-                let _e749 = phi_859_;
-                phi_860_ = _e749;
+                let _e753 = phi_865_;
+                phi_866_ = _e753;
             } else {
-                phi_860_ = _e706;
+                phi_866_ = _e710;
             }
-            let _e751 = phi_860_;
-            let _e754 = p.member.frame;
-            let _e756 = p.member.refresh;
-            if (_e756 == 0u) {
-                phi_893_ = false;
+            let _e755 = phi_866_;
+            let _e758 = p.member.frame;
+            let _e760 = p.member.refresh;
+            if (_e760 == 0u) {
+                phi_899_ = false;
             } else {
-                if (_e756 == 0u) {
+                if (_e760 == 0u) {
                     return;
                 }
-                let _e765 = ((_e52.x + (_e52.y * (((_e756 * 5u) / 8u) | 1u))) + (_e754 % _e756));
-                if (_e756 == 0u) {
-                    phi_892_ = (_e765 == 0u);
+                let _e769 = ((_e55.x + (_e55.y * (((_e760 * 5u) / 8u) | 1u))) + (_e758 % _e760));
+                if (_e760 == 0u) {
+                    phi_898_ = (_e769 == 0u);
                 } else {
-                    if (_e756 == 0u) {
+                    if (_e760 == 0u) {
                         return;
                     }
-                    phi_892_ = ((_e765 % _e756) == 0u);
+                    phi_898_ = ((_e769 % _e760) == 0u);
                 }
-                let _e772 = phi_892_;
-                phi_893_ = _e772;
+                let _e776 = phi_898_;
+                phi_899_ = _e776;
             }
-            let _e774 = phi_893_;
-            if _e699 {
-                if _e774 {
-                    phi_915_ = bool();
+            let _e778 = phi_899_;
+            if _e703 {
+                if _e778 {
+                    phi_921_ = bool();
                 } else {
-                    phi_915_ = ((0u & 2u) != 0u);
+                    phi_921_ = ((0u & 2u) != 0u);
                 }
-                let _e780 = phi_915_;
-                phi_916_ = _e780;
-                phi_917_ = _e774;
+                let _e784 = phi_921_;
+                phi_922_ = _e784;
+                phi_923_ = _e778;
             } else {
-                phi_916_ = bool();
-                phi_917_ = true;
+                phi_922_ = bool();
+                phi_923_ = true;
             }
-            let _e782 = phi_916_;
-            let _e784 = phi_917_;
-            if _e784 {
-                phi_921_ = false;
+            let _e786 = phi_922_;
+            let _e788 = phi_923_;
+            if _e788 {
+                phi_927_ = false;
             } else {
-                phi_921_ = _e782;
+                phi_927_ = _e786;
             }
-            let _e786 = phi_921_;
-            if _e786 {
-                phi_972_ = 7u;
+            let _e790 = phi_927_;
+            if _e790 {
+                phi_978_ = 7u;
             } else {
-                if (_e89 != 0.5f) {
-                    if _e699 {
-                        if _e774 {
-                            phi_969_ = 6u;
+                if (_e93 != 0.5f) {
+                    if _e703 {
+                        if _e778 {
+                            phi_975_ = 6u;
                         } else {
-                            if _e251 {
-                                phi_944_ = true;
+                            if _e255 {
+                                phi_950_ = true;
                             } else {
-                                if _e751.any_expands {
-                                    phi_943_ = false;
+                                if _e755.any_expands {
+                                    phi_949_ = false;
                                 } else {
-                                    phi_943_ = true;
+                                    phi_949_ = true;
                                 }
-                                let _e788 = phi_943_;
-                                phi_944_ = _e788;
+                                let _e792 = phi_949_;
+                                phi_950_ = _e792;
                             }
-                            let _e790 = phi_944_;
-                            if _e790 {
-                                if _e251 {
+                            let _e794 = phi_950_;
+                            if _e794 {
+                                if _e255 {
                                     if false {
-                                        if _e751.all_remove {
-                                            phi_957_ = false;
+                                        if _e755.all_remove {
+                                            phi_963_ = false;
                                         } else {
-                                            phi_957_ = true;
+                                            phi_963_ = true;
                                         }
-                                        let _e792 = phi_957_;
-                                        phi_958_ = _e792;
+                                        let _e796 = phi_963_;
+                                        phi_964_ = _e796;
                                     } else {
-                                        phi_958_ = true;
+                                        phi_964_ = true;
                                     }
-                                    let _e794 = phi_958_;
-                                    phi_959_ = _e794;
+                                    let _e798 = phi_964_;
+                                    phi_965_ = _e798;
                                 } else {
-                                    phi_959_ = true;
+                                    phi_965_ = true;
                                 }
-                                let _e796 = phi_959_;
-                                if _e796 {
-                                    if _e251 {
-                                        phi_966_ = 1u;
+                                let _e800 = phi_965_;
+                                if _e800 {
+                                    if _e255 {
+                                        phi_972_ = 1u;
                                     } else {
-                                        phi_966_ = 0u;
+                                        phi_972_ = 0u;
                                     }
-                                    let _e798 = phi_966_;
-                                    phi_967_ = _e798;
+                                    let _e802 = phi_972_;
+                                    phi_973_ = _e802;
                                 } else {
-                                    phi_967_ = 5u;
+                                    phi_973_ = 5u;
                                 }
-                                let _e800 = phi_967_;
-                                phi_968_ = _e800;
+                                let _e804 = phi_973_;
+                                phi_974_ = _e804;
                             } else {
-                                phi_968_ = 4u;
+                                phi_974_ = 4u;
                             }
-                            let _e802 = phi_968_;
-                            phi_969_ = _e802;
+                            let _e806 = phi_974_;
+                            phi_975_ = _e806;
                         }
-                        let _e804 = phi_969_;
-                        phi_970_ = _e804;
+                        let _e808 = phi_975_;
+                        phi_976_ = _e808;
                     } else {
-                        phi_970_ = 3u;
+                        phi_976_ = 3u;
                     }
-                    let _e806 = phi_970_;
-                    phi_971_ = _e806;
+                    let _e810 = phi_976_;
+                    phi_977_ = _e810;
                 } else {
-                    phi_971_ = 2u;
+                    phi_977_ = 2u;
                 }
-                let _e808 = phi_971_;
-                phi_972_ = _e808;
+                let _e812 = phi_977_;
+                phi_978_ = _e812;
             }
-            let _e810 = phi_972_;
-            if !((_e810 == 0u)) {
-                if !((_e810 == 5u)) {
-                    phi_984_ = !(_e786);
-                    phi_985_ = false;
+            let _e814 = phi_978_;
+            if !((_e814 == 0u)) {
+                if !((_e814 == 5u)) {
+                    phi_990_ = !(_e790);
+                    phi_991_ = false;
                 } else {
-                    phi_984_ = bool();
-                    phi_985_ = true;
+                    phi_990_ = bool();
+                    phi_991_ = true;
                 }
-                let _e817 = phi_984_;
-                let _e819 = phi_985_;
-                phi_986_ = _e817;
-                phi_987_ = _e819;
+                let _e821 = phi_990_;
+                let _e823 = phi_991_;
+                phi_992_ = _e821;
+                phi_993_ = _e823;
             } else {
-                phi_986_ = bool();
-                phi_987_ = true;
+                phi_992_ = bool();
+                phi_993_ = true;
             }
-            let _e821 = phi_986_;
-            let _e823 = phi_987_;
-            if _e823 {
-                phi_991_ = false;
+            let _e825 = phi_992_;
+            let _e827 = phi_993_;
+            if _e827 {
+                phi_997_ = false;
             } else {
-                phi_991_ = _e821;
-            }
-            let _e825 = phi_991_;
-            if _e786 {
-                phi_997_ = ((0u & 4u) != 0u);
-            } else {
-                phi_997_ = _e247;
+                phi_997_ = _e825;
             }
             let _e829 = phi_997_;
-            if _e825 {
-                if _e247 {
-                    phi_1005_ = (2u | 1u);
-                } else {
-                    phi_1005_ = 2u;
-                }
-                let _e832 = phi_1005_;
-                if false {
-                    phi_1010_ = (_e832 | 4u);
-                } else {
-                    phi_1010_ = _e832;
-                }
-                let _e835 = phi_1010_;
-                phi_1030_ = _e835;
+            if _e790 {
+                phi_1003_ = ((0u & 4u) != 0u);
             } else {
-                if (_e810 == 7u) {
-                    if _e247 {
-                        phi_1019_ = (2u | 1u);
-                    } else {
-                        phi_1019_ = 2u;
-                    }
-                    let _e839 = phi_1019_;
-                    if _e829 {
-                        phi_1024_ = (_e839 | 4u);
-                    } else {
-                        phi_1024_ = _e839;
-                    }
-                    let _e842 = phi_1024_;
-                    phi_1029_ = _e842;
-                } else {
-                    if _e247 {
-                        phi_1028_ = 1u;
-                    } else {
-                        phi_1028_ = 0u;
-                    }
-                    let _e844 = phi_1028_;
-                    phi_1029_ = _e844;
-                }
-                let _e846 = phi_1029_;
-                phi_1030_ = _e846;
+                phi_1003_ = _e251;
             }
-            let _e848 = phi_1030_;
+            let _e833 = phi_1003_;
             if _e829 {
-                phi_1034_ = 0f;
+                if _e251 {
+                    phi_1011_ = (2u | 1u);
+                } else {
+                    phi_1011_ = 2u;
+                }
+                let _e836 = phi_1011_;
+                if false {
+                    phi_1016_ = (_e836 | 4u);
+                } else {
+                    phi_1016_ = _e836;
+                }
+                let _e839 = phi_1016_;
+                phi_1036_ = _e839;
             } else {
-                phi_1034_ = 1f;
+                if (_e814 == 7u) {
+                    if _e251 {
+                        phi_1025_ = (2u | 1u);
+                    } else {
+                        phi_1025_ = 2u;
+                    }
+                    let _e843 = phi_1025_;
+                    if _e833 {
+                        phi_1030_ = (_e843 | 4u);
+                    } else {
+                        phi_1030_ = _e843;
+                    }
+                    let _e846 = phi_1030_;
+                    phi_1035_ = _e846;
+                } else {
+                    if _e251 {
+                        phi_1034_ = 1u;
+                    } else {
+                        phi_1034_ = 0u;
+                    }
+                    let _e848 = phi_1034_;
+                    phi_1035_ = _e848;
+                }
+                let _e850 = phi_1035_;
+                phi_1036_ = _e850;
             }
-            let _e850 = phi_1034_;
-            phi_1036_ = mask_Masked(_e850, _e848, _e825);
-        }
-        let _e853 = phi_1036_;
-        visibility.member[_e73.first_primitive] = _e853.visibility;
-        let _e858 = p.member.light.number;
-        let _e859 = (_e858 * 3u);
-        let _e861 = (_e859 % 32u);
-        let _e863 = p.member.light.mask_words;
-        let _e865 = ((_e73.first_primitive * _e863) + (_e859 / 32u));
-        let _e867 = bits.member[_e865];
-        bits.member[_e865] = ((_e867 & ~((7u << bitcast<u32>((_e861 & 31u))))) | (_e853.bits << bitcast<u32>((_e861 & 31u))));
-        if (_e861 > 29u) {
-            let _e882 = bits.member[(_e865 + 1u)];
-            let _e884 = (32u - _e861);
-            bits.member[(_e865 + 1u)] = ((_e882 & ~((7u >> bitcast<u32>((_e884 & 31u))))) | (_e853.bits >> bitcast<u32>((_e884 & 31u))));
-        }
-        let _e899 = samples.member[_e73.first_primitive].normal[0u];
-        let _e901 = global[0u];
-        if (_e899 == _e901) {
-            let _e904 = samples.member[_e73.first_primitive].normal[1u];
-            let _e906 = global[1u];
-            if (_e904 == _e906) {
-                let _e909 = samples.member[_e73.first_primitive].normal[2u];
-                let _e911 = global[2u];
-                phi_1108_ = (_e909 == _e911);
-                phi_1109_ = false;
+            let _e852 = phi_1036_;
+            if _e833 {
+                phi_1040_ = 0f;
             } else {
-                phi_1108_ = bool();
-                phi_1109_ = true;
+                phi_1040_ = 1f;
             }
-            let _e914 = phi_1108_;
-            let _e916 = phi_1109_;
-            phi_1110_ = _e914;
-            phi_1111_ = _e916;
-        } else {
-            phi_1110_ = bool();
-            phi_1111_ = true;
+            let _e854 = phi_1040_;
+            if _e255 {
+                if (_e93 == 0.99999994f) {
+                    phi_1049_ = true;
+                } else {
+                    phi_1049_ = (_e93 == 0.000000059604645f);
+                }
+                let _e858 = phi_1049_;
+                phi_1050_ = _e858;
+            } else {
+                phi_1050_ = true;
+            }
+            let _e860 = phi_1050_;
+            phi_1052_ = mask_Masked(_e854, _e852, _e829, _e860);
         }
-        let _e918 = phi_1110_;
-        let _e920 = phi_1111_;
-        if _e920 {
-            phi_1115_ = false;
-        } else {
-            phi_1115_ = _e918;
+        let _e863 = phi_1052_;
+        visibility.member[_e77.first_primitive] = _e863.visibility;
+        let _e868 = p.member.light.number;
+        let _e869 = (_e868 * 3u);
+        let _e871 = (_e869 % 32u);
+        let _e873 = p.member.light.mask_words;
+        let _e875 = ((_e77.first_primitive * _e873) + (_e869 / 32u));
+        let _e877 = bits.member[_e875];
+        bits.member[_e875] = ((_e877 & ~((7u << bitcast<u32>((_e871 & 31u))))) | (_e863.bits << bitcast<u32>((_e871 & 31u))));
+        if (_e871 > 29u) {
+            let _e892 = bits.member[(_e875 + 1u)];
+            let _e894 = (32u - _e871);
+            bits.member[(_e875 + 1u)] = ((_e892 & ~((7u >> bitcast<u32>((_e894 & 31u))))) | (_e863.bits >> bitcast<u32>((_e894 & 31u))));
         }
-        let _e922 = phi_1115_;
-        if !(_e922) {
-            let _e925 = samples.member[_e73.first_primitive].position;
-            let _e927 = p.member.current.eye;
-            let _e938 = p.member.current.forward;
-            phi_1143_ = ((((_e925.x - _e927.x) * _e938.x) + ((_e925.y - _e927.y) * _e938.y)) + ((_e925.z - _e927.z) * _e938.z));
+        let _e909 = samples.member[_e77.first_primitive].normal[0u];
+        let _e911 = global[0u];
+        if (_e909 == _e911) {
+            let _e914 = samples.member[_e77.first_primitive].normal[1u];
+            let _e916 = global[1u];
+            if (_e914 == _e916) {
+                let _e919 = samples.member[_e77.first_primitive].normal[2u];
+                let _e921 = global[2u];
+                phi_1124_ = (_e919 == _e921);
+                phi_1125_ = false;
+            } else {
+                phi_1124_ = bool();
+                phi_1125_ = true;
+            }
+            let _e924 = phi_1124_;
+            let _e926 = phi_1125_;
+            phi_1126_ = _e924;
+            phi_1127_ = _e926;
         } else {
-            phi_1143_ = 0f;
+            phi_1126_ = bool();
+            phi_1127_ = true;
         }
-        let _e948 = phi_1143_;
-        depths.member[_e73.first_primitive] = _e948;
-        phi_1146_ = _e853.needs_ray;
-        phi_1147_ = _e73.first_primitive;
+        let _e928 = phi_1126_;
+        let _e930 = phi_1127_;
+        if _e930 {
+            phi_1131_ = false;
+        } else {
+            phi_1131_ = _e928;
+        }
+        let _e932 = phi_1131_;
+        if !(_e932) {
+            let _e935 = samples.member[_e77.first_primitive].position;
+            let _e937 = p.member.current.eye;
+            let _e948 = p.member.current.forward;
+            phi_1159_ = ((((_e935.x - _e937.x) * _e948.x) + ((_e935.y - _e937.y) * _e948.y)) + ((_e935.z - _e937.z) * _e948.z));
+        } else {
+            phi_1159_ = 0f;
+        }
+        let _e958 = phi_1159_;
+        depths.member[_e77.first_primitive] = _e958;
+        phi_1164_ = doubt_Listed(_e77.first_primitive, _e863.is_trusted);
+        phi_1165_ = _e863.needs_ray;
     } else {
-        phi_1146_ = false;
-        phi_1147_ = 0u;
+        phi_1164_ = doubt_Listed(0u, false);
+        phi_1165_ = false;
     }
-    let _e952 = phi_1146_;
-    let _e954 = phi_1147_;
-    if (_e53 == 0u) {
+    let _e964 = phi_1164_;
+    let _e966 = phi_1165_;
+    if (_e56 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e952 {
-        let _e958 = atomicAdd((&shared_[0u]), 1u);
-        phi_1158_ = _e958;
+    if _e966 {
+        let _e972 = atomicAdd((&shared_[0u]), 1u);
+        phi_1178_ = _e972;
     } else {
-        phi_1158_ = 0u;
+        phi_1178_ = 0u;
     }
-    let _e960 = phi_1158_;
+    let _e974 = phi_1178_;
     workgroupBarrier();
-    if (_e53 == 0u) {
-        let _e964 = atomicLoad((&shared_[0u]));
-        let _e965 = atomicAdd((&list.member[3u]), _e964);
-        atomicStore((&shared_[1u]), _e965);
+    if (_e56 == 0u) {
+        let _e978 = atomicLoad((&shared_[0u]));
+        let _e979 = atomicAdd((&list.member[3u]), _e978);
+        atomicStore((&shared_[1u]), _e979);
     }
     workgroupBarrier();
-    if _e952 {
-        let _e968 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e968) + _e960)]), _e954);
+    if _e966 {
+        if _e964.is_trusted {
+            phi_1195_ = (_e964.pixel | 2147483648u);
+        } else {
+            phi_1195_ = _e964.pixel;
+        }
+        let _e983 = phi_1195_;
+        let _e985 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e985) + _e974)]), _e983);
     }
     return;
 }

@@ -67,6 +67,11 @@ struct type_27 {
     member: array<f32>,
 }
 
+struct doubt_Listed {
+    pixel: u32,
+    is_trusted: bool,
+}
+
 struct evaluate_Verdict {
     visibility: f32,
     is_doubted: bool,
@@ -81,6 +86,7 @@ struct mask_Masked {
     visibility: f32,
     bits: u32,
     needs_ray: bool,
+    is_trusted: bool,
 }
 
 struct lt_mask_Neighbourhood {
@@ -110,581 +116,602 @@ var<private> global: vec3<f32> = vec3<f32>(0f, 0f, 0f);
 var<workgroup> shared_: array<atomic<u32>, 2>;
 
 fn lt_shaders_entry_pixel_index(param: vec3<u32>, param_1: u32, param_2: u32) -> lt_bvh_traverse_Tree {
-    var phi_141_: lt_bvh_traverse_Tree;
-    var phi_142_: bool;
-    var phi_143_: lt_bvh_traverse_Tree;
-    var phi_144_: bool;
-    var phi_149_: lt_bvh_traverse_Tree;
+    var phi_146_: lt_bvh_traverse_Tree;
+    var phi_147_: bool;
+    var phi_148_: lt_bvh_traverse_Tree;
+    var phi_149_: bool;
+    var phi_154_: lt_bvh_traverse_Tree;
 
     if (param.x < param_1) {
         if (param.y < param_2) {
-            phi_141_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
-            phi_142_ = false;
+            phi_146_ = lt_bvh_traverse_Tree(1u, ((param.y * param_1) + param.x));
+            phi_147_ = false;
         } else {
-            phi_141_ = lt_bvh_traverse_Tree();
-            phi_142_ = true;
+            phi_146_ = lt_bvh_traverse_Tree();
+            phi_147_ = true;
         }
-        let _e48 = phi_141_;
-        let _e50 = phi_142_;
-        phi_143_ = _e48;
-        phi_144_ = _e50;
+        let _e51 = phi_146_;
+        let _e53 = phi_147_;
+        phi_148_ = _e51;
+        phi_149_ = _e53;
     } else {
-        phi_143_ = lt_bvh_traverse_Tree();
-        phi_144_ = true;
+        phi_148_ = lt_bvh_traverse_Tree();
+        phi_149_ = true;
     }
-    let _e52 = phi_143_;
-    let _e54 = phi_144_;
-    if _e54 {
-        phi_149_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
+    let _e55 = phi_148_;
+    let _e57 = phi_149_;
+    if _e57 {
+        phi_154_ = lt_bvh_traverse_Tree(0u, lt_bvh_traverse_Tree().first_primitive);
     } else {
-        phi_149_ = _e52;
+        phi_154_ = _e55;
     }
-    let _e59 = phi_149_;
-    return lt_bvh_traverse_Tree(_e59.root, _e59.first_primitive);
+    let _e62 = phi_154_;
+    return lt_bvh_traverse_Tree(_e62.root, _e62.first_primitive);
 }
 
 fn function_() {
-    var phi_194_: u32;
-    var phi_228_: bool;
-    var phi_229_: bool;
-    var phi_230_: bool;
-    var phi_231_: bool;
+    var phi_200_: u32;
+    var phi_234_: bool;
     var phi_235_: bool;
-    var phi_305_: bool;
-    var phi_306_: bool;
-    var phi_317_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_318_: bool;
-    var phi_319_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_320_: bool;
-    var phi_327_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_331_: u0028_evaluate_Verdict_u0020_bool_u0029_;
-    var phi_344_: bool;
-    var phi_417_: u32;
-    var phi_422_: u32;
+    var phi_236_: bool;
+    var phi_237_: bool;
+    var phi_241_: bool;
+    var phi_311_: bool;
+    var phi_312_: bool;
+    var phi_323_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_324_: bool;
+    var phi_325_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_326_: bool;
+    var phi_333_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_337_: u0028_evaluate_Verdict_u0020_bool_u0029_;
+    var phi_350_: bool;
     var phi_423_: u32;
-    var phi_424_: u32;
-    var phi_425_: bool;
-    var phi_426_: u32;
-    var phi_427_: bool;
-    var phi_428_: bool;
+    var phi_428_: u32;
     var phi_429_: u32;
-    var phi_430_: bool;
+    var phi_430_: u32;
     var phi_431_: bool;
-    var phi_435_: bool;
-    var phi_439_: u32;
-    var phi_444_: bool;
-    var phi_483_: lt_mask_Neighbourhood;
-    var phi_484_: lt_mask_Neighbourhood;
-    var phi_485_: lt_mask_Neighbourhood;
-    var phi_517_: bool;
-    var phi_518_: bool;
-    var phi_540_: bool;
-    var phi_541_: bool;
-    var phi_542_: bool;
+    var phi_432_: u32;
+    var phi_433_: bool;
+    var phi_434_: bool;
+    var phi_435_: u32;
+    var phi_436_: bool;
+    var phi_437_: bool;
+    var phi_441_: bool;
+    var phi_445_: u32;
+    var phi_450_: bool;
+    var phi_489_: lt_mask_Neighbourhood;
+    var phi_490_: lt_mask_Neighbourhood;
+    var phi_491_: lt_mask_Neighbourhood;
+    var phi_523_: bool;
+    var phi_524_: bool;
     var phi_546_: bool;
-    var phi_568_: bool;
-    var phi_569_: bool;
-    var phi_582_: bool;
-    var phi_583_: bool;
-    var phi_584_: bool;
-    var phi_591_: u32;
-    var phi_592_: u32;
-    var phi_593_: u32;
-    var phi_594_: u32;
-    var phi_595_: u32;
-    var phi_596_: u32;
+    var phi_547_: bool;
+    var phi_548_: bool;
+    var phi_552_: bool;
+    var phi_574_: bool;
+    var phi_575_: bool;
+    var phi_588_: bool;
+    var phi_589_: bool;
+    var phi_590_: bool;
     var phi_597_: u32;
-    var phi_609_: bool;
-    var phi_610_: bool;
-    var phi_611_: bool;
-    var phi_612_: bool;
+    var phi_598_: u32;
+    var phi_599_: u32;
+    var phi_600_: u32;
+    var phi_601_: u32;
+    var phi_602_: u32;
+    var phi_603_: u32;
+    var phi_615_: bool;
     var phi_616_: bool;
+    var phi_617_: bool;
+    var phi_618_: bool;
     var phi_622_: bool;
-    var phi_630_: u32;
-    var phi_635_: u32;
-    var phi_644_: u32;
-    var phi_649_: u32;
-    var phi_653_: u32;
-    var phi_654_: u32;
+    var phi_628_: bool;
+    var phi_636_: u32;
+    var phi_641_: u32;
+    var phi_650_: u32;
     var phi_655_: u32;
-    var phi_659_: f32;
-    var phi_661_: mask_Masked;
-    var phi_711_: bool;
-    var phi_712_: u32;
-    var phi_723_: u32;
+    var phi_659_: u32;
+    var phi_660_: u32;
+    var phi_661_: u32;
+    var phi_665_: f32;
+    var phi_674_: bool;
+    var phi_675_: bool;
+    var phi_677_: mask_Masked;
+    var phi_729_: doubt_Listed;
+    var phi_730_: bool;
+    var phi_743_: u32;
+    var phi_760_: u32;
 
-    let _e35 = id_1;
-    let _e36 = local_1;
-    let _e41 = arrayLength((&heard.member));
-    let _e48 = p.member.current.size[0u];
-    let _e50 = p.member.current.size[1u];
-    let _e51 = lt_shaders_entry_pixel_index(_e35, _e48, _e50);
-    if (bitcast<i32>(_e51.root) != 0i) {
-        let _e59 = p.member.current.size[0u];
+    let _e38 = id_1;
+    let _e39 = local_1;
+    let _e44 = arrayLength((&heard.member));
+    let _e52 = p.member.current.size[0u];
+    let _e54 = p.member.current.size[1u];
+    let _e55 = lt_shaders_entry_pixel_index(_e38, _e52, _e54);
+    if (bitcast<i32>(_e55.root) != 0i) {
+        let _e63 = p.member.current.size[0u];
         if (32u == 0u) {
             return;
         }
-        let _e61 = (_e59 / 32u);
+        let _e65 = (_e63 / 32u);
         if (32u == 0u) {
             return;
         }
-        if ((_e59 % 32u) > 0u) {
-            phi_194_ = (_e61 + 1u);
+        if ((_e63 % 32u) > 0u) {
+            phi_200_ = (_e65 + 1u);
         } else {
-            phi_194_ = _e61;
+            phi_200_ = _e65;
         }
-        let _e67 = phi_194_;
-        let _e72 = visibility.member[_e51.first_primitive];
-        let _e78 = samples.member[_e51.first_primitive].normal[0u];
-        let _e80 = global[0u];
-        if (_e78 == _e80) {
-            let _e83 = samples.member[_e51.first_primitive].normal[1u];
-            let _e85 = global[1u];
-            if (_e83 == _e85) {
-                let _e88 = samples.member[_e51.first_primitive].normal[2u];
-                let _e90 = global[2u];
-                phi_228_ = (_e88 == _e90);
-                phi_229_ = false;
+        let _e71 = phi_200_;
+        let _e76 = visibility.member[_e55.first_primitive];
+        let _e82 = samples.member[_e55.first_primitive].normal[0u];
+        let _e84 = global[0u];
+        if (_e82 == _e84) {
+            let _e87 = samples.member[_e55.first_primitive].normal[1u];
+            let _e89 = global[1u];
+            if (_e87 == _e89) {
+                let _e92 = samples.member[_e55.first_primitive].normal[2u];
+                let _e94 = global[2u];
+                phi_234_ = (_e92 == _e94);
+                phi_235_ = false;
             } else {
-                phi_228_ = bool();
-                phi_229_ = true;
+                phi_234_ = bool();
+                phi_235_ = true;
             }
-            let _e93 = phi_228_;
-            let _e95 = phi_229_;
-            phi_230_ = _e93;
-            phi_231_ = _e95;
+            let _e97 = phi_234_;
+            let _e99 = phi_235_;
+            phi_236_ = _e97;
+            phi_237_ = _e99;
         } else {
-            phi_230_ = bool();
-            phi_231_ = true;
+            phi_236_ = bool();
+            phi_237_ = true;
         }
-        let _e97 = phi_230_;
-        let _e99 = phi_231_;
-        if _e99 {
-            phi_235_ = false;
+        let _e101 = phi_236_;
+        let _e103 = phi_237_;
+        if _e103 {
+            phi_241_ = false;
         } else {
-            phi_235_ = _e97;
+            phi_241_ = _e101;
         }
-        let _e101 = phi_235_;
-        if !(_e101) {
-            let _e104 = samples.member[_e51.first_primitive].position;
-            let _e106 = p.member.light.place;
-            let _e112 = p.member.light.place[3u];
-            let _e119 = (_e106.x - (_e104.x * _e112));
-            let _e120 = (_e106.y - (_e104.y * _e112));
-            let _e121 = (_e106.z - (_e104.z * _e112));
-            let _e123 = samples.member[_e51.first_primitive].normal;
-            if ((((_e123.x * _e119) + (_e123.y * _e120)) + (_e123.z * _e121)) > 0f) {
-                let _e137 = (((_e119 * _e119) + (_e120 * _e120)) + (_e121 * _e121));
-                let _e139 = p.member.light.axis;
-                let _e151 = p.member.light.place[3u];
-                if (_e151 == 0f) {
-                    phi_306_ = true;
+        let _e105 = phi_241_;
+        if !(_e105) {
+            let _e108 = samples.member[_e55.first_primitive].position;
+            let _e110 = p.member.light.place;
+            let _e116 = p.member.light.place[3u];
+            let _e123 = (_e110.x - (_e108.x * _e116));
+            let _e124 = (_e110.y - (_e108.y * _e116));
+            let _e125 = (_e110.z - (_e108.z * _e116));
+            let _e127 = samples.member[_e55.first_primitive].normal;
+            if ((((_e127.x * _e123) + (_e127.y * _e124)) + (_e127.z * _e125)) > 0f) {
+                let _e141 = (((_e123 * _e123) + (_e124 * _e124)) + (_e125 * _e125));
+                let _e143 = p.member.light.axis;
+                let _e155 = p.member.light.place[3u];
+                if (_e155 == 0f) {
+                    phi_312_ = true;
                 } else {
-                    let _e154 = p.member.light.range_squared;
-                    if (_e137 <= _e154) {
-                        let _e157 = p.member.light.cos_outer;
-                        phi_305_ = (-((((_e119 * _e139.x) + (_e120 * _e139.y)) + (_e121 * _e139.z))) >= (_e157 * sqrt(_e137)));
+                    let _e158 = p.member.light.range_squared;
+                    if (_e141 <= _e158) {
+                        let _e161 = p.member.light.cos_outer;
+                        phi_311_ = (-((((_e123 * _e143.x) + (_e124 * _e143.y)) + (_e125 * _e143.z))) >= (_e161 * sqrt(_e141)));
                     } else {
-                        phi_305_ = false;
+                        phi_311_ = false;
                     }
-                    let _e162 = phi_305_;
-                    phi_306_ = _e162;
+                    let _e166 = phi_311_;
+                    phi_312_ = _e166;
                 }
-                let _e164 = phi_306_;
-                if _e164 {
-                    let _e166 = samples.member[_e51.first_primitive].flags;
-                    let _e174 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                    let _e180 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e174.unnamed.visibility, false), _e174.unnamed_1);
-                    phi_317_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e180.unnamed, ((_e166 & 1u) == 0u));
-                    phi_318_ = false;
+                let _e168 = phi_312_;
+                if _e168 {
+                    let _e170 = samples.member[_e55.first_primitive].flags;
+                    let _e178 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(1f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                    let _e184 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e178.unnamed.visibility, false), _e178.unnamed_1);
+                    phi_323_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e184.unnamed, ((_e170 & 1u) == 0u));
+                    phi_324_ = false;
                 } else {
-                    phi_317_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                    phi_318_ = true;
+                    phi_323_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                    phi_324_ = true;
                 }
-                let _e185 = phi_317_;
-                let _e187 = phi_318_;
-                phi_319_ = _e185;
-                phi_320_ = _e187;
+                let _e189 = phi_323_;
+                let _e191 = phi_324_;
+                phi_325_ = _e189;
+                phi_326_ = _e191;
             } else {
-                phi_319_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
-                phi_320_ = true;
+                phi_325_ = u0028_evaluate_Verdict_u0020_bool_u0029_();
+                phi_326_ = true;
             }
-            let _e189 = phi_319_;
-            let _e191 = phi_320_;
-            if _e191 {
-                let _e197 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-                let _e203 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e197.unnamed.visibility, false), _e197.unnamed_1);
-                phi_327_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e203.unnamed, true);
+            let _e193 = phi_325_;
+            let _e195 = phi_326_;
+            if _e195 {
+                let _e201 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+                let _e207 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e201.unnamed.visibility, false), _e201.unnamed_1);
+                phi_333_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e207.unnamed, true);
             } else {
-                phi_327_ = _e189;
+                phi_333_ = _e193;
             }
-            let _e208 = phi_327_;
-            phi_331_ = _e208;
+            let _e212 = phi_333_;
+            phi_337_ = _e212;
         } else {
-            let _e214 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
-            let _e220 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e214.unnamed.visibility, false), _e214.unnamed_1);
-            phi_331_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e220.unnamed, true);
+            let _e218 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(0f, u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed.is_doubted), u0028_evaluate_Verdict_u0020_bool_u0029_().unnamed_1);
+            let _e224 = u0028_evaluate_Verdict_u0020_bool_u0029_(evaluate_Verdict(_e218.unnamed.visibility, false), _e218.unnamed_1);
+            phi_337_ = u0028_evaluate_Verdict_u0020_bool_u0029_(_e224.unnamed, true);
         }
-        let _e225 = phi_331_;
-        if _e225.unnamed_1 {
-            phi_661_ = mask_Masked(_e225.unnamed.visibility, 0u, false);
+        let _e229 = phi_337_;
+        if _e229.unnamed_1 {
+            phi_677_ = mask_Masked(_e229.unnamed.visibility, 0u, false, false);
         } else {
-            let _e230 = (_e72 < 0.5f);
-            if (_e72 > 0f) {
-                phi_344_ = (_e72 < 1f);
+            let _e234 = (_e76 < 0.5f);
+            if (_e76 > 0f) {
+                phi_350_ = (_e76 < 1f);
             } else {
-                phi_344_ = false;
+                phi_350_ = false;
             }
-            let _e234 = phi_344_;
-            let _e236 = p.member.flags;
-            let _e238 = ((_e236 & 1u) != 0u);
+            let _e238 = phi_350_;
             let _e240 = p.member.flags;
-            let _e242 = ((_e240 & 2u) != 0u);
+            let _e242 = ((_e240 & 1u) != 0u);
             let _e244 = p.member.flags;
-            if ((_e244 & 4u) == 0u) {
-                phi_429_ = u32();
-                phi_430_ = true;
-                phi_431_ = false;
+            let _e246 = ((_e244 & 2u) != 0u);
+            let _e248 = p.member.flags;
+            if ((_e248 & 4u) == 0u) {
+                phi_435_ = u32();
+                phi_436_ = true;
+                phi_437_ = false;
             } else {
-                if _e238 {
+                if _e242 {
                     if !(false) {
-                        let _e252 = ((((_e35.y * _e67) + (_e35.x / 32u)) * 6u) + 4u);
-                        if (_e252 < _e41) {
+                        let _e256 = ((((_e38.y * _e71) + (_e38.x / 32u)) * 6u) + 4u);
+                        if (_e256 < _e44) {
                         } else {
                             return;
                         }
-                        let _e256 = heard.member[(0u + _e252)];
-                        if (((_e256 >> bitcast<u32>(((_e35.x % 32u) & 31u))) & 1u) != 0u) {
-                            let _e267 = ((((_e35.y * _e67) + (_e35.x / 32u)) * 6u) + 5u);
-                            if (_e267 < _e41) {
+                        let _e260 = heard.member[(0u + _e256)];
+                        if (((_e260 >> bitcast<u32>(((_e38.x % 32u) & 31u))) & 1u) != 0u) {
+                            let _e271 = ((((_e38.y * _e71) + (_e38.x / 32u)) * 6u) + 5u);
+                            if (_e271 < _e44) {
                             } else {
                                 return;
                             }
-                            let _e271 = heard.member[(0u + _e267)];
+                            let _e275 = heard.member[(0u + _e271)];
                             if false {
-                                phi_417_ = (2u | 1u);
+                                phi_423_ = (2u | 1u);
                             } else {
-                                phi_417_ = 2u;
+                                phi_423_ = 2u;
                             }
-                            let _e280 = phi_417_;
-                            if (((_e271 >> bitcast<u32>(((_e35.x % 32u) & 31u))) & 1u) != 0u) {
-                                phi_422_ = (_e280 | 4u);
+                            let _e284 = phi_423_;
+                            if (((_e275 >> bitcast<u32>(((_e38.x % 32u) & 31u))) & 1u) != 0u) {
+                                phi_428_ = (_e284 | 4u);
                             } else {
-                                phi_422_ = _e280;
+                                phi_428_ = _e284;
                             }
-                            let _e283 = phi_422_;
-                            phi_423_ = _e283;
+                            let _e287 = phi_428_;
+                            phi_429_ = _e287;
                         } else {
-                            phi_423_ = 0u;
+                            phi_429_ = 0u;
                         }
-                        let _e285 = phi_423_;
-                        phi_424_ = _e285;
-                        phi_425_ = false;
+                        let _e289 = phi_429_;
+                        phi_430_ = _e289;
+                        phi_431_ = false;
                     } else {
-                        phi_424_ = u32();
-                        phi_425_ = true;
+                        phi_430_ = u32();
+                        phi_431_ = true;
                     }
-                    let _e287 = phi_424_;
-                    let _e289 = phi_425_;
-                    phi_426_ = _e287;
-                    phi_427_ = false;
-                    phi_428_ = _e289;
+                    let _e291 = phi_430_;
+                    let _e293 = phi_431_;
+                    phi_432_ = _e291;
+                    phi_433_ = false;
+                    phi_434_ = _e293;
                 } else {
-                    phi_426_ = u32();
-                    phi_427_ = true;
-                    phi_428_ = false;
+                    phi_432_ = u32();
+                    phi_433_ = true;
+                    phi_434_ = false;
                 }
-                let _e291 = phi_426_;
-                let _e293 = phi_427_;
-                let _e295 = phi_428_;
-                phi_429_ = _e291;
-                phi_430_ = _e293;
-                phi_431_ = _e295;
+                let _e295 = phi_432_;
+                let _e297 = phi_433_;
+                let _e299 = phi_434_;
+                phi_435_ = _e295;
+                phi_436_ = _e297;
+                phi_437_ = _e299;
             }
-            let _e297 = phi_429_;
-            let _e299 = phi_430_;
-            let _e301 = phi_431_;
-            if _e299 {
-                phi_435_ = true;
-            } else {
-                phi_435_ = _e301;
-            }
-            let _e303 = phi_435_;
+            let _e301 = phi_435_;
+            let _e303 = phi_436_;
+            let _e305 = phi_437_;
             if _e303 {
-                phi_439_ = 0u;
+                phi_441_ = true;
             } else {
-                phi_439_ = _e297;
+                phi_441_ = _e305;
             }
-            let _e305 = phi_439_;
-            let _e306 = lt_mask_Neighbourhood(false, true);
-            if _e234 {
-                phi_444_ = _e242;
+            let _e307 = phi_441_;
+            if _e307 {
+                phi_445_ = 0u;
             } else {
-                phi_444_ = false;
+                phi_445_ = _e301;
             }
-            let _e308 = phi_444_;
-            if _e308 {
-                if _e238 {
-                    if ((_e305 & 2u) != 0u) {
-                        phi_483_ = _e306;
+            let _e309 = phi_445_;
+            let _e310 = lt_mask_Neighbourhood(false, true);
+            if _e238 {
+                phi_450_ = _e246;
+            } else {
+                phi_450_ = false;
+            }
+            let _e312 = phi_450_;
+            if _e312 {
+                if _e242 {
+                    if ((_e309 & 2u) != 0u) {
+                        phi_489_ = _e310;
                     } else {
-                        let _e320 = ((((_e35.y * _e67) + (_e35.x / 32u)) * 6u) + (select(0u, 1u, _e230) | (select(0u, 1u, false) << bitcast<u32>(1i))));
-                        if (_e320 < _e41) {
+                        let _e324 = ((((_e38.y * _e71) + (_e38.x / 32u)) * 6u) + (select(0u, 1u, _e234) | (select(0u, 1u, false) << bitcast<u32>(1i))));
+                        if (_e324 < _e44) {
                         } else {
                             return;
                         }
-                        let _e324 = heard.member[(0u + _e320)];
-                        let _e330 = (((_e324 >> bitcast<u32>(((_e35.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_483_ = lt_mask_Neighbourhood(_e330, !(_e330));
+                        let _e328 = heard.member[(0u + _e324)];
+                        let _e334 = (((_e328 >> bitcast<u32>(((_e38.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_489_ = lt_mask_Neighbourhood(_e334, !(_e334));
                     }
-                    let _e334 = phi_483_;
-                    phi_484_ = _e334;
+                    let _e338 = phi_489_;
+                    phi_490_ = _e338;
                 } else {
-                    phi_484_ = _e306;
+                    phi_490_ = _e310;
                 }
-                let _e336 = phi_484_;
-                phi_485_ = _e336;
+                let _e340 = phi_490_;
+                phi_491_ = _e340;
             } else {
-                phi_485_ = _e306;
+                phi_491_ = _e310;
             }
-            let _e338 = phi_485_;
-            let _e341 = p.member.frame;
-            let _e343 = p.member.refresh;
-            if (_e343 == 0u) {
-                phi_518_ = false;
+            let _e342 = phi_491_;
+            let _e345 = p.member.frame;
+            let _e347 = p.member.refresh;
+            if (_e347 == 0u) {
+                phi_524_ = false;
             } else {
-                if (_e343 == 0u) {
+                if (_e347 == 0u) {
                     return;
                 }
-                let _e352 = ((_e35.x + (_e35.y * (((_e343 * 5u) / 8u) | 1u))) + (_e341 % _e343));
-                if (_e343 == 0u) {
-                    phi_517_ = (_e352 == 0u);
+                let _e356 = ((_e38.x + (_e38.y * (((_e347 * 5u) / 8u) | 1u))) + (_e345 % _e347));
+                if (_e347 == 0u) {
+                    phi_523_ = (_e356 == 0u);
                 } else {
-                    if (_e343 == 0u) {
+                    if (_e347 == 0u) {
                         return;
                     }
-                    phi_517_ = ((_e352 % _e343) == 0u);
+                    phi_523_ = ((_e356 % _e347) == 0u);
                 }
-                let _e359 = phi_517_;
-                phi_518_ = _e359;
+                let _e363 = phi_523_;
+                phi_524_ = _e363;
             }
-            let _e361 = phi_518_;
-            if _e238 {
-                if _e361 {
-                    phi_540_ = bool();
+            let _e365 = phi_524_;
+            if _e242 {
+                if _e365 {
+                    phi_546_ = bool();
                 } else {
-                    phi_540_ = ((_e305 & 2u) != 0u);
+                    phi_546_ = ((_e309 & 2u) != 0u);
                 }
-                let _e367 = phi_540_;
-                phi_541_ = _e367;
-                phi_542_ = _e361;
+                let _e371 = phi_546_;
+                phi_547_ = _e371;
+                phi_548_ = _e365;
             } else {
-                phi_541_ = bool();
-                phi_542_ = true;
+                phi_547_ = bool();
+                phi_548_ = true;
             }
-            let _e369 = phi_541_;
-            let _e371 = phi_542_;
-            if _e371 {
-                phi_546_ = false;
+            let _e373 = phi_547_;
+            let _e375 = phi_548_;
+            if _e375 {
+                phi_552_ = false;
             } else {
-                phi_546_ = _e369;
+                phi_552_ = _e373;
             }
-            let _e373 = phi_546_;
-            if _e373 {
-                phi_597_ = 7u;
+            let _e377 = phi_552_;
+            if _e377 {
+                phi_603_ = 7u;
             } else {
-                if (_e72 != 0.5f) {
-                    if _e238 {
-                        if _e361 {
-                            phi_594_ = 6u;
+                if (_e76 != 0.5f) {
+                    if _e242 {
+                        if _e365 {
+                            phi_600_ = 6u;
                         } else {
-                            if _e234 {
-                                phi_569_ = true;
+                            if _e238 {
+                                phi_575_ = true;
                             } else {
-                                if _e338.any_expands {
-                                    phi_568_ = false;
+                                if _e342.any_expands {
+                                    phi_574_ = false;
                                 } else {
-                                    phi_568_ = true;
+                                    phi_574_ = true;
                                 }
-                                let _e375 = phi_568_;
-                                phi_569_ = _e375;
+                                let _e379 = phi_574_;
+                                phi_575_ = _e379;
                             }
-                            let _e377 = phi_569_;
-                            if _e377 {
-                                if _e234 {
-                                    if _e242 {
-                                        if _e338.all_remove {
-                                            phi_582_ = false;
+                            let _e381 = phi_575_;
+                            if _e381 {
+                                if _e238 {
+                                    if _e246 {
+                                        if _e342.all_remove {
+                                            phi_588_ = false;
                                         } else {
-                                            phi_582_ = true;
+                                            phi_588_ = true;
                                         }
-                                        let _e379 = phi_582_;
-                                        phi_583_ = _e379;
+                                        let _e383 = phi_588_;
+                                        phi_589_ = _e383;
                                     } else {
-                                        phi_583_ = true;
+                                        phi_589_ = true;
                                     }
-                                    let _e381 = phi_583_;
-                                    phi_584_ = _e381;
+                                    let _e385 = phi_589_;
+                                    phi_590_ = _e385;
                                 } else {
-                                    phi_584_ = true;
+                                    phi_590_ = true;
                                 }
-                                let _e383 = phi_584_;
-                                if _e383 {
-                                    if _e234 {
-                                        phi_591_ = 1u;
+                                let _e387 = phi_590_;
+                                if _e387 {
+                                    if _e238 {
+                                        phi_597_ = 1u;
                                     } else {
-                                        phi_591_ = 0u;
+                                        phi_597_ = 0u;
                                     }
-                                    let _e385 = phi_591_;
-                                    phi_592_ = _e385;
+                                    let _e389 = phi_597_;
+                                    phi_598_ = _e389;
                                 } else {
-                                    phi_592_ = 5u;
+                                    phi_598_ = 5u;
                                 }
-                                let _e387 = phi_592_;
-                                phi_593_ = _e387;
+                                let _e391 = phi_598_;
+                                phi_599_ = _e391;
                             } else {
-                                phi_593_ = 4u;
+                                phi_599_ = 4u;
                             }
-                            let _e389 = phi_593_;
-                            phi_594_ = _e389;
+                            let _e393 = phi_599_;
+                            phi_600_ = _e393;
                         }
-                        let _e391 = phi_594_;
-                        phi_595_ = _e391;
+                        let _e395 = phi_600_;
+                        phi_601_ = _e395;
                     } else {
-                        phi_595_ = 3u;
+                        phi_601_ = 3u;
                     }
-                    let _e393 = phi_595_;
-                    phi_596_ = _e393;
+                    let _e397 = phi_601_;
+                    phi_602_ = _e397;
                 } else {
-                    phi_596_ = 2u;
+                    phi_602_ = 2u;
                 }
-                let _e395 = phi_596_;
-                phi_597_ = _e395;
+                let _e399 = phi_602_;
+                phi_603_ = _e399;
             }
-            let _e397 = phi_597_;
-            if !((_e397 == 0u)) {
-                if !((_e397 == 5u)) {
-                    phi_609_ = !(_e373);
-                    phi_610_ = false;
+            let _e401 = phi_603_;
+            if !((_e401 == 0u)) {
+                if !((_e401 == 5u)) {
+                    phi_615_ = !(_e377);
+                    phi_616_ = false;
                 } else {
-                    phi_609_ = bool();
-                    phi_610_ = true;
+                    phi_615_ = bool();
+                    phi_616_ = true;
                 }
-                let _e404 = phi_609_;
-                let _e406 = phi_610_;
-                phi_611_ = _e404;
-                phi_612_ = _e406;
+                let _e408 = phi_615_;
+                let _e410 = phi_616_;
+                phi_617_ = _e408;
+                phi_618_ = _e410;
             } else {
-                phi_611_ = bool();
-                phi_612_ = true;
+                phi_617_ = bool();
+                phi_618_ = true;
             }
-            let _e408 = phi_611_;
-            let _e410 = phi_612_;
-            if _e410 {
-                phi_616_ = false;
+            let _e412 = phi_617_;
+            let _e414 = phi_618_;
+            if _e414 {
+                phi_622_ = false;
             } else {
-                phi_616_ = _e408;
-            }
-            let _e412 = phi_616_;
-            if _e373 {
-                phi_622_ = ((_e305 & 4u) != 0u);
-            } else {
-                phi_622_ = _e230;
+                phi_622_ = _e412;
             }
             let _e416 = phi_622_;
-            if _e412 {
-                if _e230 {
-                    phi_630_ = (2u | 1u);
-                } else {
-                    phi_630_ = 2u;
-                }
-                let _e419 = phi_630_;
-                if false {
-                    phi_635_ = (_e419 | 4u);
-                } else {
-                    phi_635_ = _e419;
-                }
-                let _e422 = phi_635_;
-                phi_655_ = _e422;
+            if _e377 {
+                phi_628_ = ((_e309 & 4u) != 0u);
             } else {
-                if (_e397 == 7u) {
-                    if _e230 {
-                        phi_644_ = (2u | 1u);
-                    } else {
-                        phi_644_ = 2u;
-                    }
-                    let _e426 = phi_644_;
-                    if _e416 {
-                        phi_649_ = (_e426 | 4u);
-                    } else {
-                        phi_649_ = _e426;
-                    }
-                    let _e429 = phi_649_;
-                    phi_654_ = _e429;
-                } else {
-                    if _e230 {
-                        phi_653_ = 1u;
-                    } else {
-                        phi_653_ = 0u;
-                    }
-                    let _e431 = phi_653_;
-                    phi_654_ = _e431;
-                }
-                let _e433 = phi_654_;
-                phi_655_ = _e433;
+                phi_628_ = _e234;
             }
-            let _e435 = phi_655_;
+            let _e420 = phi_628_;
             if _e416 {
-                phi_659_ = 0f;
+                if _e234 {
+                    phi_636_ = (2u | 1u);
+                } else {
+                    phi_636_ = 2u;
+                }
+                let _e423 = phi_636_;
+                if false {
+                    phi_641_ = (_e423 | 4u);
+                } else {
+                    phi_641_ = _e423;
+                }
+                let _e426 = phi_641_;
+                phi_661_ = _e426;
             } else {
-                phi_659_ = 1f;
+                if (_e401 == 7u) {
+                    if _e234 {
+                        phi_650_ = (2u | 1u);
+                    } else {
+                        phi_650_ = 2u;
+                    }
+                    let _e430 = phi_650_;
+                    if _e420 {
+                        phi_655_ = (_e430 | 4u);
+                    } else {
+                        phi_655_ = _e430;
+                    }
+                    let _e433 = phi_655_;
+                    phi_660_ = _e433;
+                } else {
+                    if _e234 {
+                        phi_659_ = 1u;
+                    } else {
+                        phi_659_ = 0u;
+                    }
+                    let _e435 = phi_659_;
+                    phi_660_ = _e435;
+                }
+                let _e437 = phi_660_;
+                phi_661_ = _e437;
             }
-            let _e437 = phi_659_;
-            phi_661_ = mask_Masked(_e437, _e435, _e412);
+            let _e439 = phi_661_;
+            if _e420 {
+                phi_665_ = 0f;
+            } else {
+                phi_665_ = 1f;
+            }
+            let _e441 = phi_665_;
+            if _e238 {
+                if (_e76 == 0.99999994f) {
+                    phi_674_ = true;
+                } else {
+                    phi_674_ = (_e76 == 0.000000059604645f);
+                }
+                let _e445 = phi_674_;
+                phi_675_ = _e445;
+            } else {
+                phi_675_ = true;
+            }
+            let _e447 = phi_675_;
+            phi_677_ = mask_Masked(_e441, _e439, _e416, _e447);
         }
-        let _e440 = phi_661_;
-        visibility.member[_e51.first_primitive] = _e440.visibility;
-        let _e445 = p.member.light.number;
-        let _e446 = (_e445 * 3u);
-        let _e448 = (_e446 % 32u);
-        let _e450 = p.member.light.mask_words;
-        let _e452 = ((_e51.first_primitive * _e450) + (_e446 / 32u));
-        let _e454 = bits.member[_e452];
-        bits.member[_e452] = ((_e454 & ~((7u << bitcast<u32>((_e448 & 31u))))) | (_e440.bits << bitcast<u32>((_e448 & 31u))));
-        if (_e448 > 29u) {
-            let _e469 = bits.member[(_e452 + 1u)];
-            let _e471 = (32u - _e448);
-            bits.member[(_e452 + 1u)] = ((_e469 & ~((7u >> bitcast<u32>((_e471 & 31u))))) | (_e440.bits >> bitcast<u32>((_e471 & 31u))));
+        let _e450 = phi_677_;
+        visibility.member[_e55.first_primitive] = _e450.visibility;
+        let _e455 = p.member.light.number;
+        let _e456 = (_e455 * 3u);
+        let _e458 = (_e456 % 32u);
+        let _e460 = p.member.light.mask_words;
+        let _e462 = ((_e55.first_primitive * _e460) + (_e456 / 32u));
+        let _e464 = bits.member[_e462];
+        bits.member[_e462] = ((_e464 & ~((7u << bitcast<u32>((_e458 & 31u))))) | (_e450.bits << bitcast<u32>((_e458 & 31u))));
+        if (_e458 > 29u) {
+            let _e479 = bits.member[(_e462 + 1u)];
+            let _e481 = (32u - _e458);
+            bits.member[(_e462 + 1u)] = ((_e479 & ~((7u >> bitcast<u32>((_e481 & 31u))))) | (_e450.bits >> bitcast<u32>((_e481 & 31u))));
         }
-        phi_711_ = _e440.needs_ray;
-        phi_712_ = _e51.first_primitive;
+        phi_729_ = doubt_Listed(_e55.first_primitive, _e450.is_trusted);
+        phi_730_ = _e450.needs_ray;
     } else {
-        phi_711_ = false;
-        phi_712_ = 0u;
+        phi_729_ = doubt_Listed(0u, false);
+        phi_730_ = false;
     }
-    let _e485 = phi_711_;
-    let _e487 = phi_712_;
-    if (_e36 == 0u) {
+    let _e497 = phi_729_;
+    let _e499 = phi_730_;
+    if (_e39 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e485 {
-        let _e491 = atomicAdd((&shared_[0u]), 1u);
-        phi_723_ = _e491;
+    if _e499 {
+        let _e505 = atomicAdd((&shared_[0u]), 1u);
+        phi_743_ = _e505;
     } else {
-        phi_723_ = 0u;
+        phi_743_ = 0u;
     }
-    let _e493 = phi_723_;
+    let _e507 = phi_743_;
     workgroupBarrier();
-    if (_e36 == 0u) {
-        let _e497 = atomicLoad((&shared_[0u]));
-        let _e498 = atomicAdd((&list.member[3u]), _e497);
-        atomicStore((&shared_[1u]), _e498);
+    if (_e39 == 0u) {
+        let _e511 = atomicLoad((&shared_[0u]));
+        let _e512 = atomicAdd((&list.member[3u]), _e511);
+        atomicStore((&shared_[1u]), _e512);
     }
     workgroupBarrier();
-    if _e485 {
-        let _e501 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e501) + _e493)]), _e487);
+    if _e499 {
+        if _e497.is_trusted {
+            phi_760_ = (_e497.pixel | 2147483648u);
+        } else {
+            phi_760_ = _e497.pixel;
+        }
+        let _e516 = phi_760_;
+        let _e518 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e518) + _e507)]), _e516);
     }
     return;
 }

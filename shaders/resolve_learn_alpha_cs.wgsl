@@ -566,160 +566,159 @@ fn _lt_shaders_texture_TextureView_quad(param_4: ptr<function, texture_TextureVi
 fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
-    var phi_688_: f32;
-    var phi_719_: bool;
+    var phi_689_: f32;
     var phi_720_: bool;
     var phi_721_: bool;
     var phi_722_: bool;
-    var phi_726_: bool;
-    var phi_739_: bool;
+    var phi_723_: bool;
+    var phi_727_: bool;
     var phi_740_: bool;
     var phi_741_: bool;
     var phi_742_: bool;
-    var phi_746_: bool;
-    var phi_759_: bool;
+    var phi_743_: bool;
+    var phi_747_: bool;
     var phi_760_: bool;
     var phi_761_: bool;
-    var phi_765_: bool;
+    var phi_762_: bool;
     var phi_766_: bool;
     var phi_767_: bool;
     var phi_768_: bool;
     var phi_769_: bool;
-    var phi_773_: bool;
-    var phi_843_: f32;
-    var phi_850_: f32;
-    var phi_857_: f32;
-    var phi_864_: f32;
-    var phi_871_: f32;
-    var phi_878_: f32;
-    var phi_895_: f32;
-    var phi_900_: f32;
-    var phi_905_: f32;
-    var phi_910_: f32;
-    var phi_915_: f32;
-    var phi_941_: bool;
+    var phi_770_: bool;
+    var phi_774_: bool;
+    var phi_844_: f32;
+    var phi_851_: f32;
+    var phi_858_: f32;
+    var phi_865_: f32;
+    var phi_872_: f32;
+    var phi_879_: f32;
+    var phi_896_: f32;
+    var phi_901_: f32;
+    var phi_906_: f32;
+    var phi_911_: f32;
+    var phi_916_: f32;
     var phi_942_: bool;
-    var phi_950_: u32;
+    var phi_943_: bool;
     var phi_951_: u32;
-    var phi_962_: vec3<f32>;
+    var phi_952_: u32;
     var phi_963_: vec3<f32>;
-    var phi_976_: u32;
-    var phi_981_: u32;
-    var phi_986_: u32;
-    var phi_1100_: bool;
+    var phi_964_: vec3<f32>;
+    var phi_977_: u32;
+    var phi_982_: u32;
+    var phi_987_: u32;
     var phi_1101_: bool;
-    var phi_1132_: u32;
-    var phi_1134_: u32;
-    var phi_1137_: bool;
-    var phi_1217_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1244_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1271_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1277_: u32;
-    var phi_1280_: u32;
-    var phi_1294_: u32;
-    var phi_1304_: u32;
-    var phi_1314_: u32;
-    var phi_1332_: u32;
-    var phi_1342_: u32;
-    var phi_1352_: u32;
-    var phi_1388_: u32;
-    var phi_1401_: u32;
-    var phi_1406_: u32;
-    var phi_1407_: u32;
-    var phi_1408_: u32;
+    var phi_1102_: bool;
+    var phi_1133_: u32;
+    var phi_1135_: u32;
+    var phi_1138_: bool;
+    var phi_1218_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1245_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1272_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_1278_: u32;
     var phi_1281_: u32;
+    var phi_1295_: u32;
+    var phi_1305_: u32;
+    var phi_1315_: u32;
+    var phi_1333_: u32;
+    var phi_1343_: u32;
+    var phi_1353_: u32;
+    var phi_1389_: u32;
+    var phi_1402_: u32;
+    var phi_1407_: u32;
+    var phi_1408_: u32;
+    var phi_1409_: u32;
+    var phi_1279_: u32;
+    var phi_1282_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1466_: u32;
-    var phi_1469_: bool;
-    var phi_1513_: vec3<f32>;
+    var phi_1467_: u32;
+    var phi_1470_: bool;
     var phi_1514_: vec3<f32>;
-    var phi_1543_: vec3<f32>;
+    var phi_1515_: vec3<f32>;
     var phi_1544_: vec3<f32>;
-    var phi_1573_: vec3<f32>;
+    var phi_1545_: vec3<f32>;
     var phi_1574_: vec3<f32>;
-    var phi_1592_: bool;
+    var phi_1575_: vec3<f32>;
     var phi_1593_: bool;
-    var phi_1597_: f32;
+    var phi_1594_: bool;
     var phi_1598_: f32;
     var phi_1599_: f32;
     var phi_1600_: f32;
-    var phi_1608_: f32;
-    var phi_1618_: bool;
+    var phi_1601_: f32;
+    var phi_1609_: f32;
     var phi_1619_: bool;
-    var phi_1623_: f32;
+    var phi_1620_: bool;
     var phi_1624_: f32;
     var phi_1625_: f32;
     var phi_1626_: f32;
-    var phi_1634_: f32;
-    var phi_1644_: bool;
+    var phi_1627_: f32;
+    var phi_1635_: f32;
     var phi_1645_: bool;
-    var phi_1649_: f32;
+    var phi_1646_: bool;
     var phi_1650_: f32;
     var phi_1651_: f32;
     var phi_1652_: f32;
-    var phi_1660_: f32;
-    var phi_1675_: f32;
-    var phi_1676_: bool;
-    var phi_1677_: f32;
-    var phi_1678_: bool;
-    var phi_1679_: f32;
-    var phi_1680_: bool;
-    var phi_1698_: f32;
-    var phi_1699_: bool;
+    var phi_1653_: f32;
+    var phi_1661_: f32;
+    var phi_1676_: f32;
+    var phi_1677_: bool;
+    var phi_1678_: f32;
+    var phi_1679_: bool;
+    var phi_1680_: f32;
+    var phi_1681_: bool;
+    var phi_1699_: f32;
     var phi_1700_: bool;
-    var phi_1701_: f32;
-    var phi_1702_: bool;
+    var phi_1701_: bool;
+    var phi_1702_: f32;
     var phi_1703_: bool;
-    var phi_1707_: bool;
-    var phi_1708_: f32;
-    var phi_1709_: bool;
-    var phi_1737_: vec3<f32>;
+    var phi_1704_: bool;
+    var phi_1708_: bool;
+    var phi_1709_: f32;
+    var phi_1710_: bool;
     var phi_1738_: vec3<f32>;
-    var phi_1763_: vec3<f32>;
+    var phi_1739_: vec3<f32>;
     var phi_1764_: vec3<f32>;
-    var phi_1789_: vec3<f32>;
+    var phi_1765_: vec3<f32>;
     var phi_1790_: vec3<f32>;
-    var phi_1846_: f32;
-    var phi_1855_: f32;
-    var phi_1864_: f32;
-    var phi_1873_: f32;
-    var phi_1880_: f32;
-    var phi_1887_: f32;
-    var phi_1900_: f32;
-    var phi_1909_: f32;
-    var phi_1918_: f32;
-    var phi_1927_: f32;
-    var phi_1934_: f32;
-    var phi_1941_: f32;
-    var phi_1958_: f32;
-    var phi_1963_: f32;
-    var phi_1968_: f32;
-    var phi_1976_: f32;
-    var phi_1981_: f32;
-    var phi_1986_: f32;
-    var phi_1998_: f32;
-    var phi_2003_: f32;
-    var phi_2008_: f32;
-    var phi_2013_: f32;
-    var phi_2018_: lt_bvh_triangle_Intersection;
-    var phi_2019_: bool;
-    var phi_2020_: lt_bvh_triangle_Intersection;
-    var phi_2021_: bool;
-    var phi_2025_: lt_bvh_triangle_Intersection;
-    var phi_2026_: bool;
-    var phi_2027_: lt_bvh_triangle_Intersection;
-    var phi_2028_: bool;
+    var phi_1791_: vec3<f32>;
+    var phi_1847_: f32;
+    var phi_1856_: f32;
+    var phi_1865_: f32;
+    var phi_1874_: f32;
+    var phi_1881_: f32;
+    var phi_1888_: f32;
+    var phi_1901_: f32;
+    var phi_1910_: f32;
+    var phi_1919_: f32;
+    var phi_1928_: f32;
+    var phi_1935_: f32;
+    var phi_1942_: f32;
+    var phi_1959_: f32;
+    var phi_1964_: f32;
+    var phi_1969_: f32;
+    var phi_1977_: f32;
+    var phi_1982_: f32;
+    var phi_1987_: f32;
+    var phi_1999_: f32;
+    var phi_2004_: f32;
+    var phi_2009_: f32;
+    var phi_2014_: f32;
+    var phi_2019_: lt_bvh_triangle_Intersection;
+    var phi_2020_: bool;
+    var phi_2021_: lt_bvh_triangle_Intersection;
+    var phi_2022_: bool;
+    var phi_2026_: lt_bvh_triangle_Intersection;
+    var phi_2027_: bool;
+    var phi_2028_: lt_bvh_triangle_Intersection;
     var phi_2029_: bool;
-    var phi_2033_: bool;
-    var phi_2037_: lt_bvh_triangle_Intersection;
-    var phi_2251_: f32;
-    var phi_2254_: bool;
+    var phi_2030_: bool;
+    var phi_2034_: bool;
+    var phi_2038_: lt_bvh_triangle_Intersection;
+    var phi_2252_: f32;
     var phi_2255_: bool;
     var phi_2256_: bool;
-    var phi_2260_: bool;
+    var phi_2257_: bool;
     var phi_2261_: bool;
     var phi_2262_: bool;
     var phi_2263_: bool;
@@ -729,33 +728,34 @@ fn function_() {
     var phi_2267_: bool;
     var phi_2268_: bool;
     var phi_2269_: bool;
-    var phi_1467_: u32;
-    var phi_1470_: bool;
-    var phi_2273_: bool;
+    var phi_2270_: bool;
+    var phi_1468_: u32;
+    var phi_1471_: bool;
     var phi_2274_: bool;
+    var phi_2275_: bool;
     var local_5: bool;
-    var phi_2316_: bool;
     var phi_2317_: bool;
-    var phi_2348_: u32;
+    var phi_2318_: bool;
     var phi_2349_: u32;
-    var phi_1135_: u32;
-    var phi_1138_: bool;
-    var phi_2350_: bool;
+    var phi_2350_: u32;
+    var phi_1136_: u32;
+    var phi_1139_: bool;
     var phi_2351_: bool;
     var phi_2352_: bool;
+    var phi_2353_: bool;
     var local_6: bool;
-    var phi_2356_: bool;
-    var phi_2360_: bool;
+    var phi_2357_: bool;
     var phi_2361_: bool;
     var phi_2362_: bool;
     var phi_2363_: bool;
-    var phi_2367_: bool;
-    var phi_2371_: f32;
-    var phi_2412_: u32;
-    var phi_2431_: u32;
-    var phi_2439_: u32;
-    var phi_2447_: u32;
-    var phi_2452_: u32;
+    var phi_2364_: bool;
+    var phi_2368_: bool;
+    var phi_2372_: f32;
+    var phi_2413_: u32;
+    var phi_2432_: u32;
+    var phi_2440_: u32;
+    var phi_2448_: u32;
+    var phi_2453_: u32;
     var local_7: bool;
     var local_8: bool;
     var local_9: bool;
@@ -783,1367 +783,1368 @@ fn function_() {
             return;
         }
         let _e111 = list.member[(0u + _e107)];
-        if (_e111 < arrayLength((&samples.member))) {
+        let _e112 = (_e111 & 2147483647u);
+        if (_e112 < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e117 = samples.member[(0u + _e111)].position;
-        let _e119 = samples.member[(0u + _e111)].normal;
-        let _e121 = samples.member[(0u + _e111)].magnitude;
-        let _e123 = ((8f / 8388608f) * _e121);
-        let _e131 = (_e117.x + (_e119.x * _e123));
-        let _e133 = (_e117.y + (_e119.y * _e123));
-        let _e135 = (_e117.z + (_e119.z * _e123));
-        let _e137 = p.member.light.place;
-        if (_e137.w == 0f) {
-            phi_688_ = 300000000000000000000000000000000000000f;
+        let _e118 = samples.member[(0u + _e112)].position;
+        let _e120 = samples.member[(0u + _e112)].normal;
+        let _e122 = samples.member[(0u + _e112)].magnitude;
+        let _e124 = ((8f / 8388608f) * _e122);
+        let _e132 = (_e118.x + (_e120.x * _e124));
+        let _e134 = (_e118.y + (_e120.y * _e124));
+        let _e136 = (_e118.z + (_e120.z * _e124));
+        let _e138 = p.member.light.place;
+        if (_e138.w == 0f) {
+            phi_689_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_688_ = 1f;
+            phi_689_ = 1f;
         }
-        let _e141 = phi_688_;
-        let _e149 = (_e137.x - (_e131 * _e137.w));
-        let _e150 = (_e137.y - (_e133 * _e137.w));
-        let _e151 = (_e137.z - (_e135 * _e137.w));
-        let _e153 = abs(_e149);
+        let _e142 = phi_689_;
+        let _e150 = (_e138.x - (_e132 * _e138.w));
+        let _e151 = (_e138.y - (_e134 * _e138.w));
+        let _e152 = (_e138.z - (_e136 * _e138.w));
         let _e154 = abs(_e150);
         let _e155 = abs(_e151);
-        if (abs(_e131) < 1000000000000000f) {
-            if (abs(_e133) < 1000000000000000f) {
-                phi_719_ = (abs(_e135) < 1000000000000000f);
-                phi_720_ = false;
+        let _e156 = abs(_e152);
+        if (abs(_e132) < 1000000000000000f) {
+            if (abs(_e134) < 1000000000000000f) {
+                phi_720_ = (abs(_e136) < 1000000000000000f);
+                phi_721_ = false;
             } else {
-                phi_719_ = bool();
-                phi_720_ = true;
+                phi_720_ = bool();
+                phi_721_ = true;
             }
-            let _e163 = phi_719_;
-            let _e165 = phi_720_;
-            phi_721_ = _e163;
-            phi_722_ = _e165;
+            let _e164 = phi_720_;
+            let _e166 = phi_721_;
+            phi_722_ = _e164;
+            phi_723_ = _e166;
         } else {
-            phi_721_ = bool();
-            phi_722_ = true;
+            phi_722_ = bool();
+            phi_723_ = true;
         }
-        let _e167 = phi_721_;
-        let _e169 = phi_722_;
-        if _e169 {
-            phi_726_ = false;
+        let _e168 = phi_722_;
+        let _e170 = phi_723_;
+        if _e170 {
+            phi_727_ = false;
         } else {
-            phi_726_ = _e167;
+            phi_727_ = _e168;
         }
-        let _e171 = phi_726_;
-        if _e171 {
-            if (_e153 < 1000000000000000f) {
-                if (_e154 < 1000000000000000f) {
-                    phi_739_ = (_e155 < 1000000000000000f);
-                    phi_740_ = false;
+        let _e172 = phi_727_;
+        if _e172 {
+            if (_e154 < 1000000000000000f) {
+                if (_e155 < 1000000000000000f) {
+                    phi_740_ = (_e156 < 1000000000000000f);
+                    phi_741_ = false;
                 } else {
-                    phi_739_ = bool();
-                    phi_740_ = true;
+                    phi_740_ = bool();
+                    phi_741_ = true;
                 }
-                let _e176 = phi_739_;
-                let _e178 = phi_740_;
-                phi_741_ = _e176;
-                phi_742_ = _e178;
+                let _e177 = phi_740_;
+                let _e179 = phi_741_;
+                phi_742_ = _e177;
+                phi_743_ = _e179;
             } else {
-                phi_741_ = bool();
-                phi_742_ = true;
+                phi_742_ = bool();
+                phi_743_ = true;
             }
-            let _e180 = phi_741_;
-            let _e182 = phi_742_;
-            if _e182 {
-                phi_746_ = false;
+            let _e181 = phi_742_;
+            let _e183 = phi_743_;
+            if _e183 {
+                phi_747_ = false;
             } else {
-                phi_746_ = _e180;
+                phi_747_ = _e181;
             }
-            let _e184 = phi_746_;
-            if _e184 {
-                if (_e153 > 0f) {
-                    phi_760_ = bool();
-                    phi_761_ = true;
+            let _e185 = phi_747_;
+            if _e185 {
+                if (_e154 > 0f) {
+                    phi_761_ = bool();
+                    phi_762_ = true;
                 } else {
-                    let _e186 = (_e154 > 0f);
-                    if _e186 {
-                        phi_759_ = bool();
+                    let _e187 = (_e155 > 0f);
+                    if _e187 {
+                        phi_760_ = bool();
                     } else {
-                        phi_759_ = (_e155 > 0f);
+                        phi_760_ = (_e156 > 0f);
                     }
-                    let _e189 = phi_759_;
-                    phi_760_ = _e189;
-                    phi_761_ = _e186;
+                    let _e190 = phi_760_;
+                    phi_761_ = _e190;
+                    phi_762_ = _e187;
                 }
-                let _e191 = phi_760_;
-                let _e193 = phi_761_;
-                if _e193 {
-                    phi_765_ = true;
+                let _e192 = phi_761_;
+                let _e194 = phi_762_;
+                if _e194 {
+                    phi_766_ = true;
                 } else {
-                    phi_765_ = _e191;
+                    phi_766_ = _e192;
                 }
-                let _e195 = phi_765_;
-                phi_766_ = _e195;
-                phi_767_ = false;
+                let _e196 = phi_766_;
+                phi_767_ = _e196;
+                phi_768_ = false;
             } else {
-                phi_766_ = bool();
-                phi_767_ = true;
+                phi_767_ = bool();
+                phi_768_ = true;
             }
-            let _e197 = phi_766_;
-            let _e199 = phi_767_;
-            phi_768_ = _e197;
-            phi_769_ = _e199;
+            let _e198 = phi_767_;
+            let _e200 = phi_768_;
+            phi_769_ = _e198;
+            phi_770_ = _e200;
         } else {
-            phi_768_ = bool();
-            phi_769_ = true;
+            phi_769_ = bool();
+            phi_770_ = true;
         }
-        let _e201 = phi_768_;
-        let _e203 = phi_769_;
-        if _e203 {
-            phi_773_ = false;
+        let _e202 = phi_769_;
+        let _e204 = phi_770_;
+        if _e204 {
+            phi_774_ = false;
         } else {
-            phi_773_ = _e201;
+            phi_774_ = _e202;
         }
-        let _e205 = phi_773_;
-        if _e205 {
-            let _e206 = (0u >= _e77);
-            if _e206 {
-                phi_2361_ = bool();
+        let _e206 = phi_774_;
+        if _e206 {
+            let _e207 = (0u >= _e77);
+            if _e207 {
+                phi_2362_ = bool();
             } else {
                 if (0u < _e77) {
                 } else {
                     return;
                 }
-                let _e212 = nodes.member[(0u + 0u)].frame[0u];
-                let _e216 = nodes.member[(0u + 0u)].frame[1u];
-                let _e220 = nodes.member[(0u + 0u)].frame[2u];
-                let _e224 = nodes.member[(0u + 0u)].frame[0u];
-                let _e228 = nodes.member[(0u + 0u)].frame[1u];
-                let _e232 = nodes.member[(0u + 0u)].frame[2u];
-                let _e236 = nodes.member[(0u + 0u)].frame[3u];
-                let _e270 = core_intrinsics_maximum_number_nsz_f32_(abs(_e149), abs(_e150));
-                let _e271 = core_intrinsics_maximum_number_nsz_f32_(_e270, abs(_e151));
-                let _e272 = (_e271 * 0.0000000000009094947f);
-                if (abs(_e149) < _e272) {
-                    phi_843_ = _e272;
+                let _e213 = nodes.member[(0u + 0u)].frame[0u];
+                let _e217 = nodes.member[(0u + 0u)].frame[1u];
+                let _e221 = nodes.member[(0u + 0u)].frame[2u];
+                let _e225 = nodes.member[(0u + 0u)].frame[0u];
+                let _e229 = nodes.member[(0u + 0u)].frame[1u];
+                let _e233 = nodes.member[(0u + 0u)].frame[2u];
+                let _e237 = nodes.member[(0u + 0u)].frame[3u];
+                let _e271 = core_intrinsics_maximum_number_nsz_f32_(abs(_e150), abs(_e151));
+                let _e272 = core_intrinsics_maximum_number_nsz_f32_(_e271, abs(_e152));
+                let _e273 = (_e272 * 0.0000000000009094947f);
+                if (abs(_e150) < _e273) {
+                    phi_844_ = _e273;
                 } else {
-                    phi_843_ = abs(_e149);
+                    phi_844_ = abs(_e150);
                 }
-                let _e277 = phi_843_;
-                if (_e149 < 0f) {
-                    phi_850_ = (-1f / _e277);
-                } else {
-                    phi_850_ = (1f / _e277);
-                }
-                let _e282 = phi_850_;
-                if (abs(_e150) < _e272) {
-                    phi_857_ = _e272;
-                } else {
-                    phi_857_ = abs(_e150);
-                }
-                let _e287 = phi_857_;
+                let _e278 = phi_844_;
                 if (_e150 < 0f) {
-                    phi_864_ = (-1f / _e287);
+                    phi_851_ = (-1f / _e278);
                 } else {
-                    phi_864_ = (1f / _e287);
+                    phi_851_ = (1f / _e278);
                 }
-                let _e292 = phi_864_;
-                if (abs(_e151) < _e272) {
-                    phi_871_ = _e272;
+                let _e283 = phi_851_;
+                if (abs(_e151) < _e273) {
+                    phi_858_ = _e273;
                 } else {
-                    phi_871_ = abs(_e151);
+                    phi_858_ = abs(_e151);
                 }
-                let _e297 = phi_871_;
+                let _e288 = phi_858_;
                 if (_e151 < 0f) {
-                    phi_878_ = (-1f / _e297);
+                    phi_865_ = (-1f / _e288);
                 } else {
-                    phi_878_ = (1f / _e297);
+                    phi_865_ = (1f / _e288);
                 }
-                let _e302 = phi_878_;
-                let _e306 = abs((bitcast<f32>(_e212) - _e131));
-                let _e307 = abs((bitcast<f32>(_e216) - _e133));
-                let _e308 = abs((bitcast<f32>(_e220) - _e135));
-                let _e312 = abs(((bitcast<f32>(_e224) + (bitcast<f32>((((_e236 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e131));
-                let _e313 = abs(((bitcast<f32>(_e228) + (bitcast<f32>((((_e236 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e133));
-                let _e314 = abs(((bitcast<f32>(_e232) + (bitcast<f32>((((_e236 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e135));
-                if (_e306 > _e312) {
-                    phi_895_ = _e306;
+                let _e293 = phi_865_;
+                if (abs(_e152) < _e273) {
+                    phi_872_ = _e273;
                 } else {
-                    phi_895_ = _e312;
+                    phi_872_ = abs(_e152);
                 }
-                let _e317 = phi_895_;
+                let _e298 = phi_872_;
+                if (_e152 < 0f) {
+                    phi_879_ = (-1f / _e298);
+                } else {
+                    phi_879_ = (1f / _e298);
+                }
+                let _e303 = phi_879_;
+                let _e307 = abs((bitcast<f32>(_e213) - _e132));
+                let _e308 = abs((bitcast<f32>(_e217) - _e134));
+                let _e309 = abs((bitcast<f32>(_e221) - _e136));
+                let _e313 = abs(((bitcast<f32>(_e225) + (bitcast<f32>((((_e237 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e132));
+                let _e314 = abs(((bitcast<f32>(_e229) + (bitcast<f32>((((_e237 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e134));
+                let _e315 = abs(((bitcast<f32>(_e233) + (bitcast<f32>((((_e237 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e136));
                 if (_e307 > _e313) {
-                    phi_900_ = _e307;
+                    phi_896_ = _e307;
                 } else {
-                    phi_900_ = _e313;
+                    phi_896_ = _e313;
                 }
-                let _e320 = phi_900_;
+                let _e318 = phi_896_;
                 if (_e308 > _e314) {
-                    phi_905_ = _e308;
+                    phi_901_ = _e308;
                 } else {
-                    phi_905_ = _e314;
+                    phi_901_ = _e314;
                 }
-                let _e323 = phi_905_;
-                if (_e317 > _e320) {
-                    phi_910_ = _e317;
+                let _e321 = phi_901_;
+                if (_e309 > _e315) {
+                    phi_906_ = _e309;
                 } else {
-                    phi_910_ = _e320;
+                    phi_906_ = _e315;
                 }
-                let _e326 = phi_910_;
-                if (_e326 > _e323) {
-                    phi_915_ = _e326;
+                let _e324 = phi_906_;
+                if (_e318 > _e321) {
+                    phi_911_ = _e318;
                 } else {
-                    phi_915_ = _e323;
+                    phi_911_ = _e321;
                 }
-                let _e329 = phi_915_;
-                let _e333 = (_e329 * 0.0000019073486f);
-                let _e334 = (abs(_e282) * _e333);
-                let _e335 = (abs(_e292) * _e333);
-                let _e336 = (abs(_e302) * _e333);
-                let _e340 = (_e329 * 0.0000009536743f);
-                let _e341 = (abs(_e282) * _e340);
-                let _e342 = (abs(_e292) * _e340);
-                let _e343 = (abs(_e302) * _e340);
-                let _e344 = abs(_e149);
+                let _e327 = phi_911_;
+                if (_e327 > _e324) {
+                    phi_916_ = _e327;
+                } else {
+                    phi_916_ = _e324;
+                }
+                let _e330 = phi_916_;
+                let _e334 = (_e330 * 0.0000019073486f);
+                let _e335 = (abs(_e283) * _e334);
+                let _e336 = (abs(_e293) * _e334);
+                let _e337 = (abs(_e303) * _e334);
+                let _e341 = (_e330 * 0.0000009536743f);
+                let _e342 = (abs(_e283) * _e341);
+                let _e343 = (abs(_e293) * _e341);
+                let _e344 = (abs(_e303) * _e341);
                 let _e345 = abs(_e150);
                 let _e346 = abs(_e151);
-                if (_e344 >= _e345) {
-                    if (_e344 >= _e346) {
-                        phi_941_ = false;
+                let _e347 = abs(_e152);
+                if (_e345 >= _e346) {
+                    if (_e345 >= _e347) {
+                        phi_942_ = false;
                     } else {
-                        phi_941_ = true;
+                        phi_942_ = true;
                     }
-                    let _e350 = phi_941_;
-                    phi_942_ = _e350;
+                    let _e351 = phi_942_;
+                    phi_943_ = _e351;
                 } else {
-                    phi_942_ = true;
+                    phi_943_ = true;
                 }
-                let _e352 = phi_942_;
-                if _e352 {
-                    if (_e345 >= _e346) {
-                        phi_950_ = 1u;
+                let _e353 = phi_943_;
+                if _e353 {
+                    if (_e346 >= _e347) {
+                        phi_951_ = 1u;
                     } else {
-                        phi_950_ = 2u;
+                        phi_951_ = 2u;
                     }
-                    let _e355 = phi_950_;
-                    phi_951_ = _e355;
+                    let _e356 = phi_951_;
+                    phi_952_ = _e356;
                 } else {
-                    phi_951_ = 0u;
+                    phi_952_ = 0u;
                 }
-                let _e357 = phi_951_;
-                if (_e357 == 0u) {
-                    phi_963_ = vec3<f32>(_e150, _e151, _e149);
+                let _e358 = phi_952_;
+                if (_e358 == 0u) {
+                    phi_964_ = vec3<f32>(_e151, _e152, _e150);
                 } else {
-                    if (_e357 == 1u) {
-                        phi_962_ = vec3<f32>(_e151, _e149, _e150);
+                    if (_e358 == 1u) {
+                        phi_963_ = vec3<f32>(_e152, _e150, _e151);
                     } else {
-                        phi_962_ = vec3<f32>(_e149, _e150, _e151);
+                        phi_963_ = vec3<f32>(_e150, _e151, _e152);
                     }
-                    let _e363 = phi_962_;
-                    phi_963_ = _e363;
+                    let _e364 = phi_963_;
+                    phi_964_ = _e364;
                 }
-                let _e365 = phi_963_;
-                let _e368 = (_e365.x / _e365.z);
-                let _e371 = (_e365.y / _e365.z);
-                if (_e282 < 0f) {
-                    phi_976_ = 0u;
+                let _e366 = phi_964_;
+                let _e369 = (_e366.x / _e366.z);
+                let _e372 = (_e366.y / _e366.z);
+                if (_e283 < 0f) {
+                    phi_977_ = 0u;
                 } else {
-                    phi_976_ = 1u;
+                    phi_977_ = 1u;
                 }
-                let _e376 = phi_976_;
-                if (_e292 < 0f) {
-                    phi_981_ = 0u;
+                let _e377 = phi_977_;
+                if (_e293 < 0f) {
+                    phi_982_ = 0u;
                 } else {
-                    phi_981_ = 2u;
+                    phi_982_ = 2u;
                 }
-                let _e379 = phi_981_;
-                if (_e302 < 0f) {
-                    phi_986_ = 0u;
+                let _e380 = phi_982_;
+                if (_e303 < 0f) {
+                    phi_987_ = 0u;
                 } else {
-                    phi_986_ = 4u;
+                    phi_987_ = 4u;
                 }
-                let _e382 = phi_986_;
-                let _e384 = ((_e376 | _e379) | _e382);
-                let _e385 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e385.first[0], _e385.first[1], _e385.first[2], _e385.first[3], _e385.first[4], _e385.first[5], _e385.first[6], _e385.first[7], _e385.first[8], _e385.first[9], _e385.first[10], _e385.first[11], _e385.first[12], _e385.first[13], _e385.first[14], _e385.first[15], _e385.first[16], _e385.first[17], _e385.first[18], _e385.first[19], _e385.first[20], _e385.first[21], _e385.first[22], _e385.first[23], _e385.first[24], _e385.first[25], _e385.first[26], _e385.first[27], _e385.first[28], _e385.first[29], _e385.first[30], _e385.first[31]), array<u32, 32>(_e385.mask[0], _e385.mask[1], _e385.mask[2], _e385.mask[3], _e385.mask[4], _e385.mask[5], _e385.mask[6], _e385.mask[7], _e385.mask[8], _e385.mask[9], _e385.mask[10], _e385.mask[11], _e385.mask[12], _e385.mask[13], _e385.mask[14], _e385.mask[15], _e385.mask[16], _e385.mask[17], _e385.mask[18], _e385.mask[19], _e385.mask[20], _e385.mask[21], _e385.mask[22], _e385.mask[23], _e385.mask[24], _e385.mask[25], _e385.mask[26], _e385.mask[27], _e385.mask[28], _e385.mask[29], _e385.mask[30], _e385.mask[31]), _e385.len, _e385.group, _e385.group_mask);
-                let _e459 = local_1.group_mask;
-                if ((_e459 & 4278190080u) == 0u) {
-                    let _e463 = local_1.len;
-                    if (_e463 == 0u) {
-                        phi_1100_ = false;
+                let _e383 = phi_987_;
+                let _e385 = ((_e377 | _e380) | _e383);
+                let _e386 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e386.first[0], _e386.first[1], _e386.first[2], _e386.first[3], _e386.first[4], _e386.first[5], _e386.first[6], _e386.first[7], _e386.first[8], _e386.first[9], _e386.first[10], _e386.first[11], _e386.first[12], _e386.first[13], _e386.first[14], _e386.first[15], _e386.first[16], _e386.first[17], _e386.first[18], _e386.first[19], _e386.first[20], _e386.first[21], _e386.first[22], _e386.first[23], _e386.first[24], _e386.first[25], _e386.first[26], _e386.first[27], _e386.first[28], _e386.first[29], _e386.first[30], _e386.first[31]), array<u32, 32>(_e386.mask[0], _e386.mask[1], _e386.mask[2], _e386.mask[3], _e386.mask[4], _e386.mask[5], _e386.mask[6], _e386.mask[7], _e386.mask[8], _e386.mask[9], _e386.mask[10], _e386.mask[11], _e386.mask[12], _e386.mask[13], _e386.mask[14], _e386.mask[15], _e386.mask[16], _e386.mask[17], _e386.mask[18], _e386.mask[19], _e386.mask[20], _e386.mask[21], _e386.mask[22], _e386.mask[23], _e386.mask[24], _e386.mask[25], _e386.mask[26], _e386.mask[27], _e386.mask[28], _e386.mask[29], _e386.mask[30], _e386.mask[31]), _e386.len, _e386.group, _e386.group_mask);
+                let _e460 = local_1.group_mask;
+                if ((_e460 & 4278190080u) == 0u) {
+                    let _e464 = local_1.len;
+                    if (_e464 == 0u) {
+                        phi_1101_ = false;
                     } else {
-                        let _e467 = local_1.len;
-                        local_1.len = (_e467 - 1u);
-                        let _e470 = local_1.len;
-                        if (_e470 < 32u) {
+                        let _e468 = local_1.len;
+                        local_1.len = (_e468 - 1u);
+                        let _e471 = local_1.len;
+                        if (_e471 < 32u) {
                         } else {
                             return;
                         }
-                        let _e475 = local_1.first[(0u + _e470)];
-                        local_1.group = _e475;
-                        let _e478 = local_1.len;
-                        if (_e478 < 32u) {
+                        let _e476 = local_1.first[(0u + _e471)];
+                        local_1.group = _e476;
+                        let _e479 = local_1.len;
+                        if (_e479 < 32u) {
                         } else {
                             return;
                         }
-                        let _e483 = local_1.mask[(0u + _e478)];
-                        local_1.group_mask = _e483;
-                        phi_1100_ = true;
+                        let _e484 = local_1.mask[(0u + _e479)];
+                        local_1.group_mask = _e484;
+                        phi_1101_ = true;
                     }
-                    let _e486 = phi_1100_;
-                    phi_1101_ = _e486;
+                    let _e487 = phi_1101_;
+                    phi_1102_ = _e487;
                 } else {
-                    phi_1101_ = true;
+                    phi_1102_ = true;
                 }
-                let _e488 = phi_1101_;
-                if _e488 {
-                    let _e490 = local_1.group_mask;
-                    let _e496 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e490)), 32u, (_e490 == 0u)));
-                    let _e500 = local_1.group_mask;
-                    let _e514 = local_1.group_mask;
-                    local_1.group_mask = (_e514 & ~((1u << bitcast<u32>((_e496 & 31u)))));
-                    let _e517 = local_1.group;
-                    phi_1132_ = (_e517 + countOneBits(((_e500 & ~((4294967295u << bitcast<u32>((((_e496 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e489 = phi_1102_;
+                if _e489 {
+                    let _e491 = local_1.group_mask;
+                    let _e497 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e491)), 32u, (_e491 == 0u)));
+                    let _e501 = local_1.group_mask;
+                    let _e515 = local_1.group_mask;
+                    local_1.group_mask = (_e515 & ~((1u << bitcast<u32>((_e497 & 31u)))));
+                    let _e518 = local_1.group;
+                    phi_1133_ = (_e518 + countOneBits(((_e501 & ~((4294967295u << bitcast<u32>((((_e497 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1132_ = 4294967295u;
+                    phi_1133_ = 4294967295u;
                 }
-                let _e520 = phi_1132_;
-                phi_1134_ = _e520;
-                phi_1137_ = false;
+                let _e521 = phi_1133_;
+                phi_1135_ = _e521;
+                phi_1138_ = false;
                 loop {
-                    let _e522 = phi_1134_;
-                    let _e524 = phi_1137_;
-                    local_11 = _e524;
-                    if (_e522 != 4294967295u) {
-                        if (_e522 < _e77) {
+                    let _e523 = phi_1135_;
+                    let _e525 = phi_1138_;
+                    local_11 = _e525;
+                    if (_e523 != 4294967295u) {
+                        if (_e523 < _e77) {
                         } else {
                             return;
                         }
-                        let _e531 = nodes.member[(0u + _e522)].frame[3u];
-                        let _e556 = (bitcast<f32>((((_e531 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e282);
-                        let _e557 = (bitcast<f32>((((_e531 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e292);
-                        let _e558 = (bitcast<f32>((((_e531 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e302);
-                        let _e561 = nodes.member[(0u + _e522)].frame[0u];
-                        let _e565 = nodes.member[(0u + _e522)].frame[1u];
-                        let _e569 = nodes.member[(0u + _e522)].frame[2u];
-                        let _e574 = ((bitcast<f32>(_e561) - _e131) * _e282);
-                        let _e575 = ((bitcast<f32>(_e565) - _e133) * _e292);
-                        let _e576 = ((bitcast<f32>(_e569) - _e135) * _e302);
-                        let _e584 = nodes.member[(0u + _e522)].x;
-                        if (_e282 < 0f) {
-                            let _e595 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e584.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e595.unnamed.root, _e584.w), _e595.unnamed_1);
-                            let _e607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e601.unnamed, lt_bvh_traverse_Tree(_e584.x, _e601.unnamed_1.first_primitive));
-                            phi_1217_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e607.unnamed, lt_bvh_traverse_Tree(_e607.unnamed_1.root, _e584.y));
+                        let _e532 = nodes.member[(0u + _e523)].frame[3u];
+                        let _e557 = (bitcast<f32>((((_e532 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e283);
+                        let _e558 = (bitcast<f32>((((_e532 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e293);
+                        let _e559 = (bitcast<f32>((((_e532 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e303);
+                        let _e562 = nodes.member[(0u + _e523)].frame[0u];
+                        let _e566 = nodes.member[(0u + _e523)].frame[1u];
+                        let _e570 = nodes.member[(0u + _e523)].frame[2u];
+                        let _e575 = ((bitcast<f32>(_e562) - _e132) * _e283);
+                        let _e576 = ((bitcast<f32>(_e566) - _e134) * _e293);
+                        let _e577 = ((bitcast<f32>(_e570) - _e136) * _e303);
+                        let _e585 = nodes.member[(0u + _e523)].x;
+                        if (_e283 < 0f) {
+                            let _e596 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e585.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e596.unnamed.root, _e585.w), _e596.unnamed_1);
+                            let _e608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e602.unnamed, lt_bvh_traverse_Tree(_e585.x, _e602.unnamed_1.first_primitive));
+                            phi_1218_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e608.unnamed, lt_bvh_traverse_Tree(_e608.unnamed_1.root, _e585.y));
                         } else {
-                            let _e623 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e584.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e623.unnamed.root, _e584.y), _e623.unnamed_1);
-                            let _e635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e629.unnamed, lt_bvh_traverse_Tree(_e584.z, _e629.unnamed_1.first_primitive));
-                            phi_1217_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e635.unnamed, lt_bvh_traverse_Tree(_e635.unnamed_1.root, _e584.w));
+                            let _e624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e585.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e624.unnamed.root, _e585.y), _e624.unnamed_1);
+                            let _e636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e630.unnamed, lt_bvh_traverse_Tree(_e585.z, _e630.unnamed_1.first_primitive));
+                            phi_1218_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e636.unnamed, lt_bvh_traverse_Tree(_e636.unnamed_1.root, _e585.w));
                         }
-                        let _e643 = phi_1217_;
-                        let _e653 = nodes.member[(0u + _e522)].y;
-                        if (_e292 < 0f) {
-                            let _e664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e653.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e664.unnamed.root, _e653.w), _e664.unnamed_1);
-                            let _e676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e670.unnamed, lt_bvh_traverse_Tree(_e653.x, _e670.unnamed_1.first_primitive));
-                            phi_1244_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e676.unnamed, lt_bvh_traverse_Tree(_e676.unnamed_1.root, _e653.y));
+                        let _e644 = phi_1218_;
+                        let _e654 = nodes.member[(0u + _e523)].y;
+                        if (_e293 < 0f) {
+                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e654.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e665.unnamed.root, _e654.w), _e665.unnamed_1);
+                            let _e677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_bvh_traverse_Tree(_e654.x, _e671.unnamed_1.first_primitive));
+                            phi_1245_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e677.unnamed, lt_bvh_traverse_Tree(_e677.unnamed_1.root, _e654.y));
                         } else {
-                            let _e692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e653.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e692.unnamed.root, _e653.y), _e692.unnamed_1);
-                            let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e698.unnamed, lt_bvh_traverse_Tree(_e653.z, _e698.unnamed_1.first_primitive));
-                            phi_1244_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e704.unnamed, lt_bvh_traverse_Tree(_e704.unnamed_1.root, _e653.w));
+                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e654.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e693.unnamed.root, _e654.y), _e693.unnamed_1);
+                            let _e705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_bvh_traverse_Tree(_e654.z, _e699.unnamed_1.first_primitive));
+                            phi_1245_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e705.unnamed, lt_bvh_traverse_Tree(_e705.unnamed_1.root, _e654.w));
                         }
-                        let _e712 = phi_1244_;
-                        let _e722 = nodes.member[(0u + _e522)].z;
-                        if (_e302 < 0f) {
-                            let _e733 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e722.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e739 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e733.unnamed.root, _e722.w), _e733.unnamed_1);
-                            let _e745 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e739.unnamed, lt_bvh_traverse_Tree(_e722.x, _e739.unnamed_1.first_primitive));
-                            phi_1271_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e745.unnamed, lt_bvh_traverse_Tree(_e745.unnamed_1.root, _e722.y));
+                        let _e713 = phi_1245_;
+                        let _e723 = nodes.member[(0u + _e523)].z;
+                        if (_e303 < 0f) {
+                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e723.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e734.unnamed.root, _e723.w), _e734.unnamed_1);
+                            let _e746 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_bvh_traverse_Tree(_e723.x, _e740.unnamed_1.first_primitive));
+                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e746.unnamed, lt_bvh_traverse_Tree(_e746.unnamed_1.root, _e723.y));
                         } else {
-                            let _e761 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e722.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e767 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e761.unnamed.root, _e722.y), _e761.unnamed_1);
-                            let _e773 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e767.unnamed, lt_bvh_traverse_Tree(_e722.z, _e767.unnamed_1.first_primitive));
-                            phi_1271_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e773.unnamed, lt_bvh_traverse_Tree(_e773.unnamed_1.root, _e722.w));
+                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e723.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e762.unnamed.root, _e723.y), _e762.unnamed_1);
+                            let _e774 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e768.unnamed, lt_bvh_traverse_Tree(_e723.z, _e768.unnamed_1.first_primitive));
+                            phi_1272_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e774.unnamed, lt_bvh_traverse_Tree(_e774.unnamed_1.root, _e723.w));
                         }
-                        let _e781 = phi_1271_;
-                        phi_1277_ = 0u;
-                        phi_1280_ = 0u;
+                        let _e782 = phi_1272_;
+                        phi_1278_ = 0u;
+                        phi_1281_ = 0u;
                         loop {
-                            let _e791 = phi_1277_;
-                            let _e793 = phi_1280_;
-                            local_2 = _e793;
-                            local_3 = _e793;
-                            local_4 = _e793;
-                            let _e794 = (_e791 < 8u);
-                            if _e794 {
-                                let _e796 = (_e791 >> bitcast<u32>(2i));
-                                let _e797 = (_e791 & 3u);
-                                if (_e796 == 0u) {
-                                    phi_1294_ = _e643.unnamed.root;
+                            let _e792 = phi_1278_;
+                            let _e794 = phi_1281_;
+                            local_2 = _e794;
+                            local_3 = _e794;
+                            local_4 = _e794;
+                            let _e795 = (_e792 < 8u);
+                            if _e795 {
+                                let _e797 = (_e792 >> bitcast<u32>(2i));
+                                let _e798 = (_e792 & 3u);
+                                if (_e797 == 0u) {
+                                    phi_1295_ = _e644.unnamed.root;
                                 } else {
-                                    phi_1294_ = _e643.unnamed.first_primitive;
+                                    phi_1295_ = _e644.unnamed.first_primitive;
                                 }
-                                let _e800 = phi_1294_;
-                                if (_e796 == 0u) {
-                                    phi_1304_ = _e712.unnamed.root;
+                                let _e801 = phi_1295_;
+                                if (_e797 == 0u) {
+                                    phi_1305_ = _e713.unnamed.root;
                                 } else {
-                                    phi_1304_ = _e712.unnamed.first_primitive;
+                                    phi_1305_ = _e713.unnamed.first_primitive;
                                 }
-                                let _e809 = phi_1304_;
-                                if (_e796 == 0u) {
-                                    phi_1314_ = _e781.unnamed.root;
+                                let _e810 = phi_1305_;
+                                if (_e797 == 0u) {
+                                    phi_1315_ = _e782.unnamed.root;
                                 } else {
-                                    phi_1314_ = _e781.unnamed.first_primitive;
+                                    phi_1315_ = _e782.unnamed.first_primitive;
                                 }
-                                let _e818 = phi_1314_;
-                                let _e831 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e800 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u)) * _e556) + (_e574 - _e334)), ((f32(((_e809 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u)) * _e557) + (_e575 - _e335)));
-                                let _e832 = core_intrinsics_maximum_number_nsz_f32_(_e831, ((f32(((_e818 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u)) * _e558) + (_e576 - _e336)));
-                                if (_e796 == 0u) {
-                                    phi_1332_ = _e643.unnamed_1.root;
+                                let _e819 = phi_1315_;
+                                let _e832 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e801 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e557) + (_e575 - _e335)), ((f32(((_e810 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e558) + (_e576 - _e336)));
+                                let _e833 = core_intrinsics_maximum_number_nsz_f32_(_e832, ((f32(((_e819 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e559) + (_e577 - _e337)));
+                                if (_e797 == 0u) {
+                                    phi_1333_ = _e644.unnamed_1.root;
                                 } else {
-                                    phi_1332_ = _e643.unnamed_1.first_primitive;
+                                    phi_1333_ = _e644.unnamed_1.first_primitive;
                                 }
-                                let _e835 = phi_1332_;
-                                if (_e796 == 0u) {
-                                    phi_1342_ = _e712.unnamed_1.root;
+                                let _e836 = phi_1333_;
+                                if (_e797 == 0u) {
+                                    phi_1343_ = _e713.unnamed_1.root;
                                 } else {
-                                    phi_1342_ = _e712.unnamed_1.first_primitive;
+                                    phi_1343_ = _e713.unnamed_1.first_primitive;
                                 }
-                                let _e844 = phi_1342_;
-                                if (_e796 == 0u) {
-                                    phi_1352_ = _e781.unnamed_1.root;
+                                let _e845 = phi_1343_;
+                                if (_e797 == 0u) {
+                                    phi_1353_ = _e782.unnamed_1.root;
                                 } else {
-                                    phi_1352_ = _e781.unnamed_1.first_primitive;
+                                    phi_1353_ = _e782.unnamed_1.first_primitive;
                                 }
-                                let _e853 = phi_1352_;
-                                let _e866 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e835 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u)) * _e556) + (_e574 + _e334)), ((f32(((_e844 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u)) * _e557) + (_e575 + _e335)));
-                                let _e867 = core_intrinsics_minimum_number_nsz_f32_(_e866, ((f32(((_e853 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u)) * _e558) + (_e576 + _e336)));
-                                if (_e832 <= _e867) {
-                                    if (_e832 <= _e141) {
-                                        if (_e867 >= 0f) {
-                                            if (_e796 == 0u) {
-                                                let _e874 = nodes.member[(0u + _e522)].links[2u];
-                                                phi_1388_ = _e874;
+                                let _e854 = phi_1353_;
+                                let _e867 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e836 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e557) + (_e575 + _e335)), ((f32(((_e845 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e558) + (_e576 + _e336)));
+                                let _e868 = core_intrinsics_minimum_number_nsz_f32_(_e867, ((f32(((_e854 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u)) * _e559) + (_e577 + _e337)));
+                                if (_e833 <= _e868) {
+                                    if (_e833 <= _e142) {
+                                        if (_e868 >= 0f) {
+                                            if (_e797 == 0u) {
+                                                let _e875 = nodes.member[(0u + _e523)].links[2u];
+                                                phi_1389_ = _e875;
                                             } else {
-                                                let _e877 = nodes.member[(0u + _e522)].links[3u];
-                                                phi_1388_ = _e877;
+                                                let _e878 = nodes.member[(0u + _e523)].links[3u];
+                                                phi_1389_ = _e878;
                                             }
-                                            let _e879 = phi_1388_;
-                                            let _e884 = ((_e879 >> bitcast<u32>(((_e797 * 8u) & 31u))) & 255u);
-                                            let _e885 = (_e884 & 31u);
-                                            if (_e885 >= 24u) {
-                                                phi_1401_ = (24u + ((_e885 - 24u) ^ _e384));
+                                            let _e880 = phi_1389_;
+                                            let _e885 = ((_e880 >> bitcast<u32>(((_e798 * 8u) & 31u))) & 255u);
+                                            let _e886 = (_e885 & 31u);
+                                            if (_e886 >= 24u) {
+                                                phi_1402_ = (24u + ((_e886 - 24u) ^ _e385));
                                             } else {
-                                                phi_1401_ = _e885;
+                                                phi_1402_ = _e886;
                                             }
-                                            let _e891 = phi_1401_;
-                                            phi_1406_ = (_e793 | ((_e884 >> bitcast<u32>(5i)) << bitcast<u32>((_e891 & 31u))));
+                                            let _e892 = phi_1402_;
+                                            phi_1407_ = (_e794 | ((_e885 >> bitcast<u32>(5i)) << bitcast<u32>((_e892 & 31u))));
                                         } else {
-                                            phi_1406_ = _e793;
+                                            phi_1407_ = _e794;
                                         }
-                                        let _e899 = phi_1406_;
-                                        phi_1407_ = _e899;
+                                        let _e900 = phi_1407_;
+                                        phi_1408_ = _e900;
                                     } else {
-                                        phi_1407_ = _e793;
+                                        phi_1408_ = _e794;
                                     }
-                                    let _e901 = phi_1407_;
-                                    phi_1408_ = _e901;
+                                    let _e902 = phi_1408_;
+                                    phi_1409_ = _e902;
                                 } else {
-                                    phi_1408_ = _e793;
+                                    phi_1409_ = _e794;
                                 }
-                                let _e903 = phi_1408_;
-                                phi_1278_ = (_e791 + 1u);
-                                phi_1281_ = _e903;
+                                let _e904 = phi_1409_;
+                                phi_1279_ = (_e792 + 1u);
+                                phi_1282_ = _e904;
                             } else {
-                                phi_1278_ = u32();
-                                phi_1281_ = u32();
+                                phi_1279_ = u32();
+                                phi_1282_ = u32();
                             }
-                            let _e906 = phi_1278_;
-                            let _e908 = phi_1281_;
+                            let _e907 = phi_1279_;
+                            let _e909 = phi_1282_;
                             continue;
                             continuing {
-                                phi_1277_ = _e906;
-                                phi_1280_ = _e908;
-                                break if !(_e794);
+                                phi_1278_ = _e907;
+                                phi_1281_ = _e909;
+                                break if !(_e795);
                             }
                         }
-                        let _e912 = nodes.member[(0u + _e522)].links[0u];
-                        let _e916 = nodes.member[(0u + _e522)].frame[3u];
-                        let _e920 = local_2;
-                        if ((_e920 & 4278190080u) == 0u) {
+                        let _e913 = nodes.member[(0u + _e523)].links[0u];
+                        let _e917 = nodes.member[(0u + _e523)].frame[3u];
+                        let _e921 = local_2;
+                        if ((_e921 & 4278190080u) == 0u) {
                         } else {
-                            let _e924 = local_1.group_mask;
-                            if ((_e924 & 4278190080u) == 0u) {
+                            let _e925 = local_1.group_mask;
+                            if ((_e925 & 4278190080u) == 0u) {
                             } else {
-                                let _e928 = local_1.len;
-                                if (_e928 < 32u) {
-                                    let _e931 = local_1.group;
-                                    let _e933 = local_1.len;
-                                    if (_e933 < 32u) {
+                                let _e929 = local_1.len;
+                                if (_e929 < 32u) {
+                                    let _e932 = local_1.group;
+                                    let _e934 = local_1.len;
+                                    if (_e934 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e933)] = _e931;
-                                    let _e939 = local_1.group_mask;
-                                    let _e941 = local_1.len;
-                                    if (_e941 < 32u) {
+                                    local_1.first[(0u + _e934)] = _e932;
+                                    let _e940 = local_1.group_mask;
+                                    let _e942 = local_1.len;
+                                    if (_e942 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e941)] = _e939;
-                                    let _e948 = local_1.len;
-                                    local_1.len = (_e948 + 1u);
+                                    local_1.mask[(0u + _e942)] = _e940;
+                                    let _e949 = local_1.len;
+                                    local_1.len = (_e949 + 1u);
                                 }
                             }
-                            local_1.group = (0u + _e912);
-                            let _e952 = local_3;
-                            local_1.group_mask = ((_e952 & 4278190080u) | (_e916 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e913);
+                            let _e953 = local_3;
+                            local_1.group_mask = ((_e953 & 4278190080u) | (_e917 >> bitcast<u32>(24i)));
                         }
-                        let _e957 = local_4;
-                        phi_1466_ = (_e957 & 16777215u);
-                        phi_1469_ = _e524;
+                        let _e958 = local_4;
+                        phi_1467_ = (_e958 & 16777215u);
+                        phi_1470_ = _e525;
                         loop {
-                            let _e960 = phi_1466_;
-                            let _e962 = phi_1469_;
-                            local_7 = _e962;
-                            let _e963 = (_e960 == 0u);
-                            local_5 = _e963;
-                            local_9 = _e963;
-                            if _e963 {
-                                phi_1467_ = u32();
-                                phi_1470_ = bool();
-                                phi_2273_ = bool();
-                                phi_2274_ = false;
+                            let _e961 = phi_1467_;
+                            let _e963 = phi_1470_;
+                            local_7 = _e963;
+                            let _e964 = (_e961 == 0u);
+                            local_5 = _e964;
+                            local_9 = _e964;
+                            if _e964 {
+                                phi_1468_ = u32();
+                                phi_1471_ = bool();
+                                phi_2274_ = bool();
+                                phi_2275_ = false;
                             } else {
-                                let _e966 = nodes.member[(0u + _e522)].links[1u];
-                                let _e971 = ((0u + _e966) + select(firstTrailingBit(_e960), 32u, (_e960 == 0u)));
-                                if (_e971 < _e80) {
+                                let _e967 = nodes.member[(0u + _e523)].links[1u];
+                                let _e972 = ((0u + _e967) + select(firstTrailingBit(_e961), 32u, (_e961 == 0u)));
+                                if (_e972 < _e80) {
                                 } else {
                                     return;
                                 }
-                                let _e978 = triangles.member[(0u + _e971)].v0_;
-                                let _e980 = (_e978.x - _e131);
-                                let _e982 = (_e978.y - _e133);
-                                let _e984 = (_e978.z - _e135);
-                                if (_e357 == 0u) {
-                                    phi_1514_ = vec3<f32>(_e982, _e984, _e980);
+                                let _e979 = triangles.member[(0u + _e972)].v0_;
+                                let _e981 = (_e979.x - _e132);
+                                let _e983 = (_e979.y - _e134);
+                                let _e985 = (_e979.z - _e136);
+                                if (_e358 == 0u) {
+                                    phi_1515_ = vec3<f32>(_e983, _e985, _e981);
                                 } else {
-                                    if (_e357 == 1u) {
-                                        phi_1513_ = vec3<f32>(_e984, _e980, _e982);
+                                    if (_e358 == 1u) {
+                                        phi_1514_ = vec3<f32>(_e985, _e981, _e983);
                                     } else {
-                                        phi_1513_ = (_e978 - vec3<f32>(_e131, _e133, _e135));
+                                        phi_1514_ = (_e979 - vec3<f32>(_e132, _e134, _e136));
                                     }
-                                    let _e992 = phi_1513_;
-                                    phi_1514_ = _e992;
+                                    let _e993 = phi_1514_;
+                                    phi_1515_ = _e993;
                                 }
-                                let _e994 = phi_1514_;
-                                let _e998 = (_e994.x - (_e368 * _e994.z));
-                                let _e1002 = (_e994.y - (_e371 * _e994.z));
-                                let _e1004 = triangles.member[(0u + _e971)].v1_;
-                                let _e1006 = (_e1004.x - _e131);
-                                let _e1008 = (_e1004.y - _e133);
-                                let _e1010 = (_e1004.z - _e135);
-                                if (_e357 == 0u) {
-                                    phi_1544_ = vec3<f32>(_e1008, _e1010, _e1006);
+                                let _e995 = phi_1515_;
+                                let _e999 = (_e995.x - (_e369 * _e995.z));
+                                let _e1003 = (_e995.y - (_e372 * _e995.z));
+                                let _e1005 = triangles.member[(0u + _e972)].v1_;
+                                let _e1007 = (_e1005.x - _e132);
+                                let _e1009 = (_e1005.y - _e134);
+                                let _e1011 = (_e1005.z - _e136);
+                                if (_e358 == 0u) {
+                                    phi_1545_ = vec3<f32>(_e1009, _e1011, _e1007);
                                 } else {
-                                    if (_e357 == 1u) {
-                                        phi_1543_ = vec3<f32>(_e1010, _e1006, _e1008);
+                                    if (_e358 == 1u) {
+                                        phi_1544_ = vec3<f32>(_e1011, _e1007, _e1009);
                                     } else {
-                                        phi_1543_ = (_e1004 - vec3<f32>(_e131, _e133, _e135));
+                                        phi_1544_ = (_e1005 - vec3<f32>(_e132, _e134, _e136));
                                     }
-                                    let _e1018 = phi_1543_;
-                                    phi_1544_ = _e1018;
+                                    let _e1019 = phi_1544_;
+                                    phi_1545_ = _e1019;
                                 }
-                                let _e1020 = phi_1544_;
-                                let _e1024 = (_e1020.x - (_e368 * _e1020.z));
-                                let _e1028 = (_e1020.y - (_e371 * _e1020.z));
-                                let _e1030 = triangles.member[(0u + _e971)].v2_;
-                                let _e1032 = (_e1030.x - _e131);
-                                let _e1034 = (_e1030.y - _e133);
-                                let _e1036 = (_e1030.z - _e135);
-                                if (_e357 == 0u) {
-                                    phi_1574_ = vec3<f32>(_e1034, _e1036, _e1032);
+                                let _e1021 = phi_1545_;
+                                let _e1025 = (_e1021.x - (_e369 * _e1021.z));
+                                let _e1029 = (_e1021.y - (_e372 * _e1021.z));
+                                let _e1031 = triangles.member[(0u + _e972)].v2_;
+                                let _e1033 = (_e1031.x - _e132);
+                                let _e1035 = (_e1031.y - _e134);
+                                let _e1037 = (_e1031.z - _e136);
+                                if (_e358 == 0u) {
+                                    phi_1575_ = vec3<f32>(_e1035, _e1037, _e1033);
                                 } else {
-                                    if (_e357 == 1u) {
-                                        phi_1573_ = vec3<f32>(_e1036, _e1032, _e1034);
+                                    if (_e358 == 1u) {
+                                        phi_1574_ = vec3<f32>(_e1037, _e1033, _e1035);
                                     } else {
-                                        phi_1573_ = (_e1030 - vec3<f32>(_e131, _e133, _e135));
+                                        phi_1574_ = (_e1031 - vec3<f32>(_e132, _e134, _e136));
                                     }
-                                    let _e1044 = phi_1573_;
-                                    phi_1574_ = _e1044;
+                                    let _e1045 = phi_1574_;
+                                    phi_1575_ = _e1045;
                                 }
-                                let _e1046 = phi_1574_;
-                                let _e1050 = (_e1046.x - (_e368 * _e1046.z));
-                                let _e1054 = (_e1046.y - (_e371 * _e1046.z));
-                                if (_e1024 < _e1050) {
-                                    phi_1593_ = true;
+                                let _e1047 = phi_1575_;
+                                let _e1051 = (_e1047.x - (_e369 * _e1047.z));
+                                let _e1055 = (_e1047.y - (_e372 * _e1047.z));
+                                if (_e1025 < _e1051) {
+                                    phi_1594_ = true;
                                 } else {
-                                    if (_e1024 == _e1050) {
-                                        phi_1592_ = (_e1028 < _e1054);
+                                    if (_e1025 == _e1051) {
+                                        phi_1593_ = (_e1029 < _e1055);
                                     } else {
-                                        phi_1592_ = false;
+                                        phi_1593_ = false;
                                     }
-                                    let _e1059 = phi_1592_;
-                                    phi_1593_ = _e1059;
+                                    let _e1060 = phi_1593_;
+                                    phi_1594_ = _e1060;
                                 }
-                                let _e1061 = phi_1593_;
-                                if _e1061 {
-                                    phi_1597_ = _e1054;
-                                    phi_1598_ = _e1050;
-                                    phi_1599_ = _e1028;
-                                    phi_1600_ = _e1024;
+                                let _e1062 = phi_1594_;
+                                if _e1062 {
+                                    phi_1598_ = _e1055;
+                                    phi_1599_ = _e1051;
+                                    phi_1600_ = _e1029;
+                                    phi_1601_ = _e1025;
                                 } else {
-                                    phi_1597_ = _e1028;
-                                    phi_1598_ = _e1024;
-                                    phi_1599_ = _e1054;
-                                    phi_1600_ = _e1050;
+                                    phi_1598_ = _e1029;
+                                    phi_1599_ = _e1025;
+                                    phi_1600_ = _e1055;
+                                    phi_1601_ = _e1051;
                                 }
-                                let _e1063 = phi_1597_;
-                                let _e1065 = phi_1598_;
-                                let _e1067 = phi_1599_;
-                                let _e1069 = phi_1600_;
-                                let _e1072 = ((_e1069 * _e1063) - (_e1067 * _e1065));
-                                if _e1061 {
-                                    phi_1608_ = -(_e1072);
+                                let _e1064 = phi_1598_;
+                                let _e1066 = phi_1599_;
+                                let _e1068 = phi_1600_;
+                                let _e1070 = phi_1601_;
+                                let _e1073 = ((_e1070 * _e1064) - (_e1068 * _e1066));
+                                if _e1062 {
+                                    phi_1609_ = -(_e1073);
                                 } else {
-                                    phi_1608_ = _e1072;
+                                    phi_1609_ = _e1073;
                                 }
-                                let _e1075 = phi_1608_;
-                                if (_e1050 < _e998) {
-                                    phi_1619_ = true;
+                                let _e1076 = phi_1609_;
+                                if (_e1051 < _e999) {
+                                    phi_1620_ = true;
                                 } else {
-                                    if (_e1050 == _e998) {
-                                        phi_1618_ = (_e1054 < _e1002);
+                                    if (_e1051 == _e999) {
+                                        phi_1619_ = (_e1055 < _e1003);
                                     } else {
-                                        phi_1618_ = false;
+                                        phi_1619_ = false;
                                     }
-                                    let _e1080 = phi_1618_;
-                                    phi_1619_ = _e1080;
+                                    let _e1081 = phi_1619_;
+                                    phi_1620_ = _e1081;
                                 }
-                                let _e1082 = phi_1619_;
-                                if _e1082 {
-                                    phi_1623_ = _e1002;
-                                    phi_1624_ = _e998;
-                                    phi_1625_ = _e1054;
-                                    phi_1626_ = _e1050;
+                                let _e1083 = phi_1620_;
+                                if _e1083 {
+                                    phi_1624_ = _e1003;
+                                    phi_1625_ = _e999;
+                                    phi_1626_ = _e1055;
+                                    phi_1627_ = _e1051;
                                 } else {
-                                    phi_1623_ = _e1054;
-                                    phi_1624_ = _e1050;
-                                    phi_1625_ = _e1002;
-                                    phi_1626_ = _e998;
+                                    phi_1624_ = _e1055;
+                                    phi_1625_ = _e1051;
+                                    phi_1626_ = _e1003;
+                                    phi_1627_ = _e999;
                                 }
-                                let _e1084 = phi_1623_;
-                                let _e1086 = phi_1624_;
-                                let _e1088 = phi_1625_;
-                                let _e1090 = phi_1626_;
-                                let _e1093 = ((_e1090 * _e1084) - (_e1088 * _e1086));
-                                if _e1082 {
-                                    phi_1634_ = -(_e1093);
+                                let _e1085 = phi_1624_;
+                                let _e1087 = phi_1625_;
+                                let _e1089 = phi_1626_;
+                                let _e1091 = phi_1627_;
+                                let _e1094 = ((_e1091 * _e1085) - (_e1089 * _e1087));
+                                if _e1083 {
+                                    phi_1635_ = -(_e1094);
                                 } else {
-                                    phi_1634_ = _e1093;
+                                    phi_1635_ = _e1094;
                                 }
-                                let _e1096 = phi_1634_;
-                                if (_e998 < _e1024) {
-                                    phi_1645_ = true;
+                                let _e1097 = phi_1635_;
+                                if (_e999 < _e1025) {
+                                    phi_1646_ = true;
                                 } else {
-                                    if (_e998 == _e1024) {
-                                        phi_1644_ = (_e1002 < _e1028);
+                                    if (_e999 == _e1025) {
+                                        phi_1645_ = (_e1003 < _e1029);
                                     } else {
-                                        phi_1644_ = false;
+                                        phi_1645_ = false;
                                     }
-                                    let _e1101 = phi_1644_;
-                                    phi_1645_ = _e1101;
+                                    let _e1102 = phi_1645_;
+                                    phi_1646_ = _e1102;
                                 }
-                                let _e1103 = phi_1645_;
-                                if _e1103 {
-                                    phi_1649_ = _e1028;
-                                    phi_1650_ = _e1024;
-                                    phi_1651_ = _e1002;
-                                    phi_1652_ = _e998;
+                                let _e1104 = phi_1646_;
+                                if _e1104 {
+                                    phi_1650_ = _e1029;
+                                    phi_1651_ = _e1025;
+                                    phi_1652_ = _e1003;
+                                    phi_1653_ = _e999;
                                 } else {
-                                    phi_1649_ = _e1002;
-                                    phi_1650_ = _e998;
-                                    phi_1651_ = _e1028;
-                                    phi_1652_ = _e1024;
+                                    phi_1650_ = _e1003;
+                                    phi_1651_ = _e999;
+                                    phi_1652_ = _e1029;
+                                    phi_1653_ = _e1025;
                                 }
-                                let _e1105 = phi_1649_;
-                                let _e1107 = phi_1650_;
-                                let _e1109 = phi_1651_;
-                                let _e1111 = phi_1652_;
-                                let _e1114 = ((_e1111 * _e1105) - (_e1109 * _e1107));
-                                if _e1103 {
-                                    phi_1660_ = -(_e1114);
+                                let _e1106 = phi_1650_;
+                                let _e1108 = phi_1651_;
+                                let _e1110 = phi_1652_;
+                                let _e1112 = phi_1653_;
+                                let _e1115 = ((_e1112 * _e1106) - (_e1110 * _e1108));
+                                if _e1104 {
+                                    phi_1661_ = -(_e1115);
                                 } else {
-                                    phi_1660_ = _e1114;
+                                    phi_1661_ = _e1115;
                                 }
-                                let _e1117 = phi_1660_;
-                                if (_e1075 >= 0f) {
-                                    if (_e1096 >= 0f) {
-                                        if (_e1117 >= 0f) {
-                                            phi_1675_ = ((_e1075 + _e1096) + _e1117);
-                                            phi_1676_ = false;
+                                let _e1118 = phi_1661_;
+                                if (_e1076 >= 0f) {
+                                    if (_e1097 >= 0f) {
+                                        if (_e1118 >= 0f) {
+                                            phi_1676_ = ((_e1076 + _e1097) + _e1118);
+                                            phi_1677_ = false;
                                         } else {
-                                            phi_1675_ = f32();
-                                            phi_1676_ = true;
+                                            phi_1676_ = f32();
+                                            phi_1677_ = true;
                                         }
-                                        let _e1124 = phi_1675_;
-                                        let _e1126 = phi_1676_;
-                                        phi_1677_ = _e1124;
-                                        phi_1678_ = _e1126;
+                                        let _e1125 = phi_1676_;
+                                        let _e1127 = phi_1677_;
+                                        phi_1678_ = _e1125;
+                                        phi_1679_ = _e1127;
                                     } else {
-                                        phi_1677_ = f32();
-                                        phi_1678_ = true;
+                                        phi_1678_ = f32();
+                                        phi_1679_ = true;
                                     }
-                                    let _e1128 = phi_1677_;
-                                    let _e1130 = phi_1678_;
-                                    phi_1679_ = _e1128;
-                                    phi_1680_ = _e1130;
+                                    let _e1129 = phi_1678_;
+                                    let _e1131 = phi_1679_;
+                                    phi_1680_ = _e1129;
+                                    phi_1681_ = _e1131;
                                 } else {
-                                    phi_1679_ = f32();
-                                    phi_1680_ = true;
+                                    phi_1680_ = f32();
+                                    phi_1681_ = true;
                                 }
-                                let _e1132 = phi_1679_;
-                                let _e1134 = phi_1680_;
-                                if _e1134 {
-                                    if (_e1075 <= 0f) {
-                                        if (_e1096 <= 0f) {
-                                            let _e1137 = (_e1117 <= 0f);
-                                            if _e1137 {
+                                let _e1133 = phi_1680_;
+                                let _e1135 = phi_1681_;
+                                if _e1135 {
+                                    if (_e1076 <= 0f) {
+                                        if (_e1097 <= 0f) {
+                                            let _e1138 = (_e1118 <= 0f);
+                                            if _e1138 {
                                             }
-                                            phi_1698_ = ((_e1075 + _e1096) + _e1117);
-                                            phi_1699_ = false;
-                                            phi_1700_ = _e1137;
-                                        } else {
-                                            phi_1698_ = f32();
-                                            phi_1699_ = true;
+                                            phi_1699_ = ((_e1076 + _e1097) + _e1118);
                                             phi_1700_ = false;
+                                            phi_1701_ = _e1138;
+                                        } else {
+                                            phi_1699_ = f32();
+                                            phi_1700_ = true;
+                                            phi_1701_ = false;
                                         }
-                                        let _e1141 = phi_1698_;
-                                        let _e1143 = phi_1699_;
-                                        let _e1145 = phi_1700_;
-                                        phi_1701_ = _e1141;
-                                        phi_1702_ = _e1143;
-                                        phi_1703_ = _e1145;
+                                        let _e1142 = phi_1699_;
+                                        let _e1144 = phi_1700_;
+                                        let _e1146 = phi_1701_;
+                                        phi_1702_ = _e1142;
+                                        phi_1703_ = _e1144;
+                                        phi_1704_ = _e1146;
                                     } else {
-                                        phi_1701_ = f32();
-                                        phi_1702_ = true;
-                                        phi_1703_ = false;
+                                        phi_1702_ = f32();
+                                        phi_1703_ = true;
+                                        phi_1704_ = false;
                                     }
-                                    let _e1147 = phi_1701_;
-                                    let _e1149 = phi_1702_;
-                                    let _e1151 = phi_1703_;
-                                    if _e1149 {
-                                        phi_1707_ = false;
+                                    let _e1148 = phi_1702_;
+                                    let _e1150 = phi_1703_;
+                                    let _e1152 = phi_1704_;
+                                    if _e1150 {
+                                        phi_1708_ = false;
                                     } else {
-                                        phi_1707_ = _e1151;
+                                        phi_1708_ = _e1152;
                                     }
-                                    let _e1153 = phi_1707_;
-                                    phi_1708_ = _e1147;
-                                    phi_1709_ = _e1153;
+                                    let _e1154 = phi_1708_;
+                                    phi_1709_ = _e1148;
+                                    phi_1710_ = _e1154;
                                 } else {
-                                    phi_1708_ = _e1132;
-                                    phi_1709_ = true;
+                                    phi_1709_ = _e1133;
+                                    phi_1710_ = true;
                                 }
-                                let _e1155 = phi_1708_;
-                                let _e1157 = phi_1709_;
-                                if _e1157 {
-                                    let _e1158 = (_e1155 == 0f);
-                                    if _e1158 {
-                                        phi_2025_ = lt_bvh_triangle_Intersection();
-                                        phi_2026_ = false;
+                                let _e1156 = phi_1709_;
+                                let _e1158 = phi_1710_;
+                                if _e1158 {
+                                    let _e1159 = (_e1156 == 0f);
+                                    if _e1159 {
+                                        phi_2026_ = lt_bvh_triangle_Intersection();
+                                        phi_2027_ = false;
                                     } else {
-                                        let _e1160 = triangles.member[(0u + _e971)].v0_;
-                                        let _e1162 = (_e1160.x - _e131);
-                                        let _e1164 = (_e1160.y - _e133);
-                                        let _e1166 = (_e1160.z - _e135);
-                                        if (_e357 == 0u) {
-                                            phi_1738_ = vec3<f32>(_e1164, _e1166, _e1162);
+                                        let _e1161 = triangles.member[(0u + _e972)].v0_;
+                                        let _e1163 = (_e1161.x - _e132);
+                                        let _e1165 = (_e1161.y - _e134);
+                                        let _e1167 = (_e1161.z - _e136);
+                                        if (_e358 == 0u) {
+                                            phi_1739_ = vec3<f32>(_e1165, _e1167, _e1163);
                                         } else {
-                                            if (_e357 == 1u) {
-                                                phi_1737_ = vec3<f32>(_e1166, _e1162, _e1164);
+                                            if (_e358 == 1u) {
+                                                phi_1738_ = vec3<f32>(_e1167, _e1163, _e1165);
                                             } else {
-                                                phi_1737_ = (_e1160 - vec3<f32>(_e131, _e133, _e135));
+                                                phi_1738_ = (_e1161 - vec3<f32>(_e132, _e134, _e136));
                                             }
-                                            let _e1174 = phi_1737_;
-                                            phi_1738_ = _e1174;
+                                            let _e1175 = phi_1738_;
+                                            phi_1739_ = _e1175;
                                         }
-                                        let _e1176 = phi_1738_;
-                                        let _e1178 = triangles.member[(0u + _e971)].v1_;
-                                        let _e1180 = triangles.member[(0u + _e971)].v0_;
-                                        let _e1183 = (_e1178.x - _e1180.x);
-                                        let _e1186 = (_e1178.y - _e1180.y);
-                                        let _e1189 = (_e1178.z - _e1180.z);
-                                        if (_e357 == 0u) {
-                                            phi_1764_ = vec3<f32>(_e1186, _e1189, _e1183);
+                                        let _e1177 = phi_1739_;
+                                        let _e1179 = triangles.member[(0u + _e972)].v1_;
+                                        let _e1181 = triangles.member[(0u + _e972)].v0_;
+                                        let _e1184 = (_e1179.x - _e1181.x);
+                                        let _e1187 = (_e1179.y - _e1181.y);
+                                        let _e1190 = (_e1179.z - _e1181.z);
+                                        if (_e358 == 0u) {
+                                            phi_1765_ = vec3<f32>(_e1187, _e1190, _e1184);
                                         } else {
-                                            if (_e357 == 1u) {
-                                                phi_1763_ = vec3<f32>(_e1189, _e1183, _e1186);
+                                            if (_e358 == 1u) {
+                                                phi_1764_ = vec3<f32>(_e1190, _e1184, _e1187);
                                             } else {
-                                                phi_1763_ = (_e1178 - _e1180);
+                                                phi_1764_ = (_e1179 - _e1181);
                                             }
-                                            let _e1196 = phi_1763_;
-                                            phi_1764_ = _e1196;
+                                            let _e1197 = phi_1764_;
+                                            phi_1765_ = _e1197;
                                         }
-                                        let _e1198 = phi_1764_;
-                                        let _e1200 = triangles.member[(0u + _e971)].v2_;
-                                        let _e1202 = triangles.member[(0u + _e971)].v0_;
-                                        let _e1205 = (_e1200.x - _e1202.x);
-                                        let _e1208 = (_e1200.y - _e1202.y);
-                                        let _e1211 = (_e1200.z - _e1202.z);
-                                        if (_e357 == 0u) {
-                                            phi_1790_ = vec3<f32>(_e1208, _e1211, _e1205);
+                                        let _e1199 = phi_1765_;
+                                        let _e1201 = triangles.member[(0u + _e972)].v2_;
+                                        let _e1203 = triangles.member[(0u + _e972)].v0_;
+                                        let _e1206 = (_e1201.x - _e1203.x);
+                                        let _e1209 = (_e1201.y - _e1203.y);
+                                        let _e1212 = (_e1201.z - _e1203.z);
+                                        if (_e358 == 0u) {
+                                            phi_1791_ = vec3<f32>(_e1209, _e1212, _e1206);
                                         } else {
-                                            if (_e357 == 1u) {
-                                                phi_1789_ = vec3<f32>(_e1211, _e1205, _e1208);
+                                            if (_e358 == 1u) {
+                                                phi_1790_ = vec3<f32>(_e1212, _e1206, _e1209);
                                             } else {
-                                                phi_1789_ = (_e1200 - _e1202);
+                                                phi_1790_ = (_e1201 - _e1203);
                                             }
-                                            let _e1218 = phi_1789_;
-                                            phi_1790_ = _e1218;
+                                            let _e1219 = phi_1790_;
+                                            phi_1791_ = _e1219;
                                         }
-                                        let _e1220 = phi_1790_;
-                                        let _e1227 = ((_e1198.y * _e1220.z) - (_e1198.z * _e1220.y));
-                                        let _e1234 = ((_e1198.z * _e1220.x) - (_e1198.x * _e1220.z));
-                                        let _e1241 = ((_e1198.x * _e1220.y) - (_e1198.y * _e1220.x));
-                                        let _e1255 = (((1f / _e365.z) * (((_e1227 * _e1176.x) + (_e1234 * _e1176.y)) + (_e1241 * _e1176.z))) / (((_e1227 * _e368) + (_e1234 * _e371)) + _e1241));
-                                        if (_e1255 > 0f) {
-                                            if (_e1255 < _e141) {
-                                                let _e1259 = triangles.member[(0u + _e971)].v0_;
-                                                let _e1261 = triangles.member[(0u + _e971)].v1_;
-                                                if (_e1259.x < _e1261.x) {
-                                                    phi_1846_ = _e1259.x;
+                                        let _e1221 = phi_1791_;
+                                        let _e1228 = ((_e1199.y * _e1221.z) - (_e1199.z * _e1221.y));
+                                        let _e1235 = ((_e1199.z * _e1221.x) - (_e1199.x * _e1221.z));
+                                        let _e1242 = ((_e1199.x * _e1221.y) - (_e1199.y * _e1221.x));
+                                        let _e1256 = (((1f / _e366.z) * (((_e1228 * _e1177.x) + (_e1235 * _e1177.y)) + (_e1242 * _e1177.z))) / (((_e1228 * _e369) + (_e1235 * _e372)) + _e1242));
+                                        if (_e1256 > 0f) {
+                                            if (_e1256 < _e142) {
+                                                let _e1260 = triangles.member[(0u + _e972)].v0_;
+                                                let _e1262 = triangles.member[(0u + _e972)].v1_;
+                                                if (_e1260.x < _e1262.x) {
+                                                    phi_1847_ = _e1260.x;
                                                 } else {
-                                                    phi_1846_ = _e1261.x;
+                                                    phi_1847_ = _e1262.x;
                                                 }
-                                                let _e1268 = phi_1846_;
-                                                if (_e1259.y < _e1261.y) {
-                                                    phi_1855_ = _e1259.y;
+                                                let _e1269 = phi_1847_;
+                                                if (_e1260.y < _e1262.y) {
+                                                    phi_1856_ = _e1260.y;
                                                 } else {
-                                                    phi_1855_ = _e1261.y;
+                                                    phi_1856_ = _e1262.y;
                                                 }
-                                                let _e1275 = phi_1855_;
-                                                if (_e1259.z < _e1261.z) {
-                                                    phi_1864_ = _e1259.z;
+                                                let _e1276 = phi_1856_;
+                                                if (_e1260.z < _e1262.z) {
+                                                    phi_1865_ = _e1260.z;
                                                 } else {
-                                                    phi_1864_ = _e1261.z;
+                                                    phi_1865_ = _e1262.z;
                                                 }
-                                                let _e1282 = phi_1864_;
-                                                let _e1284 = triangles.member[(0u + _e971)].v2_;
-                                                if (_e1268 < _e1284.x) {
-                                                    phi_1873_ = _e1268;
+                                                let _e1283 = phi_1865_;
+                                                let _e1285 = triangles.member[(0u + _e972)].v2_;
+                                                if (_e1269 < _e1285.x) {
+                                                    phi_1874_ = _e1269;
                                                 } else {
-                                                    phi_1873_ = _e1284.x;
+                                                    phi_1874_ = _e1285.x;
                                                 }
-                                                let _e1289 = phi_1873_;
-                                                if (_e1275 < _e1284.y) {
-                                                    phi_1880_ = _e1275;
+                                                let _e1290 = phi_1874_;
+                                                if (_e1276 < _e1285.y) {
+                                                    phi_1881_ = _e1276;
                                                 } else {
-                                                    phi_1880_ = _e1284.y;
+                                                    phi_1881_ = _e1285.y;
                                                 }
-                                                let _e1294 = phi_1880_;
-                                                if (_e1282 < _e1284.z) {
-                                                    phi_1887_ = _e1282;
+                                                let _e1295 = phi_1881_;
+                                                if (_e1283 < _e1285.z) {
+                                                    phi_1888_ = _e1283;
                                                 } else {
-                                                    phi_1887_ = _e1284.z;
+                                                    phi_1888_ = _e1285.z;
                                                 }
-                                                let _e1299 = phi_1887_;
-                                                let _e1301 = triangles.member[(0u + _e971)].v0_;
-                                                let _e1303 = triangles.member[(0u + _e971)].v1_;
-                                                if (_e1301.x > _e1303.x) {
-                                                    phi_1900_ = _e1301.x;
+                                                let _e1300 = phi_1888_;
+                                                let _e1302 = triangles.member[(0u + _e972)].v0_;
+                                                let _e1304 = triangles.member[(0u + _e972)].v1_;
+                                                if (_e1302.x > _e1304.x) {
+                                                    phi_1901_ = _e1302.x;
                                                 } else {
-                                                    phi_1900_ = _e1303.x;
+                                                    phi_1901_ = _e1304.x;
                                                 }
-                                                let _e1310 = phi_1900_;
-                                                if (_e1301.y > _e1303.y) {
-                                                    phi_1909_ = _e1301.y;
+                                                let _e1311 = phi_1901_;
+                                                if (_e1302.y > _e1304.y) {
+                                                    phi_1910_ = _e1302.y;
                                                 } else {
-                                                    phi_1909_ = _e1303.y;
+                                                    phi_1910_ = _e1304.y;
                                                 }
-                                                let _e1317 = phi_1909_;
-                                                if (_e1301.z > _e1303.z) {
-                                                    phi_1918_ = _e1301.z;
+                                                let _e1318 = phi_1910_;
+                                                if (_e1302.z > _e1304.z) {
+                                                    phi_1919_ = _e1302.z;
                                                 } else {
-                                                    phi_1918_ = _e1303.z;
+                                                    phi_1919_ = _e1304.z;
                                                 }
-                                                let _e1324 = phi_1918_;
-                                                let _e1326 = triangles.member[(0u + _e971)].v2_;
-                                                if (_e1310 > _e1326.x) {
-                                                    phi_1927_ = _e1310;
+                                                let _e1325 = phi_1919_;
+                                                let _e1327 = triangles.member[(0u + _e972)].v2_;
+                                                if (_e1311 > _e1327.x) {
+                                                    phi_1928_ = _e1311;
                                                 } else {
-                                                    phi_1927_ = _e1326.x;
+                                                    phi_1928_ = _e1327.x;
                                                 }
-                                                let _e1331 = phi_1927_;
-                                                if (_e1317 > _e1326.y) {
-                                                    phi_1934_ = _e1317;
+                                                let _e1332 = phi_1928_;
+                                                if (_e1318 > _e1327.y) {
+                                                    phi_1935_ = _e1318;
                                                 } else {
-                                                    phi_1934_ = _e1326.y;
+                                                    phi_1935_ = _e1327.y;
                                                 }
-                                                let _e1336 = phi_1934_;
-                                                if (_e1324 > _e1326.z) {
-                                                    phi_1941_ = _e1324;
+                                                let _e1337 = phi_1935_;
+                                                if (_e1325 > _e1327.z) {
+                                                    phi_1942_ = _e1325;
                                                 } else {
-                                                    phi_1941_ = _e1326.z;
+                                                    phi_1942_ = _e1327.z;
                                                 }
-                                                let _e1341 = phi_1941_;
-                                                let _e1345 = ((_e1289 - _e131) * _e282);
-                                                let _e1346 = ((_e1294 - _e133) * _e292);
-                                                let _e1347 = ((_e1299 - _e135) * _e302);
-                                                let _e1351 = ((_e1331 - _e131) * _e282);
-                                                let _e1352 = ((_e1336 - _e133) * _e292);
-                                                let _e1353 = ((_e1341 - _e135) * _e302);
-                                                if (_e1345 < _e1351) {
-                                                    phi_1958_ = _e1345;
-                                                } else {
-                                                    phi_1958_ = _e1351;
-                                                }
-                                                let _e1356 = phi_1958_;
+                                                let _e1342 = phi_1942_;
+                                                let _e1346 = ((_e1290 - _e132) * _e283);
+                                                let _e1347 = ((_e1295 - _e134) * _e293);
+                                                let _e1348 = ((_e1300 - _e136) * _e303);
+                                                let _e1352 = ((_e1332 - _e132) * _e283);
+                                                let _e1353 = ((_e1337 - _e134) * _e293);
+                                                let _e1354 = ((_e1342 - _e136) * _e303);
                                                 if (_e1346 < _e1352) {
-                                                    phi_1963_ = _e1346;
+                                                    phi_1959_ = _e1346;
                                                 } else {
-                                                    phi_1963_ = _e1352;
+                                                    phi_1959_ = _e1352;
                                                 }
-                                                let _e1359 = phi_1963_;
+                                                let _e1357 = phi_1959_;
                                                 if (_e1347 < _e1353) {
-                                                    phi_1968_ = _e1347;
+                                                    phi_1964_ = _e1347;
                                                 } else {
-                                                    phi_1968_ = _e1353;
+                                                    phi_1964_ = _e1353;
                                                 }
-                                                let _e1362 = phi_1968_;
-                                                if (_e1345 > _e1351) {
-                                                    phi_1976_ = _e1345;
+                                                let _e1360 = phi_1964_;
+                                                if (_e1348 < _e1354) {
+                                                    phi_1969_ = _e1348;
                                                 } else {
-                                                    phi_1976_ = _e1351;
+                                                    phi_1969_ = _e1354;
                                                 }
-                                                let _e1368 = phi_1976_;
+                                                let _e1363 = phi_1969_;
                                                 if (_e1346 > _e1352) {
-                                                    phi_1981_ = _e1346;
+                                                    phi_1977_ = _e1346;
                                                 } else {
-                                                    phi_1981_ = _e1352;
+                                                    phi_1977_ = _e1352;
                                                 }
-                                                let _e1371 = phi_1981_;
+                                                let _e1369 = phi_1977_;
                                                 if (_e1347 > _e1353) {
-                                                    phi_1986_ = _e1347;
+                                                    phi_1982_ = _e1347;
                                                 } else {
-                                                    phi_1986_ = _e1353;
+                                                    phi_1982_ = _e1353;
                                                 }
-                                                let _e1374 = phi_1986_;
-                                                let _e1378 = core_intrinsics_maximum_number_nsz_f32_((_e1356 - _e341), (_e1359 - _e342));
-                                                let _e1379 = core_intrinsics_maximum_number_nsz_f32_(_e1378, (_e1362 - _e343));
-                                                let _e1380 = core_intrinsics_minimum_number_nsz_f32_((_e1368 + _e341), (_e1371 + _e342));
-                                                let _e1381 = core_intrinsics_minimum_number_nsz_f32_(_e1380, (_e1374 + _e343));
-                                                if (_e1379 > -300000000000000000000000000000000000000f) {
-                                                    phi_1998_ = _e1379;
+                                                let _e1372 = phi_1982_;
+                                                if (_e1348 > _e1354) {
+                                                    phi_1987_ = _e1348;
                                                 } else {
-                                                    phi_1998_ = -300000000000000000000000000000000000000f;
+                                                    phi_1987_ = _e1354;
                                                 }
-                                                let _e1384 = phi_1998_;
-                                                if (_e1381 < 300000000000000000000000000000000000000f) {
-                                                    phi_2003_ = _e1381;
+                                                let _e1375 = phi_1987_;
+                                                let _e1379 = core_intrinsics_maximum_number_nsz_f32_((_e1357 - _e342), (_e1360 - _e343));
+                                                let _e1380 = core_intrinsics_maximum_number_nsz_f32_(_e1379, (_e1363 - _e344));
+                                                let _e1381 = core_intrinsics_minimum_number_nsz_f32_((_e1369 + _e342), (_e1372 + _e343));
+                                                let _e1382 = core_intrinsics_minimum_number_nsz_f32_(_e1381, (_e1375 + _e344));
+                                                if (_e1380 > -300000000000000000000000000000000000000f) {
+                                                    phi_1999_ = _e1380;
                                                 } else {
-                                                    phi_2003_ = 300000000000000000000000000000000000000f;
+                                                    phi_1999_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1387 = phi_2003_;
-                                                if (_e1255 < _e1384) {
-                                                    phi_2008_ = _e1384;
+                                                let _e1385 = phi_1999_;
+                                                if (_e1382 < 300000000000000000000000000000000000000f) {
+                                                    phi_2004_ = _e1382;
                                                 } else {
-                                                    phi_2008_ = _e1255;
+                                                    phi_2004_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1390 = phi_2008_;
-                                                if (_e1390 > _e1387) {
-                                                    phi_2013_ = _e1387;
+                                                let _e1388 = phi_2004_;
+                                                if (_e1256 < _e1385) {
+                                                    phi_2009_ = _e1385;
                                                 } else {
-                                                    phi_2013_ = _e1390;
+                                                    phi_2009_ = _e1256;
                                                 }
-                                                let _e1393 = phi_2013_;
-                                                phi_2018_ = lt_bvh_triangle_Intersection(_e1393, (_e1096 / _e1155), (_e1117 / _e1155), (_e1384 <= _e1387));
-                                                phi_2019_ = false;
+                                                let _e1391 = phi_2009_;
+                                                if (_e1391 > _e1388) {
+                                                    phi_2014_ = _e1388;
+                                                } else {
+                                                    phi_2014_ = _e1391;
+                                                }
+                                                let _e1394 = phi_2014_;
+                                                phi_2019_ = lt_bvh_triangle_Intersection(_e1394, (_e1097 / _e1156), (_e1118 / _e1156), (_e1385 <= _e1388));
+                                                phi_2020_ = false;
                                             } else {
-                                                phi_2018_ = lt_bvh_triangle_Intersection();
-                                                phi_2019_ = true;
+                                                phi_2019_ = lt_bvh_triangle_Intersection();
+                                                phi_2020_ = true;
                                             }
-                                            let _e1399 = phi_2018_;
-                                            let _e1401 = phi_2019_;
-                                            phi_2020_ = _e1399;
-                                            phi_2021_ = _e1401;
+                                            let _e1400 = phi_2019_;
+                                            let _e1402 = phi_2020_;
+                                            phi_2021_ = _e1400;
+                                            phi_2022_ = _e1402;
                                         } else {
-                                            phi_2020_ = lt_bvh_triangle_Intersection();
-                                            phi_2021_ = true;
+                                            phi_2021_ = lt_bvh_triangle_Intersection();
+                                            phi_2022_ = true;
                                         }
-                                        let _e1403 = phi_2020_;
-                                        let _e1405 = phi_2021_;
-                                        if _e1405 {
+                                        let _e1404 = phi_2021_;
+                                        let _e1406 = phi_2022_;
+                                        if _e1406 {
                                         }
-                                        phi_2025_ = _e1403;
-                                        phi_2026_ = _e1405;
+                                        phi_2026_ = _e1404;
+                                        phi_2027_ = _e1406;
                                     }
-                                    let _e1407 = phi_2025_;
-                                    let _e1409 = phi_2026_;
-                                    phi_2027_ = _e1407;
-                                    phi_2028_ = _e1158;
-                                    phi_2029_ = _e1409;
+                                    let _e1408 = phi_2026_;
+                                    let _e1410 = phi_2027_;
+                                    phi_2028_ = _e1408;
+                                    phi_2029_ = _e1159;
+                                    phi_2030_ = _e1410;
                                 } else {
-                                    phi_2027_ = lt_bvh_triangle_Intersection();
-                                    phi_2028_ = true;
-                                    phi_2029_ = false;
+                                    phi_2028_ = lt_bvh_triangle_Intersection();
+                                    phi_2029_ = true;
+                                    phi_2030_ = false;
                                 }
-                                let _e1411 = phi_2027_;
-                                let _e1413 = phi_2028_;
-                                let _e1415 = phi_2029_;
-                                if _e1413 {
-                                    phi_2033_ = true;
+                                let _e1412 = phi_2028_;
+                                let _e1414 = phi_2029_;
+                                let _e1416 = phi_2030_;
+                                if _e1414 {
+                                    phi_2034_ = true;
                                 } else {
-                                    phi_2033_ = _e1415;
+                                    phi_2034_ = _e1416;
                                 }
-                                let _e1417 = phi_2033_;
-                                if _e1417 {
-                                    phi_2037_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1418 = phi_2034_;
+                                if _e1418 {
+                                    phi_2038_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2037_ = _e1411;
+                                    phi_2038_ = _e1412;
                                 }
-                                let _e1419 = phi_2037_;
-                                if _e1419.is_hit {
-                                    if (_e1419.t > 0f) {
-                                        if (_e1419.t < _e141) {
-                                            let _e1426 = triangles.member[(0u + _e971)].i0_;
-                                            if ((_e1426 & 2147483648u) == 0u) {
-                                                phi_2256_ = true;
+                                let _e1420 = phi_2038_;
+                                if _e1420.is_hit {
+                                    if (_e1420.t > 0f) {
+                                        if (_e1420.t < _e142) {
+                                            let _e1427 = triangles.member[(0u + _e972)].i0_;
+                                            if ((_e1427 & 2147483648u) == 0u) {
+                                                phi_2257_ = true;
                                             } else {
-                                                if (_e971 < _e80) {
+                                                if (_e972 < _e80) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1435 = triangles.member[(0u + _e971)].i0_;
-                                                let _e1436 = (_e1435 & 2147483647u);
-                                                let _e1438 = triangles.member[(0u + _e971)].i1_;
-                                                let _e1440 = triangles.member[(0u + _e971)].i2_;
-                                                if (_e1436 < _e92) {
+                                                let _e1436 = triangles.member[(0u + _e972)].i0_;
+                                                let _e1437 = (_e1436 & 2147483647u);
+                                                let _e1439 = triangles.member[(0u + _e972)].i1_;
+                                                let _e1441 = triangles.member[(0u + _e972)].i2_;
+                                                if (_e1437 < _e92) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1444 = vertices.member[(0u + _e1436)];
-                                                if (_e1438 < _e92) {
+                                                let _e1445 = vertices.member[(0u + _e1437)];
+                                                if (_e1439 < _e92) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1448 = vertices.member[(0u + _e1438)];
-                                                if (_e1440 < _e92) {
+                                                let _e1449 = vertices.member[(0u + _e1439)];
+                                                if (_e1441 < _e92) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1452 = vertices.member[(0u + _e1440)];
-                                                let _e1453 = array<abi_Vertex, 3>(_e1444, _e1448, _e1452);
-                                                if (_e1453[0].material < arrayLength((&materials.member))) {
+                                                let _e1453 = vertices.member[(0u + _e1441)];
+                                                let _e1454 = array<abi_Vertex, 3>(_e1445, _e1449, _e1453);
+                                                if (_e1454[0].material < arrayLength((&materials.member))) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1459 = materials.member[(0u + _e1453[0].material)];
-                                                if ((_e1459.flags & 1u) == 1u) {
-                                                    let _e1464 = ((1f - _e1419.u) - _e1419.v);
-                                                    if (_e1459.cutoff <= 0f) {
-                                                        phi_2254_ = true;
+                                                let _e1460 = materials.member[(0u + _e1454[0].material)];
+                                                if ((_e1460.flags & 1u) == 1u) {
+                                                    let _e1465 = ((1f - _e1420.u) - _e1420.v);
+                                                    if (_e1460.cutoff <= 0f) {
+                                                        phi_2255_ = true;
                                                     } else {
-                                                        let _e1491 = (_e1459.base_color.w * ((((f32((_e1453[0].color >> bitcast<u32>(24i))) * _e1464) + (f32((_e1453[1].color >> bitcast<u32>(24i))) * _e1419.u)) + (f32((_e1453[2].color >> bitcast<u32>(24i))) * _e1419.v)) * (1f / 255f)));
-                                                        if (_e1459.alpha_size == 0u) {
-                                                            phi_2251_ = _e1491;
+                                                        let _e1492 = (_e1460.base_color.w * ((((f32((_e1454[0].color >> bitcast<u32>(24i))) * _e1465) + (f32((_e1454[1].color >> bitcast<u32>(24i))) * _e1420.u)) + (f32((_e1454[2].color >> bitcast<u32>(24i))) * _e1420.v)) * (1f / 255f)));
+                                                        if (_e1460.alpha_size == 0u) {
+                                                            phi_2252_ = _e1492;
                                                         } else {
-                                                            local.offset = _e1459.alpha_offset;
-                                                            local.size = _e1459.alpha_size;
-                                                            local.flags = _e1459.flags;
-                                                            let _e1522 = _lt_shaders_texture_TextureView_quad((&local), (((_e1453[0].u * _e1464) + (_e1453[1].u * _e1419.u)) + (_e1453[2].u * _e1419.v)), (((_e1453[0].v * _e1464) + (_e1453[1].v * _e1419.u)) + (_e1453[2].v * _e1419.v)));
-                                                            let _e1526 = (_e1522.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1526 < _e98) {
+                                                            local.offset = _e1460.alpha_offset;
+                                                            local.size = _e1460.alpha_size;
+                                                            local.flags = _e1460.flags;
+                                                            let _e1523 = _lt_shaders_texture_TextureView_quad((&local), (((_e1454[0].u * _e1465) + (_e1454[1].u * _e1420.u)) + (_e1454[2].u * _e1420.v)), (((_e1454[0].v * _e1465) + (_e1454[1].v * _e1420.u)) + (_e1454[2].v * _e1420.v)));
+                                                            let _e1527 = (_e1523.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1527 < _e98) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1530 = alpha_texels.member[(0u + _e1526)];
-                                                            let _e1546 = (_e1522.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1546 < _e98) {
+                                                            let _e1531 = alpha_texels.member[(0u + _e1527)];
+                                                            let _e1547 = (_e1523.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1547 < _e98) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1550 = alpha_texels.member[(0u + _e1546)];
-                                                            let _e1567 = (_e1522.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1567 < _e98) {
+                                                            let _e1551 = alpha_texels.member[(0u + _e1547)];
+                                                            let _e1568 = (_e1523.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1568 < _e98) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1571 = alpha_texels.member[(0u + _e1567)];
-                                                            let _e1588 = (_e1522.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1588 < _e98) {
+                                                            let _e1572 = alpha_texels.member[(0u + _e1568)];
+                                                            let _e1589 = (_e1523.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1589 < _e98) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1592 = alpha_texels.member[(0u + _e1588)];
-                                                            phi_2251_ = (_e1491 * (((((f32(((_e1530 >> bitcast<u32>((((_e1522.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1522.weights.x) + ((f32(((_e1550 >> bitcast<u32>((((_e1522.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1522.weights.y)) + ((f32(((_e1571 >> bitcast<u32>((((_e1522.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1522.weights.z)) + ((f32(((_e1592 >> bitcast<u32>((((_e1522.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1522.weights.w)));
+                                                            let _e1593 = alpha_texels.member[(0u + _e1589)];
+                                                            phi_2252_ = (_e1492 * (((((f32(((_e1531 >> bitcast<u32>((((_e1523.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1523.weights.x) + ((f32(((_e1551 >> bitcast<u32>((((_e1523.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1523.weights.y)) + ((f32(((_e1572 >> bitcast<u32>((((_e1523.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1523.weights.z)) + ((f32(((_e1593 >> bitcast<u32>((((_e1523.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1523.weights.w)));
                                                         }
-                                                        let _e1608 = phi_2251_;
-                                                        phi_2254_ = (_e1608 >= _e1459.cutoff);
+                                                        let _e1609 = phi_2252_;
+                                                        phi_2255_ = (_e1609 >= _e1460.cutoff);
                                                     }
-                                                    let _e1612 = phi_2254_;
-                                                    phi_2255_ = _e1612;
+                                                    let _e1613 = phi_2255_;
+                                                    phi_2256_ = _e1613;
                                                 } else {
-                                                    phi_2255_ = false;
+                                                    phi_2256_ = false;
                                                 }
-                                                let _e1614 = phi_2255_;
-                                                phi_2256_ = _e1614;
+                                                let _e1615 = phi_2256_;
+                                                phi_2257_ = _e1615;
                                             }
-                                            let _e1616 = phi_2256_;
-                                            if _e1616 {
-                                                phi_2260_ = false;
+                                            let _e1617 = phi_2257_;
+                                            if _e1617 {
+                                                phi_2261_ = false;
                                             } else {
-                                                phi_2260_ = true;
+                                                phi_2261_ = true;
                                             }
-                                            let _e1618 = phi_2260_;
-                                            phi_2261_ = _e1616;
-                                            phi_2262_ = _e1616;
-                                            phi_2263_ = _e1618;
+                                            let _e1619 = phi_2261_;
+                                            phi_2262_ = _e1617;
+                                            phi_2263_ = _e1617;
+                                            phi_2264_ = _e1619;
                                         } else {
-                                            phi_2261_ = bool();
-                                            phi_2262_ = _e962;
-                                            phi_2263_ = true;
+                                            phi_2262_ = bool();
+                                            phi_2263_ = _e963;
+                                            phi_2264_ = true;
                                         }
-                                        let _e1620 = phi_2261_;
-                                        let _e1622 = phi_2262_;
-                                        let _e1624 = phi_2263_;
-                                        phi_2264_ = _e1620;
-                                        phi_2265_ = _e1622;
-                                        phi_2266_ = _e1624;
+                                        let _e1621 = phi_2262_;
+                                        let _e1623 = phi_2263_;
+                                        let _e1625 = phi_2264_;
+                                        phi_2265_ = _e1621;
+                                        phi_2266_ = _e1623;
+                                        phi_2267_ = _e1625;
                                     } else {
-                                        phi_2264_ = bool();
-                                        phi_2265_ = _e962;
-                                        phi_2266_ = true;
+                                        phi_2265_ = bool();
+                                        phi_2266_ = _e963;
+                                        phi_2267_ = true;
                                     }
-                                    let _e1626 = phi_2264_;
-                                    let _e1628 = phi_2265_;
-                                    let _e1630 = phi_2266_;
-                                    phi_2267_ = _e1626;
-                                    phi_2268_ = _e1628;
-                                    phi_2269_ = _e1630;
+                                    let _e1627 = phi_2265_;
+                                    let _e1629 = phi_2266_;
+                                    let _e1631 = phi_2267_;
+                                    phi_2268_ = _e1627;
+                                    phi_2269_ = _e1629;
+                                    phi_2270_ = _e1631;
                                 } else {
-                                    phi_2267_ = bool();
-                                    phi_2268_ = _e962;
-                                    phi_2269_ = true;
+                                    phi_2268_ = bool();
+                                    phi_2269_ = _e963;
+                                    phi_2270_ = true;
                                 }
-                                let _e1632 = phi_2267_;
-                                let _e1634 = phi_2268_;
-                                let _e1636 = phi_2269_;
-                                if _e1636 {
+                                let _e1633 = phi_2268_;
+                                let _e1635 = phi_2269_;
+                                let _e1637 = phi_2270_;
+                                if _e1637 {
                                 }
-                                phi_1467_ = (_e960 & (_e960 - 1u));
-                                phi_1470_ = _e1634;
-                                phi_2273_ = _e1632;
-                                phi_2274_ = _e1636;
+                                phi_1468_ = (_e961 & (_e961 - 1u));
+                                phi_1471_ = _e1635;
+                                phi_2274_ = _e1633;
+                                phi_2275_ = _e1637;
                             }
-                            let _e1638 = phi_1467_;
-                            let _e1640 = phi_1470_;
-                            let _e1642 = phi_2273_;
-                            let _e1644 = phi_2274_;
-                            local_8 = _e1642;
+                            let _e1639 = phi_1468_;
+                            let _e1641 = phi_1471_;
+                            let _e1643 = phi_2274_;
+                            let _e1645 = phi_2275_;
+                            local_8 = _e1643;
                             continue;
                             continuing {
-                                phi_1466_ = _e1638;
-                                phi_1469_ = _e1640;
-                                break if !(_e1644);
+                                phi_1467_ = _e1639;
+                                phi_1470_ = _e1641;
+                                break if !(_e1645);
                             }
                         }
-                        let _e1647 = local_5;
-                        if _e1647 {
-                            let _e1649 = local_1.group_mask;
-                            if ((_e1649 & 4278190080u) == 0u) {
-                                let _e1653 = local_1.len;
-                                if (_e1653 == 0u) {
-                                    phi_2316_ = false;
+                        let _e1648 = local_5;
+                        if _e1648 {
+                            let _e1650 = local_1.group_mask;
+                            if ((_e1650 & 4278190080u) == 0u) {
+                                let _e1654 = local_1.len;
+                                if (_e1654 == 0u) {
+                                    phi_2317_ = false;
                                 } else {
-                                    let _e1657 = local_1.len;
-                                    local_1.len = (_e1657 - 1u);
-                                    let _e1660 = local_1.len;
-                                    if (_e1660 < 32u) {
+                                    let _e1658 = local_1.len;
+                                    local_1.len = (_e1658 - 1u);
+                                    let _e1661 = local_1.len;
+                                    if (_e1661 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1665 = local_1.first[(0u + _e1660)];
-                                    local_1.group = _e1665;
-                                    let _e1668 = local_1.len;
-                                    if (_e1668 < 32u) {
+                                    let _e1666 = local_1.first[(0u + _e1661)];
+                                    local_1.group = _e1666;
+                                    let _e1669 = local_1.len;
+                                    if (_e1669 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1673 = local_1.mask[(0u + _e1668)];
-                                    local_1.group_mask = _e1673;
-                                    phi_2316_ = true;
+                                    let _e1674 = local_1.mask[(0u + _e1669)];
+                                    local_1.group_mask = _e1674;
+                                    phi_2317_ = true;
                                 }
-                                let _e1676 = phi_2316_;
-                                phi_2317_ = _e1676;
+                                let _e1677 = phi_2317_;
+                                phi_2318_ = _e1677;
                             } else {
-                                phi_2317_ = true;
+                                phi_2318_ = true;
                             }
-                            let _e1678 = phi_2317_;
-                            if _e1678 {
-                                let _e1680 = local_1.group_mask;
-                                let _e1686 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1680)), 32u, (_e1680 == 0u)));
-                                let _e1690 = local_1.group_mask;
-                                let _e1704 = local_1.group_mask;
-                                local_1.group_mask = (_e1704 & ~((1u << bitcast<u32>((_e1686 & 31u)))));
-                                let _e1707 = local_1.group;
-                                phi_2348_ = (_e1707 + countOneBits(((_e1690 & ~((4294967295u << bitcast<u32>((((_e1686 - 24u) ^ _e384) & 31u))))) & 255u)));
+                            let _e1679 = phi_2318_;
+                            if _e1679 {
+                                let _e1681 = local_1.group_mask;
+                                let _e1687 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1681)), 32u, (_e1681 == 0u)));
+                                let _e1691 = local_1.group_mask;
+                                let _e1705 = local_1.group_mask;
+                                local_1.group_mask = (_e1705 & ~((1u << bitcast<u32>((_e1687 & 31u)))));
+                                let _e1708 = local_1.group;
+                                phi_2349_ = (_e1708 + countOneBits(((_e1691 & ~((4294967295u << bitcast<u32>((((_e1687 - 24u) ^ _e385) & 31u))))) & 255u)));
                             } else {
-                                phi_2348_ = 4294967295u;
+                                phi_2349_ = 4294967295u;
                             }
-                            let _e1710 = phi_2348_;
-                            phi_2349_ = _e1710;
+                            let _e1711 = phi_2349_;
+                            phi_2350_ = _e1711;
                         } else {
-                            phi_2349_ = u32();
+                            phi_2350_ = u32();
                         }
-                        let _e1712 = phi_2349_;
-                        phi_1135_ = _e1712;
-                        let _e2008 = local_7;
-                        phi_1138_ = _e2008;
-                        let _e2011 = local_8;
-                        phi_2350_ = _e2011;
-                        let _e2014 = local_9;
-                        phi_2351_ = _e2014;
-                        phi_2352_ = false;
+                        let _e1713 = phi_2350_;
+                        phi_1136_ = _e1713;
+                        let _e2009 = local_7;
+                        phi_1139_ = _e2009;
+                        let _e2012 = local_8;
+                        phi_2351_ = _e2012;
+                        let _e2015 = local_9;
+                        phi_2352_ = _e2015;
+                        phi_2353_ = false;
                     } else {
-                        phi_1135_ = u32();
-                        phi_1138_ = bool();
-                        phi_2350_ = bool();
-                        phi_2351_ = false;
-                        phi_2352_ = true;
+                        phi_1136_ = u32();
+                        phi_1139_ = bool();
+                        phi_2351_ = bool();
+                        phi_2352_ = false;
+                        phi_2353_ = true;
                     }
-                    let _e1714 = phi_1135_;
-                    let _e1716 = phi_1138_;
-                    let _e1718 = phi_2350_;
-                    let _e1720 = phi_2351_;
-                    let _e1722 = phi_2352_;
-                    local_6 = _e1722;
-                    local_10 = _e1718;
+                    let _e1715 = phi_1136_;
+                    let _e1717 = phi_1139_;
+                    let _e1719 = phi_2351_;
+                    let _e1721 = phi_2352_;
+                    let _e1723 = phi_2353_;
+                    local_6 = _e1723;
+                    local_10 = _e1719;
                     continue;
                     continuing {
-                        phi_1134_ = _e1714;
-                        phi_1137_ = _e1716;
-                        break if !(_e1720);
+                        phi_1135_ = _e1715;
+                        phi_1138_ = _e1717;
+                        break if !(_e1721);
                     }
                 }
-                let _e1725 = local_6;
-                if _e1725 {
-                    phi_2356_ = false;
+                let _e1726 = local_6;
+                if _e1726 {
+                    phi_2357_ = false;
                 } else {
-                    phi_2356_ = true;
+                    phi_2357_ = true;
                 }
-                let _e1727 = phi_2356_;
-                if _e1727 {
-                    let _e2020 = local_10;
-                    phi_2360_ = _e2020;
+                let _e1728 = phi_2357_;
+                if _e1728 {
+                    let _e2021 = local_10;
+                    phi_2361_ = _e2021;
                 } else {
-                    let _e2022 = local_11;
-                    phi_2360_ = _e2022;
+                    let _e2023 = local_11;
+                    phi_2361_ = _e2023;
                 }
-                let _e1729 = phi_2360_;
-                phi_2361_ = _e1729;
+                let _e1730 = phi_2361_;
+                phi_2362_ = _e1730;
             }
-            let _e1731 = phi_2361_;
-            phi_2362_ = _e1731;
-            phi_2363_ = _e206;
+            let _e1732 = phi_2362_;
+            phi_2363_ = _e1732;
+            phi_2364_ = _e207;
         } else {
-            phi_2362_ = bool();
-            phi_2363_ = true;
+            phi_2363_ = bool();
+            phi_2364_ = true;
         }
-        let _e1733 = phi_2362_;
-        let _e1735 = phi_2363_;
-        if _e1735 {
-            phi_2367_ = false;
+        let _e1734 = phi_2363_;
+        let _e1736 = phi_2364_;
+        if _e1736 {
+            phi_2368_ = false;
         } else {
-            phi_2367_ = _e1733;
+            phi_2368_ = _e1734;
         }
-        let _e1737 = phi_2367_;
-        if _e1737 {
-            phi_2371_ = 0f;
+        let _e1738 = phi_2368_;
+        if _e1738 {
+            phi_2372_ = 0f;
         } else {
-            phi_2371_ = 1f;
+            phi_2372_ = 1f;
         }
-        let _e1739 = phi_2371_;
-        if (_e111 < _e83) {
-        } else {
-            return;
-        }
-        visibility.member[(0u + _e111)] = _e1739;
-        let _e1745 = p.member.light.number;
-        let _e1746 = (_e1745 * 3u);
-        let _e1747 = (_e1746 / 32u);
-        let _e1748 = (_e1746 % 32u);
-        let _e1750 = p.member.light.mask_words;
-        if (_e111 < _e83) {
+        let _e1740 = phi_2372_;
+        if (_e112 < _e83) {
         } else {
             return;
         }
-        let _e1754 = visibility.member[(0u + _e111)];
-        let _e1756 = ((_e111 * _e1750) + _e1747);
-        if (_e1748 > 29u) {
-            let _e1758 = (_e1756 + 1u);
-            if (_e1758 < _e89) {
+        visibility.member[(0u + _e112)] = _e1740;
+        let _e1746 = p.member.light.number;
+        let _e1747 = (_e1746 * 3u);
+        let _e1748 = (_e1747 / 32u);
+        let _e1749 = (_e1747 % 32u);
+        let _e1751 = p.member.light.mask_words;
+        if (_e112 < _e83) {
+        } else {
+            return;
+        }
+        let _e1755 = visibility.member[(0u + _e112)];
+        let _e1757 = ((_e112 * _e1751) + _e1748);
+        if (_e1749 > 29u) {
+            let _e1759 = (_e1757 + 1u);
+            if (_e1759 < _e89) {
             } else {
                 return;
             }
-            let _e1762 = bits.member[(0u + _e1758)];
-            phi_2412_ = _e1762;
+            let _e1763 = bits.member[(0u + _e1759)];
+            phi_2413_ = _e1763;
         } else {
-            phi_2412_ = 0u;
+            phi_2413_ = 0u;
         }
-        let _e1764 = phi_2412_;
-        if (_e1756 < _e89) {
-        } else {
-            return;
-        }
-        let _e1768 = bits.member[(0u + _e1756)];
-        let _e1771 = (_e1768 >> bitcast<u32>((_e1748 & 31u)));
-        if (_e1748 > 29u) {
-            phi_2431_ = (_e1771 | (_e1764 << bitcast<u32>(((32u - _e1748) & 31u))));
-        } else {
-            phi_2431_ = _e1771;
-        }
-        let _e1779 = phi_2431_;
-        if ((_e1779 & 2u) == 0u) {
-            phi_2439_ = (_e1779 & 1u);
-        } else {
-            phi_2439_ = (_e1779 & 7u);
-        }
-        let _e1785 = phi_2439_;
-        if ((_e1785 & 1u) != 0u) {
-            phi_2447_ = (2u | 1u);
-        } else {
-            phi_2447_ = 2u;
-        }
-        let _e1791 = phi_2447_;
-        if (_e1754 < 0.5f) {
-            phi_2452_ = (_e1791 | 4u);
-        } else {
-            phi_2452_ = _e1791;
-        }
-        let _e1794 = phi_2452_;
-        let _e1796 = ((_e111 * _e1750) + _e1747);
-        if (_e1796 < _e89) {
+        let _e1765 = phi_2413_;
+        if (_e1757 < _e89) {
         } else {
             return;
         }
-        let _e1800 = bits.member[(0u + _e1796)];
-        if (_e1796 < _e89) {
+        let _e1769 = bits.member[(0u + _e1757)];
+        let _e1772 = (_e1769 >> bitcast<u32>((_e1749 & 31u)));
+        if (_e1749 > 29u) {
+            phi_2432_ = (_e1772 | (_e1765 << bitcast<u32>(((32u - _e1749) & 31u))));
+        } else {
+            phi_2432_ = _e1772;
+        }
+        let _e1780 = phi_2432_;
+        if ((_e1780 & 2u) == 0u) {
+            phi_2440_ = (_e1780 & 1u);
+        } else {
+            phi_2440_ = (_e1780 & 7u);
+        }
+        let _e1786 = phi_2440_;
+        if ((_e1786 & 1u) != 0u) {
+            phi_2448_ = (2u | 1u);
+        } else {
+            phi_2448_ = 2u;
+        }
+        let _e1792 = phi_2448_;
+        if (_e1755 < 0.5f) {
+            phi_2453_ = (_e1792 | 4u);
+        } else {
+            phi_2453_ = _e1792;
+        }
+        let _e1795 = phi_2453_;
+        let _e1797 = ((_e112 * _e1751) + _e1748);
+        if (_e1797 < _e89) {
         } else {
             return;
         }
-        bits.member[(0u + _e1796)] = ((_e1800 & ~((7u << bitcast<u32>((_e1748 & 31u))))) | (_e1794 << bitcast<u32>((_e1748 & 31u))));
-        if (_e1748 > 29u) {
-            let _e1814 = (_e1796 + 1u);
-            if (_e1814 < _e89) {
+        let _e1801 = bits.member[(0u + _e1797)];
+        if (_e1797 < _e89) {
+        } else {
+            return;
+        }
+        bits.member[(0u + _e1797)] = ((_e1801 & ~((7u << bitcast<u32>((_e1749 & 31u))))) | (_e1795 << bitcast<u32>((_e1749 & 31u))));
+        if (_e1749 > 29u) {
+            let _e1815 = (_e1797 + 1u);
+            if (_e1815 < _e89) {
             } else {
                 return;
             }
-            let _e1818 = bits.member[(0u + _e1814)];
-            let _e1819 = (32u - _e1748);
-            let _e1829 = (_e1796 + 1u);
-            if (_e1829 < _e89) {
+            let _e1819 = bits.member[(0u + _e1815)];
+            let _e1820 = (32u - _e1749);
+            let _e1830 = (_e1797 + 1u);
+            if (_e1830 < _e89) {
             } else {
                 return;
             }
-            bits.member[(0u + _e1829)] = ((_e1818 & ~((7u >> bitcast<u32>((_e1819 & 31u))))) | (_e1794 >> bitcast<u32>((_e1819 & 31u))));
+            bits.member[(0u + _e1830)] = ((_e1819 & ~((7u >> bitcast<u32>((_e1820 & 31u))))) | (_e1795 >> bitcast<u32>((_e1820 & 31u))));
         }
     }
     return;

@@ -584,227 +584,226 @@ fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_708_: f32;
-    var phi_740_: bool;
+    var phi_709_: f32;
     var phi_741_: bool;
     var phi_742_: bool;
     var phi_743_: bool;
-    var phi_747_: bool;
-    var phi_760_: bool;
+    var phi_744_: bool;
+    var phi_748_: bool;
     var phi_761_: bool;
     var phi_762_: bool;
     var phi_763_: bool;
-    var phi_767_: bool;
-    var phi_780_: bool;
+    var phi_764_: bool;
+    var phi_768_: bool;
     var phi_781_: bool;
     var phi_782_: bool;
-    var phi_786_: bool;
+    var phi_783_: bool;
     var phi_787_: bool;
     var phi_788_: bool;
     var phi_789_: bool;
     var phi_790_: bool;
-    var phi_794_: bool;
-    var phi_864_: f32;
-    var phi_871_: f32;
-    var phi_878_: f32;
-    var phi_885_: f32;
-    var phi_892_: f32;
-    var phi_899_: f32;
-    var phi_916_: f32;
-    var phi_921_: f32;
-    var phi_926_: f32;
-    var phi_931_: f32;
-    var phi_936_: f32;
-    var phi_955_: u32;
-    var phi_960_: u32;
-    var phi_965_: u32;
-    var phi_1079_: bool;
+    var phi_791_: bool;
+    var phi_795_: bool;
+    var phi_865_: f32;
+    var phi_872_: f32;
+    var phi_879_: f32;
+    var phi_886_: f32;
+    var phi_893_: f32;
+    var phi_900_: f32;
+    var phi_917_: f32;
+    var phi_922_: f32;
+    var phi_927_: f32;
+    var phi_932_: f32;
+    var phi_937_: f32;
+    var phi_956_: u32;
+    var phi_961_: u32;
+    var phi_966_: u32;
     var phi_1080_: bool;
-    var phi_1111_: u32;
-    var phi_1113_: u32;
-    var phi_1116_: bool;
-    var phi_1196_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1223_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1250_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1256_: u32;
-    var phi_1259_: u32;
-    var phi_1273_: u32;
-    var phi_1283_: u32;
-    var phi_1293_: u32;
-    var phi_1311_: u32;
-    var phi_1321_: u32;
-    var phi_1331_: u32;
-    var phi_1367_: u32;
-    var phi_1380_: u32;
-    var phi_1385_: u32;
-    var phi_1386_: u32;
-    var phi_1387_: u32;
+    var phi_1081_: bool;
+    var phi_1112_: u32;
+    var phi_1114_: u32;
+    var phi_1117_: bool;
+    var phi_1197_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1224_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1251_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_1257_: u32;
     var phi_1260_: u32;
+    var phi_1274_: u32;
+    var phi_1284_: u32;
+    var phi_1294_: u32;
+    var phi_1312_: u32;
+    var phi_1322_: u32;
+    var phi_1332_: u32;
+    var phi_1368_: u32;
+    var phi_1381_: u32;
+    var phi_1386_: u32;
+    var phi_1387_: u32;
+    var phi_1388_: u32;
+    var phi_1258_: u32;
+    var phi_1261_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1445_: u32;
-    var phi_1448_: bool;
-    var phi_1497_: f32;
-    var phi_1502_: f32;
-    var phi_1507_: f32;
-    var phi_1515_: f32;
-    var phi_1520_: f32;
-    var phi_1525_: f32;
-    var phi_1645_: bool;
+    var phi_1446_: u32;
+    var phi_1449_: bool;
+    var phi_1498_: f32;
+    var phi_1503_: f32;
+    var phi_1508_: f32;
+    var phi_1516_: f32;
+    var phi_1521_: f32;
+    var phi_1526_: f32;
     var phi_1646_: bool;
     var phi_1647_: bool;
     var phi_1648_: bool;
-    var phi_1652_: bool;
-    var phi_1665_: bool;
+    var phi_1649_: bool;
+    var phi_1653_: bool;
     var phi_1666_: bool;
     var phi_1667_: bool;
     var phi_1668_: bool;
-    var phi_1672_: bool;
-    var phi_1685_: bool;
+    var phi_1669_: bool;
+    var phi_1673_: bool;
     var phi_1686_: bool;
     var phi_1687_: bool;
-    var phi_1691_: bool;
+    var phi_1688_: bool;
     var phi_1692_: bool;
     var phi_1693_: bool;
     var phi_1694_: bool;
     var phi_1695_: bool;
-    var phi_1699_: bool;
-    var phi_1769_: f32;
-    var phi_1776_: f32;
-    var phi_1783_: f32;
-    var phi_1790_: f32;
-    var phi_1797_: f32;
-    var phi_1804_: f32;
-    var phi_1821_: f32;
-    var phi_1826_: f32;
-    var phi_1831_: f32;
-    var phi_1836_: f32;
-    var phi_1841_: f32;
-    var phi_1867_: bool;
+    var phi_1696_: bool;
+    var phi_1700_: bool;
+    var phi_1770_: f32;
+    var phi_1777_: f32;
+    var phi_1784_: f32;
+    var phi_1791_: f32;
+    var phi_1798_: f32;
+    var phi_1805_: f32;
+    var phi_1822_: f32;
+    var phi_1827_: f32;
+    var phi_1832_: f32;
+    var phi_1837_: f32;
+    var phi_1842_: f32;
     var phi_1868_: bool;
-    var phi_1876_: u32;
+    var phi_1869_: bool;
     var phi_1877_: u32;
-    var phi_1888_: vec3<f32>;
+    var phi_1878_: u32;
     var phi_1889_: vec3<f32>;
-    var phi_1902_: u32;
-    var phi_1907_: u32;
-    var phi_1912_: u32;
-    var phi_2026_: bool;
+    var phi_1890_: vec3<f32>;
+    var phi_1903_: u32;
+    var phi_1908_: u32;
+    var phi_1913_: u32;
     var phi_2027_: bool;
-    var phi_2058_: u32;
-    var phi_2060_: u32;
-    var phi_2063_: bool;
-    var phi_2143_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2170_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2197_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2203_: u32;
-    var phi_2206_: u32;
-    var phi_2220_: u32;
-    var phi_2230_: u32;
-    var phi_2240_: u32;
-    var phi_2258_: u32;
-    var phi_2268_: u32;
-    var phi_2278_: u32;
-    var phi_2314_: u32;
-    var phi_2327_: u32;
-    var phi_2332_: u32;
-    var phi_2333_: u32;
-    var phi_2334_: u32;
+    var phi_2028_: bool;
+    var phi_2059_: u32;
+    var phi_2061_: u32;
+    var phi_2064_: bool;
+    var phi_2144_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2171_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2198_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_2204_: u32;
     var phi_2207_: u32;
+    var phi_2221_: u32;
+    var phi_2231_: u32;
+    var phi_2241_: u32;
+    var phi_2259_: u32;
+    var phi_2269_: u32;
+    var phi_2279_: u32;
+    var phi_2315_: u32;
+    var phi_2328_: u32;
+    var phi_2333_: u32;
+    var phi_2334_: u32;
+    var phi_2335_: u32;
+    var phi_2205_: u32;
+    var phi_2208_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2392_: u32;
-    var phi_2395_: bool;
-    var phi_2439_: vec3<f32>;
+    var phi_2393_: u32;
+    var phi_2396_: bool;
     var phi_2440_: vec3<f32>;
-    var phi_2469_: vec3<f32>;
+    var phi_2441_: vec3<f32>;
     var phi_2470_: vec3<f32>;
-    var phi_2499_: vec3<f32>;
+    var phi_2471_: vec3<f32>;
     var phi_2500_: vec3<f32>;
-    var phi_2518_: bool;
+    var phi_2501_: vec3<f32>;
     var phi_2519_: bool;
-    var phi_2523_: f32;
+    var phi_2520_: bool;
     var phi_2524_: f32;
     var phi_2525_: f32;
     var phi_2526_: f32;
-    var phi_2534_: f32;
-    var phi_2544_: bool;
+    var phi_2527_: f32;
+    var phi_2535_: f32;
     var phi_2545_: bool;
-    var phi_2549_: f32;
+    var phi_2546_: bool;
     var phi_2550_: f32;
     var phi_2551_: f32;
     var phi_2552_: f32;
-    var phi_2560_: f32;
-    var phi_2570_: bool;
+    var phi_2553_: f32;
+    var phi_2561_: f32;
     var phi_2571_: bool;
-    var phi_2575_: f32;
+    var phi_2572_: bool;
     var phi_2576_: f32;
     var phi_2577_: f32;
     var phi_2578_: f32;
-    var phi_2586_: f32;
-    var phi_2601_: f32;
-    var phi_2602_: bool;
-    var phi_2603_: f32;
-    var phi_2604_: bool;
-    var phi_2605_: f32;
-    var phi_2606_: bool;
-    var phi_2624_: f32;
-    var phi_2625_: bool;
+    var phi_2579_: f32;
+    var phi_2587_: f32;
+    var phi_2602_: f32;
+    var phi_2603_: bool;
+    var phi_2604_: f32;
+    var phi_2605_: bool;
+    var phi_2606_: f32;
+    var phi_2607_: bool;
+    var phi_2625_: f32;
     var phi_2626_: bool;
-    var phi_2627_: f32;
-    var phi_2628_: bool;
+    var phi_2627_: bool;
+    var phi_2628_: f32;
     var phi_2629_: bool;
-    var phi_2633_: bool;
-    var phi_2634_: f32;
-    var phi_2635_: bool;
-    var phi_2663_: vec3<f32>;
+    var phi_2630_: bool;
+    var phi_2634_: bool;
+    var phi_2635_: f32;
+    var phi_2636_: bool;
     var phi_2664_: vec3<f32>;
-    var phi_2689_: vec3<f32>;
+    var phi_2665_: vec3<f32>;
     var phi_2690_: vec3<f32>;
-    var phi_2715_: vec3<f32>;
+    var phi_2691_: vec3<f32>;
     var phi_2716_: vec3<f32>;
-    var phi_2772_: f32;
-    var phi_2781_: f32;
-    var phi_2790_: f32;
-    var phi_2799_: f32;
-    var phi_2806_: f32;
-    var phi_2813_: f32;
-    var phi_2826_: f32;
-    var phi_2835_: f32;
-    var phi_2844_: f32;
-    var phi_2853_: f32;
-    var phi_2860_: f32;
-    var phi_2867_: f32;
-    var phi_2884_: f32;
-    var phi_2889_: f32;
-    var phi_2894_: f32;
-    var phi_2902_: f32;
-    var phi_2907_: f32;
-    var phi_2912_: f32;
-    var phi_2924_: f32;
-    var phi_2929_: f32;
-    var phi_2934_: f32;
-    var phi_2939_: f32;
-    var phi_2944_: lt_bvh_triangle_Intersection;
-    var phi_2945_: bool;
-    var phi_2946_: lt_bvh_triangle_Intersection;
-    var phi_2947_: bool;
-    var phi_2951_: lt_bvh_triangle_Intersection;
-    var phi_2952_: bool;
-    var phi_2953_: lt_bvh_triangle_Intersection;
-    var phi_2954_: bool;
+    var phi_2717_: vec3<f32>;
+    var phi_2773_: f32;
+    var phi_2782_: f32;
+    var phi_2791_: f32;
+    var phi_2800_: f32;
+    var phi_2807_: f32;
+    var phi_2814_: f32;
+    var phi_2827_: f32;
+    var phi_2836_: f32;
+    var phi_2845_: f32;
+    var phi_2854_: f32;
+    var phi_2861_: f32;
+    var phi_2868_: f32;
+    var phi_2885_: f32;
+    var phi_2890_: f32;
+    var phi_2895_: f32;
+    var phi_2903_: f32;
+    var phi_2908_: f32;
+    var phi_2913_: f32;
+    var phi_2925_: f32;
+    var phi_2930_: f32;
+    var phi_2935_: f32;
+    var phi_2940_: f32;
+    var phi_2945_: lt_bvh_triangle_Intersection;
+    var phi_2946_: bool;
+    var phi_2947_: lt_bvh_triangle_Intersection;
+    var phi_2948_: bool;
+    var phi_2952_: lt_bvh_triangle_Intersection;
+    var phi_2953_: bool;
+    var phi_2954_: lt_bvh_triangle_Intersection;
     var phi_2955_: bool;
-    var phi_2959_: bool;
-    var phi_2963_: lt_bvh_triangle_Intersection;
-    var phi_3177_: f32;
-    var phi_3180_: bool;
+    var phi_2956_: bool;
+    var phi_2960_: bool;
+    var phi_2964_: lt_bvh_triangle_Intersection;
+    var phi_3178_: f32;
     var phi_3181_: bool;
     var phi_3182_: bool;
-    var phi_3186_: bool;
+    var phi_3183_: bool;
     var phi_3187_: bool;
     var phi_3188_: bool;
     var phi_3189_: bool;
@@ -814,60 +813,61 @@ fn function_() {
     var phi_3193_: bool;
     var phi_3194_: bool;
     var phi_3195_: bool;
-    var phi_2393_: u32;
-    var phi_2396_: bool;
-    var phi_3199_: bool;
+    var phi_3196_: bool;
+    var phi_2394_: u32;
+    var phi_2397_: bool;
     var phi_3200_: bool;
+    var phi_3201_: bool;
     var local_9: bool;
-    var phi_3242_: bool;
     var phi_3243_: bool;
-    var phi_3274_: u32;
+    var phi_3244_: bool;
     var phi_3275_: u32;
-    var phi_2061_: u32;
-    var phi_2064_: bool;
-    var phi_3276_: bool;
+    var phi_3276_: u32;
+    var phi_2062_: u32;
+    var phi_2065_: bool;
     var phi_3277_: bool;
     var phi_3278_: bool;
+    var phi_3279_: bool;
     var local_10: bool;
-    var phi_3282_: bool;
-    var phi_3286_: bool;
+    var phi_3283_: bool;
     var phi_3287_: bool;
     var phi_3288_: bool;
     var phi_3289_: bool;
-    var phi_3293_: bool;
-    var phi_3297_: bool;
+    var phi_3290_: bool;
+    var phi_3294_: bool;
     var phi_3298_: bool;
     var phi_3299_: bool;
     var phi_3300_: bool;
     var phi_3301_: bool;
     var phi_3302_: bool;
     var phi_3303_: bool;
-    var phi_1446_: u32;
-    var phi_1449_: bool;
-    var phi_3307_: bool;
+    var phi_3304_: bool;
+    var phi_1447_: u32;
+    var phi_1450_: bool;
+    var phi_3308_: bool;
     var local_11: bool;
-    var phi_3349_: bool;
     var phi_3350_: bool;
-    var phi_3381_: u32;
+    var phi_3351_: bool;
     var phi_3382_: u32;
-    var phi_1114_: u32;
-    var phi_1117_: bool;
-    var phi_3383_: bool;
+    var phi_3383_: u32;
+    var phi_1115_: u32;
+    var phi_1118_: bool;
     var phi_3384_: bool;
+    var phi_3385_: bool;
     var local_12: bool;
-    var phi_3388_: bool;
-    var phi_3392_: bool;
+    var phi_3389_: bool;
     var phi_3393_: bool;
     var phi_3394_: bool;
-    var phi_3398_: bool;
+    var phi_3395_: bool;
     var phi_3399_: bool;
-    var phi_3403_: bool;
-    var phi_3407_: f32;
-    var phi_3448_: u32;
-    var phi_3467_: u32;
-    var phi_3475_: u32;
-    var phi_3483_: u32;
-    var phi_3488_: u32;
+    var phi_3400_: bool;
+    var phi_3404_: bool;
+    var phi_3408_: f32;
+    var phi_3449_: u32;
+    var phi_3468_: u32;
+    var phi_3476_: u32;
+    var phi_3484_: u32;
+    var phi_3489_: u32;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
@@ -897,2059 +897,2060 @@ fn function_() {
             return;
         }
         let _e115 = list.member[(0u + _e111)];
-        let _e117 = p.member.root;
-        if (_e115 < arrayLength((&samples.member))) {
+        let _e116 = (_e115 & 2147483647u);
+        let _e118 = p.member.root;
+        if (_e116 < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e123 = samples.member[(0u + _e115)].position;
-        let _e125 = samples.member[(0u + _e115)].normal;
-        let _e127 = samples.member[(0u + _e115)].magnitude;
-        let _e129 = ((8f / 8388608f) * _e127);
-        let _e137 = (_e123.x + (_e125.x * _e129));
-        let _e139 = (_e123.y + (_e125.y * _e129));
-        let _e141 = (_e123.z + (_e125.z * _e129));
-        let _e143 = p.member.light.place;
-        if (_e143.w == 0f) {
-            phi_708_ = 300000000000000000000000000000000000000f;
+        let _e124 = samples.member[(0u + _e116)].position;
+        let _e126 = samples.member[(0u + _e116)].normal;
+        let _e128 = samples.member[(0u + _e116)].magnitude;
+        let _e130 = ((8f / 8388608f) * _e128);
+        let _e138 = (_e124.x + (_e126.x * _e130));
+        let _e140 = (_e124.y + (_e126.y * _e130));
+        let _e142 = (_e124.z + (_e126.z * _e130));
+        let _e144 = p.member.light.place;
+        if (_e144.w == 0f) {
+            phi_709_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_708_ = 1f;
+            phi_709_ = 1f;
         }
-        let _e147 = phi_708_;
-        let _e155 = (_e143.x - (_e137 * _e143.w));
-        let _e156 = (_e143.y - (_e139 * _e143.w));
-        let _e157 = (_e143.z - (_e141 * _e143.w));
-        let _e158 = abs(_e155);
+        let _e148 = phi_709_;
+        let _e156 = (_e144.x - (_e138 * _e144.w));
+        let _e157 = (_e144.y - (_e140 * _e144.w));
+        let _e158 = (_e144.z - (_e142 * _e144.w));
         let _e159 = abs(_e156);
         let _e160 = abs(_e157);
-        if (abs(_e137) < 1000000000000000f) {
-            if (abs(_e139) < 1000000000000000f) {
-                phi_740_ = (abs(_e141) < 1000000000000000f);
-                phi_741_ = false;
+        let _e161 = abs(_e158);
+        if (abs(_e138) < 1000000000000000f) {
+            if (abs(_e140) < 1000000000000000f) {
+                phi_741_ = (abs(_e142) < 1000000000000000f);
+                phi_742_ = false;
             } else {
-                phi_740_ = bool();
-                phi_741_ = true;
+                phi_741_ = bool();
+                phi_742_ = true;
             }
-            let _e168 = phi_740_;
-            let _e170 = phi_741_;
-            phi_742_ = _e168;
-            phi_743_ = _e170;
+            let _e169 = phi_741_;
+            let _e171 = phi_742_;
+            phi_743_ = _e169;
+            phi_744_ = _e171;
         } else {
-            phi_742_ = bool();
-            phi_743_ = true;
+            phi_743_ = bool();
+            phi_744_ = true;
         }
-        let _e172 = phi_742_;
-        let _e174 = phi_743_;
-        if _e174 {
-            phi_747_ = false;
+        let _e173 = phi_743_;
+        let _e175 = phi_744_;
+        if _e175 {
+            phi_748_ = false;
         } else {
-            phi_747_ = _e172;
+            phi_748_ = _e173;
         }
-        let _e176 = phi_747_;
-        if _e176 {
-            if (_e158 < 1000000000000000f) {
-                if (_e159 < 1000000000000000f) {
-                    phi_760_ = (_e160 < 1000000000000000f);
-                    phi_761_ = false;
+        let _e177 = phi_748_;
+        if _e177 {
+            if (_e159 < 1000000000000000f) {
+                if (_e160 < 1000000000000000f) {
+                    phi_761_ = (_e161 < 1000000000000000f);
+                    phi_762_ = false;
                 } else {
-                    phi_760_ = bool();
-                    phi_761_ = true;
+                    phi_761_ = bool();
+                    phi_762_ = true;
                 }
-                let _e181 = phi_760_;
-                let _e183 = phi_761_;
-                phi_762_ = _e181;
-                phi_763_ = _e183;
+                let _e182 = phi_761_;
+                let _e184 = phi_762_;
+                phi_763_ = _e182;
+                phi_764_ = _e184;
             } else {
-                phi_762_ = bool();
-                phi_763_ = true;
+                phi_763_ = bool();
+                phi_764_ = true;
             }
-            let _e185 = phi_762_;
-            let _e187 = phi_763_;
-            if _e187 {
-                phi_767_ = false;
+            let _e186 = phi_763_;
+            let _e188 = phi_764_;
+            if _e188 {
+                phi_768_ = false;
             } else {
-                phi_767_ = _e185;
+                phi_768_ = _e186;
             }
-            let _e189 = phi_767_;
-            if _e189 {
-                if (_e158 > 0f) {
-                    phi_781_ = bool();
-                    phi_782_ = true;
+            let _e190 = phi_768_;
+            if _e190 {
+                if (_e159 > 0f) {
+                    phi_782_ = bool();
+                    phi_783_ = true;
                 } else {
-                    let _e191 = (_e159 > 0f);
-                    if _e191 {
-                        phi_780_ = bool();
+                    let _e192 = (_e160 > 0f);
+                    if _e192 {
+                        phi_781_ = bool();
                     } else {
-                        phi_780_ = (_e160 > 0f);
+                        phi_781_ = (_e161 > 0f);
                     }
-                    let _e194 = phi_780_;
-                    phi_781_ = _e194;
-                    phi_782_ = _e191;
+                    let _e195 = phi_781_;
+                    phi_782_ = _e195;
+                    phi_783_ = _e192;
                 }
-                let _e196 = phi_781_;
-                let _e198 = phi_782_;
-                if _e198 {
-                    phi_786_ = true;
+                let _e197 = phi_782_;
+                let _e199 = phi_783_;
+                if _e199 {
+                    phi_787_ = true;
                 } else {
-                    phi_786_ = _e196;
+                    phi_787_ = _e197;
                 }
-                let _e200 = phi_786_;
-                phi_787_ = _e200;
-                phi_788_ = false;
+                let _e201 = phi_787_;
+                phi_788_ = _e201;
+                phi_789_ = false;
             } else {
-                phi_787_ = bool();
-                phi_788_ = true;
+                phi_788_ = bool();
+                phi_789_ = true;
             }
-            let _e202 = phi_787_;
-            let _e204 = phi_788_;
-            phi_789_ = _e202;
-            phi_790_ = _e204;
+            let _e203 = phi_788_;
+            let _e205 = phi_789_;
+            phi_790_ = _e203;
+            phi_791_ = _e205;
         } else {
-            phi_789_ = bool();
-            phi_790_ = true;
+            phi_790_ = bool();
+            phi_791_ = true;
         }
-        let _e206 = phi_789_;
-        let _e208 = phi_790_;
-        if _e208 {
-            phi_794_ = false;
+        let _e207 = phi_790_;
+        let _e209 = phi_791_;
+        if _e209 {
+            phi_795_ = false;
         } else {
-            phi_794_ = _e206;
+            phi_795_ = _e207;
         }
-        let _e210 = phi_794_;
-        if _e210 {
-            let _e211 = (_e117 >= _e78);
-            if _e211 {
-                phi_3392_ = false;
+        let _e211 = phi_795_;
+        if _e211 {
+            let _e212 = (_e118 >= _e78);
+            if _e212 {
+                phi_3393_ = false;
             } else {
-                if (_e117 < _e78) {
+                if (_e118 < _e78) {
                 } else {
                     return;
                 }
-                let _e217 = nodes.member[(0u + _e117)].frame[0u];
-                let _e221 = nodes.member[(0u + _e117)].frame[1u];
-                let _e225 = nodes.member[(0u + _e117)].frame[2u];
-                let _e229 = nodes.member[(0u + _e117)].frame[0u];
-                let _e233 = nodes.member[(0u + _e117)].frame[1u];
-                let _e237 = nodes.member[(0u + _e117)].frame[2u];
-                let _e241 = nodes.member[(0u + _e117)].frame[3u];
-                let _e275 = core_intrinsics_maximum_number_nsz_f32_(abs(_e155), abs(_e156));
-                let _e276 = core_intrinsics_maximum_number_nsz_f32_(_e275, abs(_e157));
-                let _e277 = (_e276 * 0.0000000000009094947f);
-                if (abs(_e155) < _e277) {
-                    phi_864_ = _e277;
+                let _e218 = nodes.member[(0u + _e118)].frame[0u];
+                let _e222 = nodes.member[(0u + _e118)].frame[1u];
+                let _e226 = nodes.member[(0u + _e118)].frame[2u];
+                let _e230 = nodes.member[(0u + _e118)].frame[0u];
+                let _e234 = nodes.member[(0u + _e118)].frame[1u];
+                let _e238 = nodes.member[(0u + _e118)].frame[2u];
+                let _e242 = nodes.member[(0u + _e118)].frame[3u];
+                let _e276 = core_intrinsics_maximum_number_nsz_f32_(abs(_e156), abs(_e157));
+                let _e277 = core_intrinsics_maximum_number_nsz_f32_(_e276, abs(_e158));
+                let _e278 = (_e277 * 0.0000000000009094947f);
+                if (abs(_e156) < _e278) {
+                    phi_865_ = _e278;
                 } else {
-                    phi_864_ = abs(_e155);
+                    phi_865_ = abs(_e156);
                 }
-                let _e282 = phi_864_;
-                if (_e155 < 0f) {
-                    phi_871_ = (-1f / _e282);
-                } else {
-                    phi_871_ = (1f / _e282);
-                }
-                let _e287 = phi_871_;
-                if (abs(_e156) < _e277) {
-                    phi_878_ = _e277;
-                } else {
-                    phi_878_ = abs(_e156);
-                }
-                let _e292 = phi_878_;
+                let _e283 = phi_865_;
                 if (_e156 < 0f) {
-                    phi_885_ = (-1f / _e292);
+                    phi_872_ = (-1f / _e283);
                 } else {
-                    phi_885_ = (1f / _e292);
+                    phi_872_ = (1f / _e283);
                 }
-                let _e297 = phi_885_;
-                if (abs(_e157) < _e277) {
-                    phi_892_ = _e277;
+                let _e288 = phi_872_;
+                if (abs(_e157) < _e278) {
+                    phi_879_ = _e278;
                 } else {
-                    phi_892_ = abs(_e157);
+                    phi_879_ = abs(_e157);
                 }
-                let _e302 = phi_892_;
+                let _e293 = phi_879_;
                 if (_e157 < 0f) {
-                    phi_899_ = (-1f / _e302);
+                    phi_886_ = (-1f / _e293);
                 } else {
-                    phi_899_ = (1f / _e302);
+                    phi_886_ = (1f / _e293);
                 }
-                let _e307 = phi_899_;
-                let _e311 = abs((bitcast<f32>(_e217) - _e137));
-                let _e312 = abs((bitcast<f32>(_e221) - _e139));
-                let _e313 = abs((bitcast<f32>(_e225) - _e141));
-                let _e317 = abs(((bitcast<f32>(_e229) + (bitcast<f32>((((_e241 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e137));
-                let _e318 = abs(((bitcast<f32>(_e233) + (bitcast<f32>((((_e241 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e139));
-                let _e319 = abs(((bitcast<f32>(_e237) + (bitcast<f32>((((_e241 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e141));
-                if (_e311 > _e317) {
-                    phi_916_ = _e311;
+                let _e298 = phi_886_;
+                if (abs(_e158) < _e278) {
+                    phi_893_ = _e278;
                 } else {
-                    phi_916_ = _e317;
+                    phi_893_ = abs(_e158);
                 }
-                let _e322 = phi_916_;
+                let _e303 = phi_893_;
+                if (_e158 < 0f) {
+                    phi_900_ = (-1f / _e303);
+                } else {
+                    phi_900_ = (1f / _e303);
+                }
+                let _e308 = phi_900_;
+                let _e312 = abs((bitcast<f32>(_e218) - _e138));
+                let _e313 = abs((bitcast<f32>(_e222) - _e140));
+                let _e314 = abs((bitcast<f32>(_e226) - _e142));
+                let _e318 = abs(((bitcast<f32>(_e230) + (bitcast<f32>((((_e242 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e138));
+                let _e319 = abs(((bitcast<f32>(_e234) + (bitcast<f32>((((_e242 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e140));
+                let _e320 = abs(((bitcast<f32>(_e238) + (bitcast<f32>((((_e242 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e142));
                 if (_e312 > _e318) {
-                    phi_921_ = _e312;
+                    phi_917_ = _e312;
                 } else {
-                    phi_921_ = _e318;
+                    phi_917_ = _e318;
                 }
-                let _e325 = phi_921_;
+                let _e323 = phi_917_;
                 if (_e313 > _e319) {
-                    phi_926_ = _e313;
+                    phi_922_ = _e313;
                 } else {
-                    phi_926_ = _e319;
+                    phi_922_ = _e319;
                 }
-                let _e328 = phi_926_;
-                if (_e322 > _e325) {
-                    phi_931_ = _e322;
+                let _e326 = phi_922_;
+                if (_e314 > _e320) {
+                    phi_927_ = _e314;
                 } else {
-                    phi_931_ = _e325;
+                    phi_927_ = _e320;
                 }
-                let _e331 = phi_931_;
-                if (_e331 > _e328) {
-                    phi_936_ = _e331;
+                let _e329 = phi_927_;
+                if (_e323 > _e326) {
+                    phi_932_ = _e323;
                 } else {
-                    phi_936_ = _e328;
+                    phi_932_ = _e326;
                 }
-                let _e334 = phi_936_;
-                let _e338 = (_e334 * 0.0000019073486f);
-                let _e339 = (abs(_e287) * _e338);
-                let _e340 = (abs(_e297) * _e338);
-                let _e341 = (abs(_e307) * _e338);
-                let _e345 = (_e334 * 0.0000009536743f);
-                let _e346 = (abs(_e287) * _e345);
-                let _e347 = (abs(_e297) * _e345);
-                let _e348 = (abs(_e307) * _e345);
-                if (_e287 < 0f) {
-                    phi_955_ = 0u;
+                let _e332 = phi_932_;
+                if (_e332 > _e329) {
+                    phi_937_ = _e332;
                 } else {
-                    phi_955_ = 1u;
+                    phi_937_ = _e329;
                 }
-                let _e351 = phi_955_;
-                if (_e297 < 0f) {
-                    phi_960_ = 0u;
+                let _e335 = phi_937_;
+                let _e339 = (_e335 * 0.0000019073486f);
+                let _e340 = (abs(_e288) * _e339);
+                let _e341 = (abs(_e298) * _e339);
+                let _e342 = (abs(_e308) * _e339);
+                let _e346 = (_e335 * 0.0000009536743f);
+                let _e347 = (abs(_e288) * _e346);
+                let _e348 = (abs(_e298) * _e346);
+                let _e349 = (abs(_e308) * _e346);
+                if (_e288 < 0f) {
+                    phi_956_ = 0u;
                 } else {
-                    phi_960_ = 2u;
+                    phi_956_ = 1u;
                 }
-                let _e354 = phi_960_;
-                if (_e307 < 0f) {
-                    phi_965_ = 0u;
+                let _e352 = phi_956_;
+                if (_e298 < 0f) {
+                    phi_961_ = 0u;
                 } else {
-                    phi_965_ = 4u;
+                    phi_961_ = 2u;
                 }
-                let _e357 = phi_965_;
-                let _e359 = ((_e351 | _e354) | _e357);
-                let _e360 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e117, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e360.first[0], _e360.first[1], _e360.first[2], _e360.first[3], _e360.first[4], _e360.first[5], _e360.first[6], _e360.first[7], _e360.first[8], _e360.first[9], _e360.first[10], _e360.first[11], _e360.first[12], _e360.first[13], _e360.first[14], _e360.first[15], _e360.first[16], _e360.first[17], _e360.first[18], _e360.first[19], _e360.first[20], _e360.first[21], _e360.first[22], _e360.first[23], _e360.first[24], _e360.first[25], _e360.first[26], _e360.first[27], _e360.first[28], _e360.first[29], _e360.first[30], _e360.first[31]), array<u32, 32>(_e360.mask[0], _e360.mask[1], _e360.mask[2], _e360.mask[3], _e360.mask[4], _e360.mask[5], _e360.mask[6], _e360.mask[7], _e360.mask[8], _e360.mask[9], _e360.mask[10], _e360.mask[11], _e360.mask[12], _e360.mask[13], _e360.mask[14], _e360.mask[15], _e360.mask[16], _e360.mask[17], _e360.mask[18], _e360.mask[19], _e360.mask[20], _e360.mask[21], _e360.mask[22], _e360.mask[23], _e360.mask[24], _e360.mask[25], _e360.mask[26], _e360.mask[27], _e360.mask[28], _e360.mask[29], _e360.mask[30], _e360.mask[31]), _e360.len, _e360.group, _e360.group_mask);
-                let _e434 = local_2.group_mask;
-                if ((_e434 & 4278190080u) == 0u) {
-                    let _e438 = local_2.len;
-                    if (_e438 == 0u) {
-                        phi_1079_ = false;
+                let _e355 = phi_961_;
+                if (_e308 < 0f) {
+                    phi_966_ = 0u;
+                } else {
+                    phi_966_ = 4u;
+                }
+                let _e358 = phi_966_;
+                let _e360 = ((_e352 | _e355) | _e358);
+                let _e361 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e118, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e361.first[0], _e361.first[1], _e361.first[2], _e361.first[3], _e361.first[4], _e361.first[5], _e361.first[6], _e361.first[7], _e361.first[8], _e361.first[9], _e361.first[10], _e361.first[11], _e361.first[12], _e361.first[13], _e361.first[14], _e361.first[15], _e361.first[16], _e361.first[17], _e361.first[18], _e361.first[19], _e361.first[20], _e361.first[21], _e361.first[22], _e361.first[23], _e361.first[24], _e361.first[25], _e361.first[26], _e361.first[27], _e361.first[28], _e361.first[29], _e361.first[30], _e361.first[31]), array<u32, 32>(_e361.mask[0], _e361.mask[1], _e361.mask[2], _e361.mask[3], _e361.mask[4], _e361.mask[5], _e361.mask[6], _e361.mask[7], _e361.mask[8], _e361.mask[9], _e361.mask[10], _e361.mask[11], _e361.mask[12], _e361.mask[13], _e361.mask[14], _e361.mask[15], _e361.mask[16], _e361.mask[17], _e361.mask[18], _e361.mask[19], _e361.mask[20], _e361.mask[21], _e361.mask[22], _e361.mask[23], _e361.mask[24], _e361.mask[25], _e361.mask[26], _e361.mask[27], _e361.mask[28], _e361.mask[29], _e361.mask[30], _e361.mask[31]), _e361.len, _e361.group, _e361.group_mask);
+                let _e435 = local_2.group_mask;
+                if ((_e435 & 4278190080u) == 0u) {
+                    let _e439 = local_2.len;
+                    if (_e439 == 0u) {
+                        phi_1080_ = false;
                     } else {
-                        let _e442 = local_2.len;
-                        local_2.len = (_e442 - 1u);
-                        let _e445 = local_2.len;
-                        if (_e445 < 32u) {
+                        let _e443 = local_2.len;
+                        local_2.len = (_e443 - 1u);
+                        let _e446 = local_2.len;
+                        if (_e446 < 32u) {
                         } else {
                             return;
                         }
-                        let _e450 = local_2.first[(0u + _e445)];
-                        local_2.group = _e450;
-                        let _e453 = local_2.len;
-                        if (_e453 < 32u) {
+                        let _e451 = local_2.first[(0u + _e446)];
+                        local_2.group = _e451;
+                        let _e454 = local_2.len;
+                        if (_e454 < 32u) {
                         } else {
                             return;
                         }
-                        let _e458 = local_2.mask[(0u + _e453)];
-                        local_2.group_mask = _e458;
-                        phi_1079_ = true;
+                        let _e459 = local_2.mask[(0u + _e454)];
+                        local_2.group_mask = _e459;
+                        phi_1080_ = true;
                     }
-                    let _e461 = phi_1079_;
-                    phi_1080_ = _e461;
+                    let _e462 = phi_1080_;
+                    phi_1081_ = _e462;
                 } else {
-                    phi_1080_ = true;
+                    phi_1081_ = true;
                 }
-                let _e463 = phi_1080_;
-                if _e463 {
-                    let _e465 = local_2.group_mask;
-                    let _e471 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e465)), 32u, (_e465 == 0u)));
-                    let _e475 = local_2.group_mask;
-                    let _e489 = local_2.group_mask;
-                    local_2.group_mask = (_e489 & ~((1u << bitcast<u32>((_e471 & 31u)))));
-                    let _e492 = local_2.group;
-                    phi_1111_ = (_e492 + countOneBits(((_e475 & ~((4294967295u << bitcast<u32>((((_e471 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e464 = phi_1081_;
+                if _e464 {
+                    let _e466 = local_2.group_mask;
+                    let _e472 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e466)), 32u, (_e466 == 0u)));
+                    let _e476 = local_2.group_mask;
+                    let _e490 = local_2.group_mask;
+                    local_2.group_mask = (_e490 & ~((1u << bitcast<u32>((_e472 & 31u)))));
+                    let _e493 = local_2.group;
+                    phi_1112_ = (_e493 + countOneBits(((_e476 & ~((4294967295u << bitcast<u32>((((_e472 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1111_ = 4294967295u;
+                    phi_1112_ = 4294967295u;
                 }
-                let _e495 = phi_1111_;
-                phi_1113_ = _e495;
-                phi_1116_ = false;
+                let _e496 = phi_1112_;
+                phi_1114_ = _e496;
+                phi_1117_ = false;
                 loop {
-                    let _e497 = phi_1113_;
-                    let _e499 = phi_1116_;
-                    if (_e497 != 4294967295u) {
-                        if (_e497 < _e78) {
+                    let _e498 = phi_1114_;
+                    let _e500 = phi_1117_;
+                    if (_e498 != 4294967295u) {
+                        if (_e498 < _e78) {
                         } else {
                             return;
                         }
-                        let _e506 = nodes.member[(0u + _e497)].frame[3u];
-                        let _e531 = (bitcast<f32>((((_e506 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e287);
-                        let _e532 = (bitcast<f32>((((_e506 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e297);
-                        let _e533 = (bitcast<f32>((((_e506 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e307);
-                        let _e536 = nodes.member[(0u + _e497)].frame[0u];
-                        let _e540 = nodes.member[(0u + _e497)].frame[1u];
-                        let _e544 = nodes.member[(0u + _e497)].frame[2u];
-                        let _e549 = ((bitcast<f32>(_e536) - _e137) * _e287);
-                        let _e550 = ((bitcast<f32>(_e540) - _e139) * _e297);
-                        let _e551 = ((bitcast<f32>(_e544) - _e141) * _e307);
-                        let _e559 = nodes.member[(0u + _e497)].x;
-                        if (_e287 < 0f) {
-                            let _e570 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e559.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e570.unnamed.root, _e559.w), _e570.unnamed_1);
-                            let _e582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e576.unnamed, lt_bvh_traverse_Tree(_e559.x, _e576.unnamed_1.first_primitive));
-                            phi_1196_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e582.unnamed, lt_bvh_traverse_Tree(_e582.unnamed_1.root, _e559.y));
+                        let _e507 = nodes.member[(0u + _e498)].frame[3u];
+                        let _e532 = (bitcast<f32>((((_e507 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e288);
+                        let _e533 = (bitcast<f32>((((_e507 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e298);
+                        let _e534 = (bitcast<f32>((((_e507 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e308);
+                        let _e537 = nodes.member[(0u + _e498)].frame[0u];
+                        let _e541 = nodes.member[(0u + _e498)].frame[1u];
+                        let _e545 = nodes.member[(0u + _e498)].frame[2u];
+                        let _e550 = ((bitcast<f32>(_e537) - _e138) * _e288);
+                        let _e551 = ((bitcast<f32>(_e541) - _e140) * _e298);
+                        let _e552 = ((bitcast<f32>(_e545) - _e142) * _e308);
+                        let _e560 = nodes.member[(0u + _e498)].x;
+                        if (_e288 < 0f) {
+                            let _e571 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e560.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e571.unnamed.root, _e560.w), _e571.unnamed_1);
+                            let _e583 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e577.unnamed, lt_bvh_traverse_Tree(_e560.x, _e577.unnamed_1.first_primitive));
+                            phi_1197_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e583.unnamed, lt_bvh_traverse_Tree(_e583.unnamed_1.root, _e560.y));
                         } else {
-                            let _e598 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e559.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e598.unnamed.root, _e559.y), _e598.unnamed_1);
-                            let _e610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e604.unnamed, lt_bvh_traverse_Tree(_e559.z, _e604.unnamed_1.first_primitive));
-                            phi_1196_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e610.unnamed, lt_bvh_traverse_Tree(_e610.unnamed_1.root, _e559.w));
+                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e560.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e599.unnamed.root, _e560.y), _e599.unnamed_1);
+                            let _e611 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_bvh_traverse_Tree(_e560.z, _e605.unnamed_1.first_primitive));
+                            phi_1197_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e611.unnamed, lt_bvh_traverse_Tree(_e611.unnamed_1.root, _e560.w));
                         }
-                        let _e618 = phi_1196_;
-                        let _e628 = nodes.member[(0u + _e497)].y;
-                        if (_e297 < 0f) {
-                            let _e639 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e628.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e639.unnamed.root, _e628.w), _e639.unnamed_1);
-                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e645.unnamed, lt_bvh_traverse_Tree(_e628.x, _e645.unnamed_1.first_primitive));
-                            phi_1223_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e651.unnamed, lt_bvh_traverse_Tree(_e651.unnamed_1.root, _e628.y));
+                        let _e619 = phi_1197_;
+                        let _e629 = nodes.member[(0u + _e498)].y;
+                        if (_e298 < 0f) {
+                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e629.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e640.unnamed.root, _e629.w), _e640.unnamed_1);
+                            let _e652 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_bvh_traverse_Tree(_e629.x, _e646.unnamed_1.first_primitive));
+                            phi_1224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e652.unnamed, lt_bvh_traverse_Tree(_e652.unnamed_1.root, _e629.y));
                         } else {
-                            let _e667 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e628.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e667.unnamed.root, _e628.y), _e667.unnamed_1);
-                            let _e679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e673.unnamed, lt_bvh_traverse_Tree(_e628.z, _e673.unnamed_1.first_primitive));
-                            phi_1223_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e679.unnamed, lt_bvh_traverse_Tree(_e679.unnamed_1.root, _e628.w));
+                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e629.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e668.unnamed.root, _e629.y), _e668.unnamed_1);
+                            let _e680 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_bvh_traverse_Tree(_e629.z, _e674.unnamed_1.first_primitive));
+                            phi_1224_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e680.unnamed, lt_bvh_traverse_Tree(_e680.unnamed_1.root, _e629.w));
                         }
-                        let _e687 = phi_1223_;
-                        let _e697 = nodes.member[(0u + _e497)].z;
-                        if (_e307 < 0f) {
-                            let _e708 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e697.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e708.unnamed.root, _e697.w), _e708.unnamed_1);
-                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e714.unnamed, lt_bvh_traverse_Tree(_e697.x, _e714.unnamed_1.first_primitive));
-                            phi_1250_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e720.unnamed, lt_bvh_traverse_Tree(_e720.unnamed_1.root, _e697.y));
+                        let _e688 = phi_1224_;
+                        let _e698 = nodes.member[(0u + _e498)].z;
+                        if (_e308 < 0f) {
+                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e698.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e709.unnamed.root, _e698.w), _e709.unnamed_1);
+                            let _e721 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_bvh_traverse_Tree(_e698.x, _e715.unnamed_1.first_primitive));
+                            phi_1251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e721.unnamed, lt_bvh_traverse_Tree(_e721.unnamed_1.root, _e698.y));
                         } else {
-                            let _e736 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e697.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e742 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e736.unnamed.root, _e697.y), _e736.unnamed_1);
-                            let _e748 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e742.unnamed, lt_bvh_traverse_Tree(_e697.z, _e742.unnamed_1.first_primitive));
-                            phi_1250_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e748.unnamed, lt_bvh_traverse_Tree(_e748.unnamed_1.root, _e697.w));
+                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e698.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e737.unnamed.root, _e698.y), _e737.unnamed_1);
+                            let _e749 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_bvh_traverse_Tree(_e698.z, _e743.unnamed_1.first_primitive));
+                            phi_1251_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e749.unnamed, lt_bvh_traverse_Tree(_e749.unnamed_1.root, _e698.w));
                         }
-                        let _e756 = phi_1250_;
-                        phi_1256_ = 0u;
-                        phi_1259_ = 0u;
+                        let _e757 = phi_1251_;
+                        phi_1257_ = 0u;
+                        phi_1260_ = 0u;
                         loop {
-                            let _e766 = phi_1256_;
-                            let _e768 = phi_1259_;
-                            local_3 = _e768;
-                            local_4 = _e768;
-                            local_5 = _e768;
-                            let _e769 = (_e766 < 8u);
-                            if _e769 {
-                                let _e771 = (_e766 >> bitcast<u32>(2i));
-                                let _e772 = (_e766 & 3u);
-                                if (_e771 == 0u) {
-                                    phi_1273_ = _e618.unnamed.root;
+                            let _e767 = phi_1257_;
+                            let _e769 = phi_1260_;
+                            local_3 = _e769;
+                            local_4 = _e769;
+                            local_5 = _e769;
+                            let _e770 = (_e767 < 8u);
+                            if _e770 {
+                                let _e772 = (_e767 >> bitcast<u32>(2i));
+                                let _e773 = (_e767 & 3u);
+                                if (_e772 == 0u) {
+                                    phi_1274_ = _e619.unnamed.root;
                                 } else {
-                                    phi_1273_ = _e618.unnamed.first_primitive;
+                                    phi_1274_ = _e619.unnamed.first_primitive;
                                 }
-                                let _e775 = phi_1273_;
-                                if (_e771 == 0u) {
-                                    phi_1283_ = _e687.unnamed.root;
+                                let _e776 = phi_1274_;
+                                if (_e772 == 0u) {
+                                    phi_1284_ = _e688.unnamed.root;
                                 } else {
-                                    phi_1283_ = _e687.unnamed.first_primitive;
+                                    phi_1284_ = _e688.unnamed.first_primitive;
                                 }
-                                let _e784 = phi_1283_;
-                                if (_e771 == 0u) {
-                                    phi_1293_ = _e756.unnamed.root;
+                                let _e785 = phi_1284_;
+                                if (_e772 == 0u) {
+                                    phi_1294_ = _e757.unnamed.root;
                                 } else {
-                                    phi_1293_ = _e756.unnamed.first_primitive;
+                                    phi_1294_ = _e757.unnamed.first_primitive;
                                 }
-                                let _e793 = phi_1293_;
-                                let _e806 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e775 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e531) + (_e549 - _e339)), ((f32(((_e784 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e532) + (_e550 - _e340)));
-                                let _e807 = core_intrinsics_maximum_number_nsz_f32_(_e806, ((f32(((_e793 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e533) + (_e551 - _e341)));
-                                if (_e771 == 0u) {
-                                    phi_1311_ = _e618.unnamed_1.root;
+                                let _e794 = phi_1294_;
+                                let _e807 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e776 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e532) + (_e550 - _e340)), ((f32(((_e785 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e533) + (_e551 - _e341)));
+                                let _e808 = core_intrinsics_maximum_number_nsz_f32_(_e807, ((f32(((_e794 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e534) + (_e552 - _e342)));
+                                if (_e772 == 0u) {
+                                    phi_1312_ = _e619.unnamed_1.root;
                                 } else {
-                                    phi_1311_ = _e618.unnamed_1.first_primitive;
+                                    phi_1312_ = _e619.unnamed_1.first_primitive;
                                 }
-                                let _e810 = phi_1311_;
-                                if (_e771 == 0u) {
-                                    phi_1321_ = _e687.unnamed_1.root;
+                                let _e811 = phi_1312_;
+                                if (_e772 == 0u) {
+                                    phi_1322_ = _e688.unnamed_1.root;
                                 } else {
-                                    phi_1321_ = _e687.unnamed_1.first_primitive;
+                                    phi_1322_ = _e688.unnamed_1.first_primitive;
                                 }
-                                let _e819 = phi_1321_;
-                                if (_e771 == 0u) {
-                                    phi_1331_ = _e756.unnamed_1.root;
+                                let _e820 = phi_1322_;
+                                if (_e772 == 0u) {
+                                    phi_1332_ = _e757.unnamed_1.root;
                                 } else {
-                                    phi_1331_ = _e756.unnamed_1.first_primitive;
+                                    phi_1332_ = _e757.unnamed_1.first_primitive;
                                 }
-                                let _e828 = phi_1331_;
-                                let _e841 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e810 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e531) + (_e549 + _e339)), ((f32(((_e819 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e532) + (_e550 + _e340)));
-                                let _e842 = core_intrinsics_minimum_number_nsz_f32_(_e841, ((f32(((_e828 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u)) * _e533) + (_e551 + _e341)));
-                                if (_e807 <= _e842) {
-                                    if (_e807 <= _e147) {
-                                        if (_e842 >= 0f) {
-                                            if (_e771 == 0u) {
-                                                let _e849 = nodes.member[(0u + _e497)].links[2u];
-                                                phi_1367_ = _e849;
+                                let _e829 = phi_1332_;
+                                let _e842 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e811 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e532) + (_e550 + _e340)), ((f32(((_e820 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e533) + (_e551 + _e341)));
+                                let _e843 = core_intrinsics_minimum_number_nsz_f32_(_e842, ((f32(((_e829 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u)) * _e534) + (_e552 + _e342)));
+                                if (_e808 <= _e843) {
+                                    if (_e808 <= _e148) {
+                                        if (_e843 >= 0f) {
+                                            if (_e772 == 0u) {
+                                                let _e850 = nodes.member[(0u + _e498)].links[2u];
+                                                phi_1368_ = _e850;
                                             } else {
-                                                let _e852 = nodes.member[(0u + _e497)].links[3u];
-                                                phi_1367_ = _e852;
+                                                let _e853 = nodes.member[(0u + _e498)].links[3u];
+                                                phi_1368_ = _e853;
                                             }
-                                            let _e854 = phi_1367_;
-                                            let _e859 = ((_e854 >> bitcast<u32>(((_e772 * 8u) & 31u))) & 255u);
-                                            let _e860 = (_e859 & 31u);
-                                            if (_e860 >= 24u) {
-                                                phi_1380_ = (24u + ((_e860 - 24u) ^ _e359));
+                                            let _e855 = phi_1368_;
+                                            let _e860 = ((_e855 >> bitcast<u32>(((_e773 * 8u) & 31u))) & 255u);
+                                            let _e861 = (_e860 & 31u);
+                                            if (_e861 >= 24u) {
+                                                phi_1381_ = (24u + ((_e861 - 24u) ^ _e360));
                                             } else {
-                                                phi_1380_ = _e860;
+                                                phi_1381_ = _e861;
                                             }
-                                            let _e866 = phi_1380_;
-                                            phi_1385_ = (_e768 | ((_e859 >> bitcast<u32>(5i)) << bitcast<u32>((_e866 & 31u))));
+                                            let _e867 = phi_1381_;
+                                            phi_1386_ = (_e769 | ((_e860 >> bitcast<u32>(5i)) << bitcast<u32>((_e867 & 31u))));
                                         } else {
-                                            phi_1385_ = _e768;
+                                            phi_1386_ = _e769;
                                         }
-                                        let _e874 = phi_1385_;
-                                        phi_1386_ = _e874;
+                                        let _e875 = phi_1386_;
+                                        phi_1387_ = _e875;
                                     } else {
-                                        phi_1386_ = _e768;
+                                        phi_1387_ = _e769;
                                     }
-                                    let _e876 = phi_1386_;
-                                    phi_1387_ = _e876;
+                                    let _e877 = phi_1387_;
+                                    phi_1388_ = _e877;
                                 } else {
-                                    phi_1387_ = _e768;
+                                    phi_1388_ = _e769;
                                 }
-                                let _e878 = phi_1387_;
-                                phi_1257_ = (_e766 + 1u);
-                                phi_1260_ = _e878;
+                                let _e879 = phi_1388_;
+                                phi_1258_ = (_e767 + 1u);
+                                phi_1261_ = _e879;
                             } else {
-                                phi_1257_ = u32();
-                                phi_1260_ = u32();
+                                phi_1258_ = u32();
+                                phi_1261_ = u32();
                             }
-                            let _e881 = phi_1257_;
-                            let _e883 = phi_1260_;
+                            let _e882 = phi_1258_;
+                            let _e884 = phi_1261_;
                             continue;
                             continuing {
-                                phi_1256_ = _e881;
-                                phi_1259_ = _e883;
-                                break if !(_e769);
+                                phi_1257_ = _e882;
+                                phi_1260_ = _e884;
+                                break if !(_e770);
                             }
                         }
-                        let _e887 = nodes.member[(0u + _e497)].links[0u];
-                        let _e891 = nodes.member[(0u + _e497)].frame[3u];
-                        let _e895 = local_3;
-                        if ((_e895 & 4278190080u) == 0u) {
+                        let _e888 = nodes.member[(0u + _e498)].links[0u];
+                        let _e892 = nodes.member[(0u + _e498)].frame[3u];
+                        let _e896 = local_3;
+                        if ((_e896 & 4278190080u) == 0u) {
                         } else {
-                            let _e899 = local_2.group_mask;
-                            if ((_e899 & 4278190080u) == 0u) {
+                            let _e900 = local_2.group_mask;
+                            if ((_e900 & 4278190080u) == 0u) {
                             } else {
-                                let _e903 = local_2.len;
-                                if (_e903 < 32u) {
-                                    let _e906 = local_2.group;
-                                    let _e908 = local_2.len;
-                                    if (_e908 < 32u) {
+                                let _e904 = local_2.len;
+                                if (_e904 < 32u) {
+                                    let _e907 = local_2.group;
+                                    let _e909 = local_2.len;
+                                    if (_e909 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e908)] = _e906;
-                                    let _e914 = local_2.group_mask;
-                                    let _e916 = local_2.len;
-                                    if (_e916 < 32u) {
+                                    local_2.first[(0u + _e909)] = _e907;
+                                    let _e915 = local_2.group_mask;
+                                    let _e917 = local_2.len;
+                                    if (_e917 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e916)] = _e914;
-                                    let _e923 = local_2.len;
-                                    local_2.len = (_e923 + 1u);
+                                    local_2.mask[(0u + _e917)] = _e915;
+                                    let _e924 = local_2.len;
+                                    local_2.len = (_e924 + 1u);
                                 }
                             }
-                            local_2.group = (_e117 + _e887);
-                            let _e927 = local_4;
-                            local_2.group_mask = ((_e927 & 4278190080u) | (_e891 >> bitcast<u32>(24i)));
+                            local_2.group = (_e118 + _e888);
+                            let _e928 = local_4;
+                            local_2.group_mask = ((_e928 & 4278190080u) | (_e892 >> bitcast<u32>(24i)));
                         }
-                        let _e932 = local_5;
-                        phi_1445_ = (_e932 & 16777215u);
-                        phi_1448_ = _e499;
+                        let _e933 = local_5;
+                        phi_1446_ = (_e933 & 16777215u);
+                        phi_1449_ = _e500;
                         loop {
-                            let _e935 = phi_1445_;
-                            let _e937 = phi_1448_;
-                            local_18 = _e937;
-                            let _e938 = (_e935 == 0u);
-                            local_11 = _e938;
-                            local_19 = _e938;
-                            if _e938 {
-                                phi_1446_ = u32();
-                                phi_1449_ = bool();
-                                phi_3307_ = false;
+                            let _e936 = phi_1446_;
+                            let _e938 = phi_1449_;
+                            local_18 = _e938;
+                            let _e939 = (_e936 == 0u);
+                            local_11 = _e939;
+                            local_19 = _e939;
+                            if _e939 {
+                                phi_1447_ = u32();
+                                phi_1450_ = bool();
+                                phi_3308_ = false;
                             } else {
-                                let _e941 = nodes.member[(0u + _e497)].links[1u];
-                                let _e945 = (_e941 + select(firstTrailingBit(_e935), 32u, (_e935 == 0u)));
-                                if (_e945 < arrayLength((&instances.member))) {
+                                let _e942 = nodes.member[(0u + _e498)].links[1u];
+                                let _e946 = (_e942 + select(firstTrailingBit(_e936), 32u, (_e936 == 0u)));
+                                if (_e946 < arrayLength((&instances.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e952 = instances.member[(0u + _e945)].low_world;
-                                let _e954 = instances.member[(0u + _e945)].high_world;
-                                let _e961 = ((_e952.x - _e137) * _e287);
-                                let _e962 = ((_e952.y - _e139) * _e297);
-                                let _e963 = ((_e952.z - _e141) * _e307);
-                                let _e970 = ((_e954.x - _e137) * _e287);
-                                let _e971 = ((_e954.y - _e139) * _e297);
-                                let _e972 = ((_e954.z - _e141) * _e307);
-                                if (_e961 < _e970) {
-                                    phi_1497_ = _e961;
-                                } else {
-                                    phi_1497_ = _e970;
-                                }
-                                let _e975 = phi_1497_;
+                                let _e953 = instances.member[(0u + _e946)].low_world;
+                                let _e955 = instances.member[(0u + _e946)].high_world;
+                                let _e962 = ((_e953.x - _e138) * _e288);
+                                let _e963 = ((_e953.y - _e140) * _e298);
+                                let _e964 = ((_e953.z - _e142) * _e308);
+                                let _e971 = ((_e955.x - _e138) * _e288);
+                                let _e972 = ((_e955.y - _e140) * _e298);
+                                let _e973 = ((_e955.z - _e142) * _e308);
                                 if (_e962 < _e971) {
-                                    phi_1502_ = _e962;
+                                    phi_1498_ = _e962;
                                 } else {
-                                    phi_1502_ = _e971;
+                                    phi_1498_ = _e971;
                                 }
-                                let _e978 = phi_1502_;
+                                let _e976 = phi_1498_;
                                 if (_e963 < _e972) {
-                                    phi_1507_ = _e963;
+                                    phi_1503_ = _e963;
                                 } else {
-                                    phi_1507_ = _e972;
+                                    phi_1503_ = _e972;
                                 }
-                                let _e981 = phi_1507_;
-                                if (_e961 > _e970) {
-                                    phi_1515_ = _e961;
+                                let _e979 = phi_1503_;
+                                if (_e964 < _e973) {
+                                    phi_1508_ = _e964;
                                 } else {
-                                    phi_1515_ = _e970;
+                                    phi_1508_ = _e973;
                                 }
-                                let _e987 = phi_1515_;
+                                let _e982 = phi_1508_;
                                 if (_e962 > _e971) {
-                                    phi_1520_ = _e962;
+                                    phi_1516_ = _e962;
                                 } else {
-                                    phi_1520_ = _e971;
+                                    phi_1516_ = _e971;
                                 }
-                                let _e990 = phi_1520_;
+                                let _e988 = phi_1516_;
                                 if (_e963 > _e972) {
-                                    phi_1525_ = _e963;
+                                    phi_1521_ = _e963;
                                 } else {
-                                    phi_1525_ = _e972;
+                                    phi_1521_ = _e972;
                                 }
-                                let _e993 = phi_1525_;
-                                let _e997 = core_intrinsics_maximum_number_nsz_f32_((_e975 - _e346), (_e978 - _e347));
-                                let _e998 = core_intrinsics_maximum_number_nsz_f32_(_e997, (_e981 - _e348));
-                                let _e999 = core_intrinsics_minimum_number_nsz_f32_((_e987 + _e346), (_e990 + _e347));
-                                let _e1000 = core_intrinsics_minimum_number_nsz_f32_(_e999, (_e993 + _e348));
-                                if (_e998 <= _e1000) {
-                                    if (_e998 <= _e147) {
-                                        if (_e1000 >= 0f) {
-                                            let _e1006 = instances.member[(0u + _e945)].world_to_object[0u];
-                                            let _e1017 = ((((_e1006.x * _e137) + (_e1006.y * _e139)) + (_e1006.z * _e141)) + (_e1006.w * 1f));
-                                            let _e1019 = instances.member[(0u + _e945)].world_to_object[1u];
-                                            let _e1030 = ((((_e1019.x * _e137) + (_e1019.y * _e139)) + (_e1019.z * _e141)) + (_e1019.w * 1f));
-                                            let _e1032 = instances.member[(0u + _e945)].world_to_object[2u];
-                                            let _e1043 = ((((_e1032.x * _e137) + (_e1032.y * _e139)) + (_e1032.z * _e141)) + (_e1032.w * 1f));
-                                            let _e1046 = instances.member[(0u + _e945)].world_to_object[0u];
-                                            let _e1057 = ((((_e1046.x * _e155) + (_e1046.y * _e156)) + (_e1046.z * _e157)) + (_e1046.w * 0f));
-                                            let _e1059 = instances.member[(0u + _e945)].world_to_object[1u];
-                                            let _e1070 = ((((_e1059.x * _e155) + (_e1059.y * _e156)) + (_e1059.z * _e157)) + (_e1059.w * 0f));
-                                            let _e1072 = instances.member[(0u + _e945)].world_to_object[2u];
-                                            let _e1083 = ((((_e1072.x * _e155) + (_e1072.y * _e156)) + (_e1072.z * _e157)) + (_e1072.w * 0f));
-                                            let _e1086 = instances.member[(0u + _e945)].root;
-                                            let _e1088 = instances.member[(0u + _e945)].first_triangle;
-                                            let _e1089 = abs(_e1057);
-                                            let _e1090 = abs(_e1070);
-                                            let _e1091 = abs(_e1083);
-                                            if (abs(_e1017) < 1000000000000000f) {
-                                                if (abs(_e1030) < 1000000000000000f) {
-                                                    phi_1645_ = (abs(_e1043) < 1000000000000000f);
-                                                    phi_1646_ = false;
+                                let _e991 = phi_1521_;
+                                if (_e964 > _e973) {
+                                    phi_1526_ = _e964;
+                                } else {
+                                    phi_1526_ = _e973;
+                                }
+                                let _e994 = phi_1526_;
+                                let _e998 = core_intrinsics_maximum_number_nsz_f32_((_e976 - _e347), (_e979 - _e348));
+                                let _e999 = core_intrinsics_maximum_number_nsz_f32_(_e998, (_e982 - _e349));
+                                let _e1000 = core_intrinsics_minimum_number_nsz_f32_((_e988 + _e347), (_e991 + _e348));
+                                let _e1001 = core_intrinsics_minimum_number_nsz_f32_(_e1000, (_e994 + _e349));
+                                if (_e999 <= _e1001) {
+                                    if (_e999 <= _e148) {
+                                        if (_e1001 >= 0f) {
+                                            let _e1007 = instances.member[(0u + _e946)].world_to_object[0u];
+                                            let _e1018 = ((((_e1007.x * _e138) + (_e1007.y * _e140)) + (_e1007.z * _e142)) + (_e1007.w * 1f));
+                                            let _e1020 = instances.member[(0u + _e946)].world_to_object[1u];
+                                            let _e1031 = ((((_e1020.x * _e138) + (_e1020.y * _e140)) + (_e1020.z * _e142)) + (_e1020.w * 1f));
+                                            let _e1033 = instances.member[(0u + _e946)].world_to_object[2u];
+                                            let _e1044 = ((((_e1033.x * _e138) + (_e1033.y * _e140)) + (_e1033.z * _e142)) + (_e1033.w * 1f));
+                                            let _e1047 = instances.member[(0u + _e946)].world_to_object[0u];
+                                            let _e1058 = ((((_e1047.x * _e156) + (_e1047.y * _e157)) + (_e1047.z * _e158)) + (_e1047.w * 0f));
+                                            let _e1060 = instances.member[(0u + _e946)].world_to_object[1u];
+                                            let _e1071 = ((((_e1060.x * _e156) + (_e1060.y * _e157)) + (_e1060.z * _e158)) + (_e1060.w * 0f));
+                                            let _e1073 = instances.member[(0u + _e946)].world_to_object[2u];
+                                            let _e1084 = ((((_e1073.x * _e156) + (_e1073.y * _e157)) + (_e1073.z * _e158)) + (_e1073.w * 0f));
+                                            let _e1087 = instances.member[(0u + _e946)].root;
+                                            let _e1089 = instances.member[(0u + _e946)].first_triangle;
+                                            let _e1090 = abs(_e1058);
+                                            let _e1091 = abs(_e1071);
+                                            let _e1092 = abs(_e1084);
+                                            if (abs(_e1018) < 1000000000000000f) {
+                                                if (abs(_e1031) < 1000000000000000f) {
+                                                    phi_1646_ = (abs(_e1044) < 1000000000000000f);
+                                                    phi_1647_ = false;
                                                 } else {
-                                                    phi_1645_ = bool();
-                                                    phi_1646_ = true;
+                                                    phi_1646_ = bool();
+                                                    phi_1647_ = true;
                                                 }
-                                                let _e1099 = phi_1645_;
-                                                let _e1101 = phi_1646_;
-                                                phi_1647_ = _e1099;
-                                                phi_1648_ = _e1101;
+                                                let _e1100 = phi_1646_;
+                                                let _e1102 = phi_1647_;
+                                                phi_1648_ = _e1100;
+                                                phi_1649_ = _e1102;
                                             } else {
-                                                phi_1647_ = bool();
-                                                phi_1648_ = true;
+                                                phi_1648_ = bool();
+                                                phi_1649_ = true;
                                             }
-                                            let _e1103 = phi_1647_;
-                                            let _e1105 = phi_1648_;
-                                            if _e1105 {
-                                                phi_1652_ = false;
+                                            let _e1104 = phi_1648_;
+                                            let _e1106 = phi_1649_;
+                                            if _e1106 {
+                                                phi_1653_ = false;
                                             } else {
-                                                phi_1652_ = _e1103;
+                                                phi_1653_ = _e1104;
                                             }
-                                            let _e1107 = phi_1652_;
-                                            if _e1107 {
-                                                if (_e1089 < 1000000000000000f) {
-                                                    if (_e1090 < 1000000000000000f) {
-                                                        phi_1665_ = (_e1091 < 1000000000000000f);
-                                                        phi_1666_ = false;
+                                            let _e1108 = phi_1653_;
+                                            if _e1108 {
+                                                if (_e1090 < 1000000000000000f) {
+                                                    if (_e1091 < 1000000000000000f) {
+                                                        phi_1666_ = (_e1092 < 1000000000000000f);
+                                                        phi_1667_ = false;
                                                     } else {
-                                                        phi_1665_ = bool();
-                                                        phi_1666_ = true;
+                                                        phi_1666_ = bool();
+                                                        phi_1667_ = true;
                                                     }
-                                                    let _e1112 = phi_1665_;
-                                                    let _e1114 = phi_1666_;
-                                                    phi_1667_ = _e1112;
-                                                    phi_1668_ = _e1114;
+                                                    let _e1113 = phi_1666_;
+                                                    let _e1115 = phi_1667_;
+                                                    phi_1668_ = _e1113;
+                                                    phi_1669_ = _e1115;
                                                 } else {
-                                                    phi_1667_ = bool();
-                                                    phi_1668_ = true;
+                                                    phi_1668_ = bool();
+                                                    phi_1669_ = true;
                                                 }
-                                                let _e1116 = phi_1667_;
-                                                let _e1118 = phi_1668_;
-                                                if _e1118 {
-                                                    phi_1672_ = false;
+                                                let _e1117 = phi_1668_;
+                                                let _e1119 = phi_1669_;
+                                                if _e1119 {
+                                                    phi_1673_ = false;
                                                 } else {
-                                                    phi_1672_ = _e1116;
+                                                    phi_1673_ = _e1117;
                                                 }
-                                                let _e1120 = phi_1672_;
-                                                if _e1120 {
-                                                    if (_e1089 > 0f) {
-                                                        phi_1686_ = bool();
-                                                        phi_1687_ = true;
+                                                let _e1121 = phi_1673_;
+                                                if _e1121 {
+                                                    if (_e1090 > 0f) {
+                                                        phi_1687_ = bool();
+                                                        phi_1688_ = true;
                                                     } else {
-                                                        let _e1122 = (_e1090 > 0f);
-                                                        if _e1122 {
-                                                            phi_1685_ = bool();
+                                                        let _e1123 = (_e1091 > 0f);
+                                                        if _e1123 {
+                                                            phi_1686_ = bool();
                                                         } else {
-                                                            phi_1685_ = (_e1091 > 0f);
+                                                            phi_1686_ = (_e1092 > 0f);
                                                         }
-                                                        let _e1125 = phi_1685_;
-                                                        phi_1686_ = _e1125;
-                                                        phi_1687_ = _e1122;
+                                                        let _e1126 = phi_1686_;
+                                                        phi_1687_ = _e1126;
+                                                        phi_1688_ = _e1123;
                                                     }
-                                                    let _e1127 = phi_1686_;
-                                                    let _e1129 = phi_1687_;
-                                                    if _e1129 {
-                                                        phi_1691_ = true;
+                                                    let _e1128 = phi_1687_;
+                                                    let _e1130 = phi_1688_;
+                                                    if _e1130 {
+                                                        phi_1692_ = true;
                                                     } else {
-                                                        phi_1691_ = _e1127;
+                                                        phi_1692_ = _e1128;
                                                     }
-                                                    let _e1131 = phi_1691_;
-                                                    phi_1692_ = _e1131;
-                                                    phi_1693_ = false;
+                                                    let _e1132 = phi_1692_;
+                                                    phi_1693_ = _e1132;
+                                                    phi_1694_ = false;
                                                 } else {
-                                                    phi_1692_ = bool();
-                                                    phi_1693_ = true;
+                                                    phi_1693_ = bool();
+                                                    phi_1694_ = true;
                                                 }
-                                                let _e1133 = phi_1692_;
-                                                let _e1135 = phi_1693_;
-                                                phi_1694_ = _e1133;
-                                                phi_1695_ = _e1135;
+                                                let _e1134 = phi_1693_;
+                                                let _e1136 = phi_1694_;
+                                                phi_1695_ = _e1134;
+                                                phi_1696_ = _e1136;
                                             } else {
-                                                phi_1694_ = bool();
-                                                phi_1695_ = true;
+                                                phi_1695_ = bool();
+                                                phi_1696_ = true;
                                             }
-                                            let _e1137 = phi_1694_;
-                                            let _e1139 = phi_1695_;
-                                            if _e1139 {
-                                                phi_1699_ = false;
+                                            let _e1138 = phi_1695_;
+                                            let _e1140 = phi_1696_;
+                                            if _e1140 {
+                                                phi_1700_ = false;
                                             } else {
-                                                phi_1699_ = _e1137;
+                                                phi_1700_ = _e1138;
                                             }
-                                            let _e1141 = phi_1699_;
-                                            if _e1141 {
-                                                let _e1142 = (_e1086 >= _e78);
-                                                if _e1142 {
-                                                    phi_3287_ = bool();
+                                            let _e1142 = phi_1700_;
+                                            if _e1142 {
+                                                let _e1143 = (_e1087 >= _e78);
+                                                if _e1143 {
+                                                    phi_3288_ = bool();
                                                 } else {
-                                                    if (_e1086 < _e78) {
+                                                    if (_e1087 < _e78) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1148 = nodes.member[(0u + _e1086)].frame[0u];
-                                                    let _e1152 = nodes.member[(0u + _e1086)].frame[1u];
-                                                    let _e1156 = nodes.member[(0u + _e1086)].frame[2u];
-                                                    let _e1160 = nodes.member[(0u + _e1086)].frame[0u];
-                                                    let _e1164 = nodes.member[(0u + _e1086)].frame[1u];
-                                                    let _e1168 = nodes.member[(0u + _e1086)].frame[2u];
-                                                    let _e1172 = nodes.member[(0u + _e1086)].frame[3u];
-                                                    let _e1206 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1057), abs(_e1070));
-                                                    let _e1207 = core_intrinsics_maximum_number_nsz_f32_(_e1206, abs(_e1083));
-                                                    let _e1208 = (_e1207 * 0.0000000000009094947f);
-                                                    if (abs(_e1057) < _e1208) {
-                                                        phi_1769_ = _e1208;
+                                                    let _e1149 = nodes.member[(0u + _e1087)].frame[0u];
+                                                    let _e1153 = nodes.member[(0u + _e1087)].frame[1u];
+                                                    let _e1157 = nodes.member[(0u + _e1087)].frame[2u];
+                                                    let _e1161 = nodes.member[(0u + _e1087)].frame[0u];
+                                                    let _e1165 = nodes.member[(0u + _e1087)].frame[1u];
+                                                    let _e1169 = nodes.member[(0u + _e1087)].frame[2u];
+                                                    let _e1173 = nodes.member[(0u + _e1087)].frame[3u];
+                                                    let _e1207 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1058), abs(_e1071));
+                                                    let _e1208 = core_intrinsics_maximum_number_nsz_f32_(_e1207, abs(_e1084));
+                                                    let _e1209 = (_e1208 * 0.0000000000009094947f);
+                                                    if (abs(_e1058) < _e1209) {
+                                                        phi_1770_ = _e1209;
                                                     } else {
-                                                        phi_1769_ = abs(_e1057);
+                                                        phi_1770_ = abs(_e1058);
                                                     }
-                                                    let _e1213 = phi_1769_;
-                                                    if (_e1057 < 0f) {
-                                                        phi_1776_ = (-1f / _e1213);
+                                                    let _e1214 = phi_1770_;
+                                                    if (_e1058 < 0f) {
+                                                        phi_1777_ = (-1f / _e1214);
                                                     } else {
-                                                        phi_1776_ = (1f / _e1213);
+                                                        phi_1777_ = (1f / _e1214);
                                                     }
-                                                    let _e1218 = phi_1776_;
-                                                    if (abs(_e1070) < _e1208) {
-                                                        phi_1783_ = _e1208;
+                                                    let _e1219 = phi_1777_;
+                                                    if (abs(_e1071) < _e1209) {
+                                                        phi_1784_ = _e1209;
                                                     } else {
-                                                        phi_1783_ = abs(_e1070);
+                                                        phi_1784_ = abs(_e1071);
                                                     }
-                                                    let _e1223 = phi_1783_;
-                                                    if (_e1070 < 0f) {
-                                                        phi_1790_ = (-1f / _e1223);
+                                                    let _e1224 = phi_1784_;
+                                                    if (_e1071 < 0f) {
+                                                        phi_1791_ = (-1f / _e1224);
                                                     } else {
-                                                        phi_1790_ = (1f / _e1223);
+                                                        phi_1791_ = (1f / _e1224);
                                                     }
-                                                    let _e1228 = phi_1790_;
-                                                    if (abs(_e1083) < _e1208) {
-                                                        phi_1797_ = _e1208;
+                                                    let _e1229 = phi_1791_;
+                                                    if (abs(_e1084) < _e1209) {
+                                                        phi_1798_ = _e1209;
                                                     } else {
-                                                        phi_1797_ = abs(_e1083);
+                                                        phi_1798_ = abs(_e1084);
                                                     }
-                                                    let _e1233 = phi_1797_;
-                                                    if (_e1083 < 0f) {
-                                                        phi_1804_ = (-1f / _e1233);
+                                                    let _e1234 = phi_1798_;
+                                                    if (_e1084 < 0f) {
+                                                        phi_1805_ = (-1f / _e1234);
                                                     } else {
-                                                        phi_1804_ = (1f / _e1233);
+                                                        phi_1805_ = (1f / _e1234);
                                                     }
-                                                    let _e1238 = phi_1804_;
-                                                    let _e1242 = abs((bitcast<f32>(_e1148) - _e1017));
-                                                    let _e1243 = abs((bitcast<f32>(_e1152) - _e1030));
-                                                    let _e1244 = abs((bitcast<f32>(_e1156) - _e1043));
-                                                    let _e1248 = abs(((bitcast<f32>(_e1160) + (bitcast<f32>((((_e1172 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1017));
-                                                    let _e1249 = abs(((bitcast<f32>(_e1164) + (bitcast<f32>((((_e1172 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1030));
-                                                    let _e1250 = abs(((bitcast<f32>(_e1168) + (bitcast<f32>((((_e1172 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1043));
-                                                    if (_e1242 > _e1248) {
-                                                        phi_1821_ = _e1242;
-                                                    } else {
-                                                        phi_1821_ = _e1248;
-                                                    }
-                                                    let _e1253 = phi_1821_;
+                                                    let _e1239 = phi_1805_;
+                                                    let _e1243 = abs((bitcast<f32>(_e1149) - _e1018));
+                                                    let _e1244 = abs((bitcast<f32>(_e1153) - _e1031));
+                                                    let _e1245 = abs((bitcast<f32>(_e1157) - _e1044));
+                                                    let _e1249 = abs(((bitcast<f32>(_e1161) + (bitcast<f32>((((_e1173 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1018));
+                                                    let _e1250 = abs(((bitcast<f32>(_e1165) + (bitcast<f32>((((_e1173 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1031));
+                                                    let _e1251 = abs(((bitcast<f32>(_e1169) + (bitcast<f32>((((_e1173 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1044));
                                                     if (_e1243 > _e1249) {
-                                                        phi_1826_ = _e1243;
+                                                        phi_1822_ = _e1243;
                                                     } else {
-                                                        phi_1826_ = _e1249;
+                                                        phi_1822_ = _e1249;
                                                     }
-                                                    let _e1256 = phi_1826_;
+                                                    let _e1254 = phi_1822_;
                                                     if (_e1244 > _e1250) {
-                                                        phi_1831_ = _e1244;
+                                                        phi_1827_ = _e1244;
                                                     } else {
-                                                        phi_1831_ = _e1250;
+                                                        phi_1827_ = _e1250;
                                                     }
-                                                    let _e1259 = phi_1831_;
-                                                    if (_e1253 > _e1256) {
-                                                        phi_1836_ = _e1253;
+                                                    let _e1257 = phi_1827_;
+                                                    if (_e1245 > _e1251) {
+                                                        phi_1832_ = _e1245;
                                                     } else {
-                                                        phi_1836_ = _e1256;
+                                                        phi_1832_ = _e1251;
                                                     }
-                                                    let _e1262 = phi_1836_;
-                                                    if (_e1262 > _e1259) {
-                                                        phi_1841_ = _e1262;
+                                                    let _e1260 = phi_1832_;
+                                                    if (_e1254 > _e1257) {
+                                                        phi_1837_ = _e1254;
                                                     } else {
-                                                        phi_1841_ = _e1259;
+                                                        phi_1837_ = _e1257;
                                                     }
-                                                    let _e1265 = phi_1841_;
-                                                    let _e1269 = (_e1265 * 0.0000019073486f);
-                                                    let _e1270 = (abs(_e1218) * _e1269);
-                                                    let _e1271 = (abs(_e1228) * _e1269);
-                                                    let _e1272 = (abs(_e1238) * _e1269);
-                                                    let _e1276 = (_e1265 * 0.0000009536743f);
-                                                    let _e1277 = (abs(_e1218) * _e1276);
-                                                    let _e1278 = (abs(_e1228) * _e1276);
-                                                    let _e1279 = (abs(_e1238) * _e1276);
-                                                    let _e1280 = abs(_e1057);
-                                                    let _e1281 = abs(_e1070);
-                                                    let _e1282 = abs(_e1083);
-                                                    if (_e1280 >= _e1281) {
-                                                        if (_e1280 >= _e1282) {
-                                                            phi_1867_ = false;
+                                                    let _e1263 = phi_1837_;
+                                                    if (_e1263 > _e1260) {
+                                                        phi_1842_ = _e1263;
+                                                    } else {
+                                                        phi_1842_ = _e1260;
+                                                    }
+                                                    let _e1266 = phi_1842_;
+                                                    let _e1270 = (_e1266 * 0.0000019073486f);
+                                                    let _e1271 = (abs(_e1219) * _e1270);
+                                                    let _e1272 = (abs(_e1229) * _e1270);
+                                                    let _e1273 = (abs(_e1239) * _e1270);
+                                                    let _e1277 = (_e1266 * 0.0000009536743f);
+                                                    let _e1278 = (abs(_e1219) * _e1277);
+                                                    let _e1279 = (abs(_e1229) * _e1277);
+                                                    let _e1280 = (abs(_e1239) * _e1277);
+                                                    let _e1281 = abs(_e1058);
+                                                    let _e1282 = abs(_e1071);
+                                                    let _e1283 = abs(_e1084);
+                                                    if (_e1281 >= _e1282) {
+                                                        if (_e1281 >= _e1283) {
+                                                            phi_1868_ = false;
                                                         } else {
-                                                            phi_1867_ = true;
+                                                            phi_1868_ = true;
                                                         }
-                                                        let _e1286 = phi_1867_;
-                                                        phi_1868_ = _e1286;
+                                                        let _e1287 = phi_1868_;
+                                                        phi_1869_ = _e1287;
                                                     } else {
-                                                        phi_1868_ = true;
+                                                        phi_1869_ = true;
                                                     }
-                                                    let _e1288 = phi_1868_;
-                                                    if _e1288 {
-                                                        if (_e1281 >= _e1282) {
-                                                            phi_1876_ = 1u;
+                                                    let _e1289 = phi_1869_;
+                                                    if _e1289 {
+                                                        if (_e1282 >= _e1283) {
+                                                            phi_1877_ = 1u;
                                                         } else {
-                                                            phi_1876_ = 2u;
+                                                            phi_1877_ = 2u;
                                                         }
-                                                        let _e1291 = phi_1876_;
-                                                        phi_1877_ = _e1291;
+                                                        let _e1292 = phi_1877_;
+                                                        phi_1878_ = _e1292;
                                                     } else {
-                                                        phi_1877_ = 0u;
+                                                        phi_1878_ = 0u;
                                                     }
-                                                    let _e1293 = phi_1877_;
-                                                    if (_e1293 == 0u) {
-                                                        phi_1889_ = vec3<f32>(_e1070, _e1083, _e1057);
+                                                    let _e1294 = phi_1878_;
+                                                    if (_e1294 == 0u) {
+                                                        phi_1890_ = vec3<f32>(_e1071, _e1084, _e1058);
                                                     } else {
-                                                        if (_e1293 == 1u) {
-                                                            phi_1888_ = vec3<f32>(_e1083, _e1057, _e1070);
+                                                        if (_e1294 == 1u) {
+                                                            phi_1889_ = vec3<f32>(_e1084, _e1058, _e1071);
                                                         } else {
-                                                            phi_1888_ = vec3<f32>(_e1057, _e1070, _e1083);
+                                                            phi_1889_ = vec3<f32>(_e1058, _e1071, _e1084);
                                                         }
-                                                        let _e1299 = phi_1888_;
-                                                        phi_1889_ = _e1299;
+                                                        let _e1300 = phi_1889_;
+                                                        phi_1890_ = _e1300;
                                                     }
-                                                    let _e1301 = phi_1889_;
-                                                    let _e1304 = (_e1301.x / _e1301.z);
-                                                    let _e1307 = (_e1301.y / _e1301.z);
-                                                    if (_e1218 < 0f) {
-                                                        phi_1902_ = 0u;
+                                                    let _e1302 = phi_1890_;
+                                                    let _e1305 = (_e1302.x / _e1302.z);
+                                                    let _e1308 = (_e1302.y / _e1302.z);
+                                                    if (_e1219 < 0f) {
+                                                        phi_1903_ = 0u;
                                                     } else {
-                                                        phi_1902_ = 1u;
+                                                        phi_1903_ = 1u;
                                                     }
-                                                    let _e1312 = phi_1902_;
-                                                    if (_e1228 < 0f) {
-                                                        phi_1907_ = 0u;
+                                                    let _e1313 = phi_1903_;
+                                                    if (_e1229 < 0f) {
+                                                        phi_1908_ = 0u;
                                                     } else {
-                                                        phi_1907_ = 2u;
+                                                        phi_1908_ = 2u;
                                                     }
-                                                    let _e1315 = phi_1907_;
-                                                    if (_e1238 < 0f) {
-                                                        phi_1912_ = 0u;
+                                                    let _e1316 = phi_1908_;
+                                                    if (_e1239 < 0f) {
+                                                        phi_1913_ = 0u;
                                                     } else {
-                                                        phi_1912_ = 4u;
+                                                        phi_1913_ = 4u;
                                                     }
-                                                    let _e1318 = phi_1912_;
-                                                    let _e1320 = ((_e1312 | _e1315) | _e1318);
-                                                    let _e1321 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1086, 2147483648u);
-                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1321.first[0], _e1321.first[1], _e1321.first[2], _e1321.first[3], _e1321.first[4], _e1321.first[5], _e1321.first[6], _e1321.first[7], _e1321.first[8], _e1321.first[9], _e1321.first[10], _e1321.first[11], _e1321.first[12], _e1321.first[13], _e1321.first[14], _e1321.first[15], _e1321.first[16], _e1321.first[17], _e1321.first[18], _e1321.first[19], _e1321.first[20], _e1321.first[21], _e1321.first[22], _e1321.first[23], _e1321.first[24], _e1321.first[25], _e1321.first[26], _e1321.first[27], _e1321.first[28], _e1321.first[29], _e1321.first[30], _e1321.first[31]), array<u32, 32>(_e1321.mask[0], _e1321.mask[1], _e1321.mask[2], _e1321.mask[3], _e1321.mask[4], _e1321.mask[5], _e1321.mask[6], _e1321.mask[7], _e1321.mask[8], _e1321.mask[9], _e1321.mask[10], _e1321.mask[11], _e1321.mask[12], _e1321.mask[13], _e1321.mask[14], _e1321.mask[15], _e1321.mask[16], _e1321.mask[17], _e1321.mask[18], _e1321.mask[19], _e1321.mask[20], _e1321.mask[21], _e1321.mask[22], _e1321.mask[23], _e1321.mask[24], _e1321.mask[25], _e1321.mask[26], _e1321.mask[27], _e1321.mask[28], _e1321.mask[29], _e1321.mask[30], _e1321.mask[31]), _e1321.len, _e1321.group, _e1321.group_mask);
-                                                    let _e1395 = local_1.group_mask;
-                                                    if ((_e1395 & 4278190080u) == 0u) {
-                                                        let _e1399 = local_1.len;
-                                                        if (_e1399 == 0u) {
-                                                            phi_2026_ = false;
+                                                    let _e1319 = phi_1913_;
+                                                    let _e1321 = ((_e1313 | _e1316) | _e1319);
+                                                    let _e1322 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1087, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1322.first[0], _e1322.first[1], _e1322.first[2], _e1322.first[3], _e1322.first[4], _e1322.first[5], _e1322.first[6], _e1322.first[7], _e1322.first[8], _e1322.first[9], _e1322.first[10], _e1322.first[11], _e1322.first[12], _e1322.first[13], _e1322.first[14], _e1322.first[15], _e1322.first[16], _e1322.first[17], _e1322.first[18], _e1322.first[19], _e1322.first[20], _e1322.first[21], _e1322.first[22], _e1322.first[23], _e1322.first[24], _e1322.first[25], _e1322.first[26], _e1322.first[27], _e1322.first[28], _e1322.first[29], _e1322.first[30], _e1322.first[31]), array<u32, 32>(_e1322.mask[0], _e1322.mask[1], _e1322.mask[2], _e1322.mask[3], _e1322.mask[4], _e1322.mask[5], _e1322.mask[6], _e1322.mask[7], _e1322.mask[8], _e1322.mask[9], _e1322.mask[10], _e1322.mask[11], _e1322.mask[12], _e1322.mask[13], _e1322.mask[14], _e1322.mask[15], _e1322.mask[16], _e1322.mask[17], _e1322.mask[18], _e1322.mask[19], _e1322.mask[20], _e1322.mask[21], _e1322.mask[22], _e1322.mask[23], _e1322.mask[24], _e1322.mask[25], _e1322.mask[26], _e1322.mask[27], _e1322.mask[28], _e1322.mask[29], _e1322.mask[30], _e1322.mask[31]), _e1322.len, _e1322.group, _e1322.group_mask);
+                                                    let _e1396 = local_1.group_mask;
+                                                    if ((_e1396 & 4278190080u) == 0u) {
+                                                        let _e1400 = local_1.len;
+                                                        if (_e1400 == 0u) {
+                                                            phi_2027_ = false;
                                                         } else {
-                                                            let _e1403 = local_1.len;
-                                                            local_1.len = (_e1403 - 1u);
-                                                            let _e1406 = local_1.len;
-                                                            if (_e1406 < 32u) {
+                                                            let _e1404 = local_1.len;
+                                                            local_1.len = (_e1404 - 1u);
+                                                            let _e1407 = local_1.len;
+                                                            if (_e1407 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1411 = local_1.first[(0u + _e1406)];
-                                                            local_1.group = _e1411;
-                                                            let _e1414 = local_1.len;
-                                                            if (_e1414 < 32u) {
+                                                            let _e1412 = local_1.first[(0u + _e1407)];
+                                                            local_1.group = _e1412;
+                                                            let _e1415 = local_1.len;
+                                                            if (_e1415 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1419 = local_1.mask[(0u + _e1414)];
-                                                            local_1.group_mask = _e1419;
-                                                            phi_2026_ = true;
+                                                            let _e1420 = local_1.mask[(0u + _e1415)];
+                                                            local_1.group_mask = _e1420;
+                                                            phi_2027_ = true;
                                                         }
-                                                        let _e1422 = phi_2026_;
-                                                        phi_2027_ = _e1422;
+                                                        let _e1423 = phi_2027_;
+                                                        phi_2028_ = _e1423;
                                                     } else {
-                                                        phi_2027_ = true;
+                                                        phi_2028_ = true;
                                                     }
-                                                    let _e1424 = phi_2027_;
-                                                    if _e1424 {
-                                                        let _e1426 = local_1.group_mask;
-                                                        let _e1432 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1426)), 32u, (_e1426 == 0u)));
-                                                        let _e1436 = local_1.group_mask;
-                                                        let _e1450 = local_1.group_mask;
-                                                        local_1.group_mask = (_e1450 & ~((1u << bitcast<u32>((_e1432 & 31u)))));
-                                                        let _e1453 = local_1.group;
-                                                        phi_2058_ = (_e1453 + countOneBits(((_e1436 & ~((4294967295u << bitcast<u32>((((_e1432 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1425 = phi_2028_;
+                                                    if _e1425 {
+                                                        let _e1427 = local_1.group_mask;
+                                                        let _e1433 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1427)), 32u, (_e1427 == 0u)));
+                                                        let _e1437 = local_1.group_mask;
+                                                        let _e1451 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1451 & ~((1u << bitcast<u32>((_e1433 & 31u)))));
+                                                        let _e1454 = local_1.group;
+                                                        phi_2059_ = (_e1454 + countOneBits(((_e1437 & ~((4294967295u << bitcast<u32>((((_e1433 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2058_ = 4294967295u;
+                                                        phi_2059_ = 4294967295u;
                                                     }
-                                                    let _e1456 = phi_2058_;
-                                                    phi_2060_ = _e1456;
-                                                    phi_2063_ = _e937;
+                                                    let _e1457 = phi_2059_;
+                                                    phi_2061_ = _e1457;
+                                                    phi_2064_ = _e938;
                                                     loop {
-                                                        let _e1458 = phi_2060_;
-                                                        let _e1460 = phi_2063_;
-                                                        local_17 = _e1460;
-                                                        if (_e1458 != 4294967295u) {
-                                                            if (_e1458 < _e78) {
+                                                        let _e1459 = phi_2061_;
+                                                        let _e1461 = phi_2064_;
+                                                        local_17 = _e1461;
+                                                        if (_e1459 != 4294967295u) {
+                                                            if (_e1459 < _e78) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1467 = nodes.member[(0u + _e1458)].frame[3u];
-                                                            let _e1492 = (bitcast<f32>((((_e1467 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1218);
-                                                            let _e1493 = (bitcast<f32>((((_e1467 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1228);
-                                                            let _e1494 = (bitcast<f32>((((_e1467 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1238);
-                                                            let _e1497 = nodes.member[(0u + _e1458)].frame[0u];
-                                                            let _e1501 = nodes.member[(0u + _e1458)].frame[1u];
-                                                            let _e1505 = nodes.member[(0u + _e1458)].frame[2u];
-                                                            let _e1510 = ((bitcast<f32>(_e1497) - _e1017) * _e1218);
-                                                            let _e1511 = ((bitcast<f32>(_e1501) - _e1030) * _e1228);
-                                                            let _e1512 = ((bitcast<f32>(_e1505) - _e1043) * _e1238);
-                                                            let _e1520 = nodes.member[(0u + _e1458)].x;
-                                                            if (_e1218 < 0f) {
-                                                                let _e1531 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1520.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1537 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1531.unnamed.root, _e1520.w), _e1531.unnamed_1);
-                                                                let _e1543 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1537.unnamed, lt_bvh_traverse_Tree(_e1520.x, _e1537.unnamed_1.first_primitive));
-                                                                phi_2143_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1543.unnamed, lt_bvh_traverse_Tree(_e1543.unnamed_1.root, _e1520.y));
+                                                            let _e1468 = nodes.member[(0u + _e1459)].frame[3u];
+                                                            let _e1493 = (bitcast<f32>((((_e1468 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1219);
+                                                            let _e1494 = (bitcast<f32>((((_e1468 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1229);
+                                                            let _e1495 = (bitcast<f32>((((_e1468 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1239);
+                                                            let _e1498 = nodes.member[(0u + _e1459)].frame[0u];
+                                                            let _e1502 = nodes.member[(0u + _e1459)].frame[1u];
+                                                            let _e1506 = nodes.member[(0u + _e1459)].frame[2u];
+                                                            let _e1511 = ((bitcast<f32>(_e1498) - _e1018) * _e1219);
+                                                            let _e1512 = ((bitcast<f32>(_e1502) - _e1031) * _e1229);
+                                                            let _e1513 = ((bitcast<f32>(_e1506) - _e1044) * _e1239);
+                                                            let _e1521 = nodes.member[(0u + _e1459)].x;
+                                                            if (_e1219 < 0f) {
+                                                                let _e1532 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1521.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1538 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1532.unnamed.root, _e1521.w), _e1532.unnamed_1);
+                                                                let _e1544 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1538.unnamed, lt_bvh_traverse_Tree(_e1521.x, _e1538.unnamed_1.first_primitive));
+                                                                phi_2144_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1544.unnamed, lt_bvh_traverse_Tree(_e1544.unnamed_1.root, _e1521.y));
                                                             } else {
-                                                                let _e1559 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1520.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1565 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1559.unnamed.root, _e1520.y), _e1559.unnamed_1);
-                                                                let _e1571 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1565.unnamed, lt_bvh_traverse_Tree(_e1520.z, _e1565.unnamed_1.first_primitive));
-                                                                phi_2143_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1571.unnamed, lt_bvh_traverse_Tree(_e1571.unnamed_1.root, _e1520.w));
+                                                                let _e1560 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1521.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1566 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1560.unnamed.root, _e1521.y), _e1560.unnamed_1);
+                                                                let _e1572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1566.unnamed, lt_bvh_traverse_Tree(_e1521.z, _e1566.unnamed_1.first_primitive));
+                                                                phi_2144_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1572.unnamed, lt_bvh_traverse_Tree(_e1572.unnamed_1.root, _e1521.w));
                                                             }
-                                                            let _e1579 = phi_2143_;
-                                                            let _e1589 = nodes.member[(0u + _e1458)].y;
-                                                            if (_e1228 < 0f) {
-                                                                let _e1600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1589.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1600.unnamed.root, _e1589.w), _e1600.unnamed_1);
-                                                                let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1606.unnamed, lt_bvh_traverse_Tree(_e1589.x, _e1606.unnamed_1.first_primitive));
-                                                                phi_2170_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1612.unnamed, lt_bvh_traverse_Tree(_e1612.unnamed_1.root, _e1589.y));
+                                                            let _e1580 = phi_2144_;
+                                                            let _e1590 = nodes.member[(0u + _e1459)].y;
+                                                            if (_e1229 < 0f) {
+                                                                let _e1601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1590.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1601.unnamed.root, _e1590.w), _e1601.unnamed_1);
+                                                                let _e1613 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1607.unnamed, lt_bvh_traverse_Tree(_e1590.x, _e1607.unnamed_1.first_primitive));
+                                                                phi_2171_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1613.unnamed, lt_bvh_traverse_Tree(_e1613.unnamed_1.root, _e1590.y));
                                                             } else {
-                                                                let _e1628 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1589.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1628.unnamed.root, _e1589.y), _e1628.unnamed_1);
-                                                                let _e1640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1634.unnamed, lt_bvh_traverse_Tree(_e1589.z, _e1634.unnamed_1.first_primitive));
-                                                                phi_2170_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1640.unnamed, lt_bvh_traverse_Tree(_e1640.unnamed_1.root, _e1589.w));
+                                                                let _e1629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1590.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1629.unnamed.root, _e1590.y), _e1629.unnamed_1);
+                                                                let _e1641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1635.unnamed, lt_bvh_traverse_Tree(_e1590.z, _e1635.unnamed_1.first_primitive));
+                                                                phi_2171_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1641.unnamed, lt_bvh_traverse_Tree(_e1641.unnamed_1.root, _e1590.w));
                                                             }
-                                                            let _e1648 = phi_2170_;
-                                                            let _e1658 = nodes.member[(0u + _e1458)].z;
-                                                            if (_e1238 < 0f) {
-                                                                let _e1669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1658.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1669.unnamed.root, _e1658.w), _e1669.unnamed_1);
-                                                                let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1675.unnamed, lt_bvh_traverse_Tree(_e1658.x, _e1675.unnamed_1.first_primitive));
-                                                                phi_2197_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1681.unnamed, lt_bvh_traverse_Tree(_e1681.unnamed_1.root, _e1658.y));
+                                                            let _e1649 = phi_2171_;
+                                                            let _e1659 = nodes.member[(0u + _e1459)].z;
+                                                            if (_e1239 < 0f) {
+                                                                let _e1670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1659.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1670.unnamed.root, _e1659.w), _e1670.unnamed_1);
+                                                                let _e1682 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1676.unnamed, lt_bvh_traverse_Tree(_e1659.x, _e1676.unnamed_1.first_primitive));
+                                                                phi_2198_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1682.unnamed, lt_bvh_traverse_Tree(_e1682.unnamed_1.root, _e1659.y));
                                                             } else {
-                                                                let _e1697 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1658.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1697.unnamed.root, _e1658.y), _e1697.unnamed_1);
-                                                                let _e1709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1703.unnamed, lt_bvh_traverse_Tree(_e1658.z, _e1703.unnamed_1.first_primitive));
-                                                                phi_2197_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1709.unnamed, lt_bvh_traverse_Tree(_e1709.unnamed_1.root, _e1658.w));
+                                                                let _e1698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1659.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1698.unnamed.root, _e1659.y), _e1698.unnamed_1);
+                                                                let _e1710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1704.unnamed, lt_bvh_traverse_Tree(_e1659.z, _e1704.unnamed_1.first_primitive));
+                                                                phi_2198_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1710.unnamed, lt_bvh_traverse_Tree(_e1710.unnamed_1.root, _e1659.w));
                                                             }
-                                                            let _e1717 = phi_2197_;
-                                                            phi_2203_ = 0u;
-                                                            phi_2206_ = 0u;
+                                                            let _e1718 = phi_2198_;
+                                                            phi_2204_ = 0u;
+                                                            phi_2207_ = 0u;
                                                             loop {
-                                                                let _e1727 = phi_2203_;
-                                                                let _e1729 = phi_2206_;
-                                                                local_6 = _e1729;
-                                                                local_7 = _e1729;
-                                                                local_8 = _e1729;
-                                                                let _e1730 = (_e1727 < 8u);
-                                                                if _e1730 {
-                                                                    let _e1732 = (_e1727 >> bitcast<u32>(2i));
-                                                                    let _e1733 = (_e1727 & 3u);
-                                                                    if (_e1732 == 0u) {
-                                                                        phi_2220_ = _e1579.unnamed.root;
+                                                                let _e1728 = phi_2204_;
+                                                                let _e1730 = phi_2207_;
+                                                                local_6 = _e1730;
+                                                                local_7 = _e1730;
+                                                                local_8 = _e1730;
+                                                                let _e1731 = (_e1728 < 8u);
+                                                                if _e1731 {
+                                                                    let _e1733 = (_e1728 >> bitcast<u32>(2i));
+                                                                    let _e1734 = (_e1728 & 3u);
+                                                                    if (_e1733 == 0u) {
+                                                                        phi_2221_ = _e1580.unnamed.root;
                                                                     } else {
-                                                                        phi_2220_ = _e1579.unnamed.first_primitive;
+                                                                        phi_2221_ = _e1580.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1736 = phi_2220_;
-                                                                    if (_e1732 == 0u) {
-                                                                        phi_2230_ = _e1648.unnamed.root;
+                                                                    let _e1737 = phi_2221_;
+                                                                    if (_e1733 == 0u) {
+                                                                        phi_2231_ = _e1649.unnamed.root;
                                                                     } else {
-                                                                        phi_2230_ = _e1648.unnamed.first_primitive;
+                                                                        phi_2231_ = _e1649.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1745 = phi_2230_;
-                                                                    if (_e1732 == 0u) {
-                                                                        phi_2240_ = _e1717.unnamed.root;
+                                                                    let _e1746 = phi_2231_;
+                                                                    if (_e1733 == 0u) {
+                                                                        phi_2241_ = _e1718.unnamed.root;
                                                                     } else {
-                                                                        phi_2240_ = _e1717.unnamed.first_primitive;
+                                                                        phi_2241_ = _e1718.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1754 = phi_2240_;
-                                                                    let _e1767 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1736 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1492) + (_e1510 - _e1270)), ((f32(((_e1745 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1493) + (_e1511 - _e1271)));
-                                                                    let _e1768 = core_intrinsics_maximum_number_nsz_f32_(_e1767, ((f32(((_e1754 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1494) + (_e1512 - _e1272)));
-                                                                    if (_e1732 == 0u) {
-                                                                        phi_2258_ = _e1579.unnamed_1.root;
+                                                                    let _e1755 = phi_2241_;
+                                                                    let _e1768 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1737 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u)) * _e1493) + (_e1511 - _e1271)), ((f32(((_e1746 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u)) * _e1494) + (_e1512 - _e1272)));
+                                                                    let _e1769 = core_intrinsics_maximum_number_nsz_f32_(_e1768, ((f32(((_e1755 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u)) * _e1495) + (_e1513 - _e1273)));
+                                                                    if (_e1733 == 0u) {
+                                                                        phi_2259_ = _e1580.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2258_ = _e1579.unnamed_1.first_primitive;
+                                                                        phi_2259_ = _e1580.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1771 = phi_2258_;
-                                                                    if (_e1732 == 0u) {
-                                                                        phi_2268_ = _e1648.unnamed_1.root;
+                                                                    let _e1772 = phi_2259_;
+                                                                    if (_e1733 == 0u) {
+                                                                        phi_2269_ = _e1649.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2268_ = _e1648.unnamed_1.first_primitive;
+                                                                        phi_2269_ = _e1649.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1780 = phi_2268_;
-                                                                    if (_e1732 == 0u) {
-                                                                        phi_2278_ = _e1717.unnamed_1.root;
+                                                                    let _e1781 = phi_2269_;
+                                                                    if (_e1733 == 0u) {
+                                                                        phi_2279_ = _e1718.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2278_ = _e1717.unnamed_1.first_primitive;
+                                                                        phi_2279_ = _e1718.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1789 = phi_2278_;
-                                                                    let _e1802 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1771 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1492) + (_e1510 + _e1270)), ((f32(((_e1780 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1493) + (_e1511 + _e1271)));
-                                                                    let _e1803 = core_intrinsics_minimum_number_nsz_f32_(_e1802, ((f32(((_e1789 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u)) * _e1494) + (_e1512 + _e1272)));
-                                                                    if (_e1768 <= _e1803) {
-                                                                        if (_e1768 <= _e147) {
-                                                                            if (_e1803 >= 0f) {
-                                                                                if (_e1732 == 0u) {
-                                                                                    let _e1810 = nodes.member[(0u + _e1458)].links[2u];
-                                                                                    phi_2314_ = _e1810;
+                                                                    let _e1790 = phi_2279_;
+                                                                    let _e1803 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1772 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u)) * _e1493) + (_e1511 + _e1271)), ((f32(((_e1781 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u)) * _e1494) + (_e1512 + _e1272)));
+                                                                    let _e1804 = core_intrinsics_minimum_number_nsz_f32_(_e1803, ((f32(((_e1790 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u)) * _e1495) + (_e1513 + _e1273)));
+                                                                    if (_e1769 <= _e1804) {
+                                                                        if (_e1769 <= _e148) {
+                                                                            if (_e1804 >= 0f) {
+                                                                                if (_e1733 == 0u) {
+                                                                                    let _e1811 = nodes.member[(0u + _e1459)].links[2u];
+                                                                                    phi_2315_ = _e1811;
                                                                                 } else {
-                                                                                    let _e1813 = nodes.member[(0u + _e1458)].links[3u];
-                                                                                    phi_2314_ = _e1813;
+                                                                                    let _e1814 = nodes.member[(0u + _e1459)].links[3u];
+                                                                                    phi_2315_ = _e1814;
                                                                                 }
-                                                                                let _e1815 = phi_2314_;
-                                                                                let _e1820 = ((_e1815 >> bitcast<u32>(((_e1733 * 8u) & 31u))) & 255u);
-                                                                                let _e1821 = (_e1820 & 31u);
-                                                                                if (_e1821 >= 24u) {
-                                                                                    phi_2327_ = (24u + ((_e1821 - 24u) ^ _e1320));
+                                                                                let _e1816 = phi_2315_;
+                                                                                let _e1821 = ((_e1816 >> bitcast<u32>(((_e1734 * 8u) & 31u))) & 255u);
+                                                                                let _e1822 = (_e1821 & 31u);
+                                                                                if (_e1822 >= 24u) {
+                                                                                    phi_2328_ = (24u + ((_e1822 - 24u) ^ _e1321));
                                                                                 } else {
-                                                                                    phi_2327_ = _e1821;
+                                                                                    phi_2328_ = _e1822;
                                                                                 }
-                                                                                let _e1827 = phi_2327_;
-                                                                                phi_2332_ = (_e1729 | ((_e1820 >> bitcast<u32>(5i)) << bitcast<u32>((_e1827 & 31u))));
+                                                                                let _e1828 = phi_2328_;
+                                                                                phi_2333_ = (_e1730 | ((_e1821 >> bitcast<u32>(5i)) << bitcast<u32>((_e1828 & 31u))));
                                                                             } else {
-                                                                                phi_2332_ = _e1729;
+                                                                                phi_2333_ = _e1730;
                                                                             }
-                                                                            let _e1835 = phi_2332_;
-                                                                            phi_2333_ = _e1835;
+                                                                            let _e1836 = phi_2333_;
+                                                                            phi_2334_ = _e1836;
                                                                         } else {
-                                                                            phi_2333_ = _e1729;
+                                                                            phi_2334_ = _e1730;
                                                                         }
-                                                                        let _e1837 = phi_2333_;
-                                                                        phi_2334_ = _e1837;
+                                                                        let _e1838 = phi_2334_;
+                                                                        phi_2335_ = _e1838;
                                                                     } else {
-                                                                        phi_2334_ = _e1729;
+                                                                        phi_2335_ = _e1730;
                                                                     }
-                                                                    let _e1839 = phi_2334_;
-                                                                    phi_2204_ = (_e1727 + 1u);
-                                                                    phi_2207_ = _e1839;
+                                                                    let _e1840 = phi_2335_;
+                                                                    phi_2205_ = (_e1728 + 1u);
+                                                                    phi_2208_ = _e1840;
                                                                 } else {
-                                                                    phi_2204_ = u32();
-                                                                    phi_2207_ = u32();
+                                                                    phi_2205_ = u32();
+                                                                    phi_2208_ = u32();
                                                                 }
-                                                                let _e1842 = phi_2204_;
-                                                                let _e1844 = phi_2207_;
+                                                                let _e1843 = phi_2205_;
+                                                                let _e1845 = phi_2208_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2203_ = _e1842;
-                                                                    phi_2206_ = _e1844;
-                                                                    break if !(_e1730);
+                                                                    phi_2204_ = _e1843;
+                                                                    phi_2207_ = _e1845;
+                                                                    break if !(_e1731);
                                                                 }
                                                             }
-                                                            let _e1848 = nodes.member[(0u + _e1458)].links[0u];
-                                                            let _e1852 = nodes.member[(0u + _e1458)].frame[3u];
-                                                            let _e1856 = local_6;
-                                                            if ((_e1856 & 4278190080u) == 0u) {
+                                                            let _e1849 = nodes.member[(0u + _e1459)].links[0u];
+                                                            let _e1853 = nodes.member[(0u + _e1459)].frame[3u];
+                                                            let _e1857 = local_6;
+                                                            if ((_e1857 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1860 = local_1.group_mask;
-                                                                if ((_e1860 & 4278190080u) == 0u) {
+                                                                let _e1861 = local_1.group_mask;
+                                                                if ((_e1861 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1864 = local_1.len;
-                                                                    if (_e1864 < 32u) {
-                                                                        let _e1867 = local_1.group;
-                                                                        let _e1869 = local_1.len;
-                                                                        if (_e1869 < 32u) {
+                                                                    let _e1865 = local_1.len;
+                                                                    if (_e1865 < 32u) {
+                                                                        let _e1868 = local_1.group;
+                                                                        let _e1870 = local_1.len;
+                                                                        if (_e1870 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.first[(0u + _e1869)] = _e1867;
-                                                                        let _e1875 = local_1.group_mask;
-                                                                        let _e1877 = local_1.len;
-                                                                        if (_e1877 < 32u) {
+                                                                        local_1.first[(0u + _e1870)] = _e1868;
+                                                                        let _e1876 = local_1.group_mask;
+                                                                        let _e1878 = local_1.len;
+                                                                        if (_e1878 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.mask[(0u + _e1877)] = _e1875;
-                                                                        let _e1884 = local_1.len;
-                                                                        local_1.len = (_e1884 + 1u);
+                                                                        local_1.mask[(0u + _e1878)] = _e1876;
+                                                                        let _e1885 = local_1.len;
+                                                                        local_1.len = (_e1885 + 1u);
                                                                     }
                                                                 }
-                                                                local_1.group = (_e1086 + _e1848);
-                                                                let _e1888 = local_7;
-                                                                local_1.group_mask = ((_e1888 & 4278190080u) | (_e1852 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1087 + _e1849);
+                                                                let _e1889 = local_7;
+                                                                local_1.group_mask = ((_e1889 & 4278190080u) | (_e1853 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1893 = local_8;
-                                                            phi_2392_ = (_e1893 & 16777215u);
-                                                            phi_2395_ = _e1460;
+                                                            let _e1894 = local_8;
+                                                            phi_2393_ = (_e1894 & 16777215u);
+                                                            phi_2396_ = _e1461;
                                                             loop {
-                                                                let _e1896 = phi_2392_;
-                                                                let _e1898 = phi_2395_;
-                                                                local_13 = _e1898;
-                                                                let _e1899 = (_e1896 == 0u);
-                                                                local_9 = _e1899;
-                                                                local_15 = _e1899;
-                                                                if _e1899 {
-                                                                    phi_2393_ = u32();
-                                                                    phi_2396_ = bool();
-                                                                    phi_3199_ = bool();
-                                                                    phi_3200_ = false;
+                                                                let _e1897 = phi_2393_;
+                                                                let _e1899 = phi_2396_;
+                                                                local_13 = _e1899;
+                                                                let _e1900 = (_e1897 == 0u);
+                                                                local_9 = _e1900;
+                                                                local_15 = _e1900;
+                                                                if _e1900 {
+                                                                    phi_2394_ = u32();
+                                                                    phi_2397_ = bool();
+                                                                    phi_3200_ = bool();
+                                                                    phi_3201_ = false;
                                                                 } else {
-                                                                    let _e1902 = nodes.member[(0u + _e1458)].links[1u];
-                                                                    let _e1907 = ((_e1088 + _e1902) + select(firstTrailingBit(_e1896), 32u, (_e1896 == 0u)));
-                                                                    if (_e1907 < _e81) {
+                                                                    let _e1903 = nodes.member[(0u + _e1459)].links[1u];
+                                                                    let _e1908 = ((_e1089 + _e1903) + select(firstTrailingBit(_e1897), 32u, (_e1897 == 0u)));
+                                                                    if (_e1908 < _e81) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1914 = triangles.member[(0u + _e1907)].v0_;
-                                                                    let _e1916 = (_e1914.x - _e1017);
-                                                                    let _e1918 = (_e1914.y - _e1030);
-                                                                    let _e1920 = (_e1914.z - _e1043);
-                                                                    if (_e1293 == 0u) {
-                                                                        phi_2440_ = vec3<f32>(_e1918, _e1920, _e1916);
+                                                                    let _e1915 = triangles.member[(0u + _e1908)].v0_;
+                                                                    let _e1917 = (_e1915.x - _e1018);
+                                                                    let _e1919 = (_e1915.y - _e1031);
+                                                                    let _e1921 = (_e1915.z - _e1044);
+                                                                    if (_e1294 == 0u) {
+                                                                        phi_2441_ = vec3<f32>(_e1919, _e1921, _e1917);
                                                                     } else {
-                                                                        if (_e1293 == 1u) {
-                                                                            phi_2439_ = vec3<f32>(_e1920, _e1916, _e1918);
+                                                                        if (_e1294 == 1u) {
+                                                                            phi_2440_ = vec3<f32>(_e1921, _e1917, _e1919);
                                                                         } else {
-                                                                            phi_2439_ = (_e1914 - vec3<f32>(_e1017, _e1030, _e1043));
+                                                                            phi_2440_ = (_e1915 - vec3<f32>(_e1018, _e1031, _e1044));
                                                                         }
-                                                                        let _e1928 = phi_2439_;
-                                                                        phi_2440_ = _e1928;
+                                                                        let _e1929 = phi_2440_;
+                                                                        phi_2441_ = _e1929;
                                                                     }
-                                                                    let _e1930 = phi_2440_;
-                                                                    let _e1934 = (_e1930.x - (_e1304 * _e1930.z));
-                                                                    let _e1938 = (_e1930.y - (_e1307 * _e1930.z));
-                                                                    let _e1940 = triangles.member[(0u + _e1907)].v1_;
-                                                                    let _e1942 = (_e1940.x - _e1017);
-                                                                    let _e1944 = (_e1940.y - _e1030);
-                                                                    let _e1946 = (_e1940.z - _e1043);
-                                                                    if (_e1293 == 0u) {
-                                                                        phi_2470_ = vec3<f32>(_e1944, _e1946, _e1942);
+                                                                    let _e1931 = phi_2441_;
+                                                                    let _e1935 = (_e1931.x - (_e1305 * _e1931.z));
+                                                                    let _e1939 = (_e1931.y - (_e1308 * _e1931.z));
+                                                                    let _e1941 = triangles.member[(0u + _e1908)].v1_;
+                                                                    let _e1943 = (_e1941.x - _e1018);
+                                                                    let _e1945 = (_e1941.y - _e1031);
+                                                                    let _e1947 = (_e1941.z - _e1044);
+                                                                    if (_e1294 == 0u) {
+                                                                        phi_2471_ = vec3<f32>(_e1945, _e1947, _e1943);
                                                                     } else {
-                                                                        if (_e1293 == 1u) {
-                                                                            phi_2469_ = vec3<f32>(_e1946, _e1942, _e1944);
+                                                                        if (_e1294 == 1u) {
+                                                                            phi_2470_ = vec3<f32>(_e1947, _e1943, _e1945);
                                                                         } else {
-                                                                            phi_2469_ = (_e1940 - vec3<f32>(_e1017, _e1030, _e1043));
+                                                                            phi_2470_ = (_e1941 - vec3<f32>(_e1018, _e1031, _e1044));
                                                                         }
-                                                                        let _e1954 = phi_2469_;
-                                                                        phi_2470_ = _e1954;
+                                                                        let _e1955 = phi_2470_;
+                                                                        phi_2471_ = _e1955;
                                                                     }
-                                                                    let _e1956 = phi_2470_;
-                                                                    let _e1960 = (_e1956.x - (_e1304 * _e1956.z));
-                                                                    let _e1964 = (_e1956.y - (_e1307 * _e1956.z));
-                                                                    let _e1966 = triangles.member[(0u + _e1907)].v2_;
-                                                                    let _e1968 = (_e1966.x - _e1017);
-                                                                    let _e1970 = (_e1966.y - _e1030);
-                                                                    let _e1972 = (_e1966.z - _e1043);
-                                                                    if (_e1293 == 0u) {
-                                                                        phi_2500_ = vec3<f32>(_e1970, _e1972, _e1968);
+                                                                    let _e1957 = phi_2471_;
+                                                                    let _e1961 = (_e1957.x - (_e1305 * _e1957.z));
+                                                                    let _e1965 = (_e1957.y - (_e1308 * _e1957.z));
+                                                                    let _e1967 = triangles.member[(0u + _e1908)].v2_;
+                                                                    let _e1969 = (_e1967.x - _e1018);
+                                                                    let _e1971 = (_e1967.y - _e1031);
+                                                                    let _e1973 = (_e1967.z - _e1044);
+                                                                    if (_e1294 == 0u) {
+                                                                        phi_2501_ = vec3<f32>(_e1971, _e1973, _e1969);
                                                                     } else {
-                                                                        if (_e1293 == 1u) {
-                                                                            phi_2499_ = vec3<f32>(_e1972, _e1968, _e1970);
+                                                                        if (_e1294 == 1u) {
+                                                                            phi_2500_ = vec3<f32>(_e1973, _e1969, _e1971);
                                                                         } else {
-                                                                            phi_2499_ = (_e1966 - vec3<f32>(_e1017, _e1030, _e1043));
+                                                                            phi_2500_ = (_e1967 - vec3<f32>(_e1018, _e1031, _e1044));
                                                                         }
-                                                                        let _e1980 = phi_2499_;
-                                                                        phi_2500_ = _e1980;
+                                                                        let _e1981 = phi_2500_;
+                                                                        phi_2501_ = _e1981;
                                                                     }
-                                                                    let _e1982 = phi_2500_;
-                                                                    let _e1986 = (_e1982.x - (_e1304 * _e1982.z));
-                                                                    let _e1990 = (_e1982.y - (_e1307 * _e1982.z));
-                                                                    if (_e1960 < _e1986) {
-                                                                        phi_2519_ = true;
+                                                                    let _e1983 = phi_2501_;
+                                                                    let _e1987 = (_e1983.x - (_e1305 * _e1983.z));
+                                                                    let _e1991 = (_e1983.y - (_e1308 * _e1983.z));
+                                                                    if (_e1961 < _e1987) {
+                                                                        phi_2520_ = true;
                                                                     } else {
-                                                                        if (_e1960 == _e1986) {
-                                                                            phi_2518_ = (_e1964 < _e1990);
+                                                                        if (_e1961 == _e1987) {
+                                                                            phi_2519_ = (_e1965 < _e1991);
                                                                         } else {
-                                                                            phi_2518_ = false;
+                                                                            phi_2519_ = false;
                                                                         }
-                                                                        let _e1995 = phi_2518_;
-                                                                        phi_2519_ = _e1995;
+                                                                        let _e1996 = phi_2519_;
+                                                                        phi_2520_ = _e1996;
                                                                     }
-                                                                    let _e1997 = phi_2519_;
-                                                                    if _e1997 {
-                                                                        phi_2523_ = _e1990;
-                                                                        phi_2524_ = _e1986;
-                                                                        phi_2525_ = _e1964;
-                                                                        phi_2526_ = _e1960;
+                                                                    let _e1998 = phi_2520_;
+                                                                    if _e1998 {
+                                                                        phi_2524_ = _e1991;
+                                                                        phi_2525_ = _e1987;
+                                                                        phi_2526_ = _e1965;
+                                                                        phi_2527_ = _e1961;
                                                                     } else {
-                                                                        phi_2523_ = _e1964;
-                                                                        phi_2524_ = _e1960;
-                                                                        phi_2525_ = _e1990;
-                                                                        phi_2526_ = _e1986;
+                                                                        phi_2524_ = _e1965;
+                                                                        phi_2525_ = _e1961;
+                                                                        phi_2526_ = _e1991;
+                                                                        phi_2527_ = _e1987;
                                                                     }
-                                                                    let _e1999 = phi_2523_;
-                                                                    let _e2001 = phi_2524_;
-                                                                    let _e2003 = phi_2525_;
-                                                                    let _e2005 = phi_2526_;
-                                                                    let _e2008 = ((_e2005 * _e1999) - (_e2003 * _e2001));
-                                                                    if _e1997 {
-                                                                        phi_2534_ = -(_e2008);
+                                                                    let _e2000 = phi_2524_;
+                                                                    let _e2002 = phi_2525_;
+                                                                    let _e2004 = phi_2526_;
+                                                                    let _e2006 = phi_2527_;
+                                                                    let _e2009 = ((_e2006 * _e2000) - (_e2004 * _e2002));
+                                                                    if _e1998 {
+                                                                        phi_2535_ = -(_e2009);
                                                                     } else {
-                                                                        phi_2534_ = _e2008;
+                                                                        phi_2535_ = _e2009;
                                                                     }
-                                                                    let _e2011 = phi_2534_;
-                                                                    if (_e1986 < _e1934) {
-                                                                        phi_2545_ = true;
+                                                                    let _e2012 = phi_2535_;
+                                                                    if (_e1987 < _e1935) {
+                                                                        phi_2546_ = true;
                                                                     } else {
-                                                                        if (_e1986 == _e1934) {
-                                                                            phi_2544_ = (_e1990 < _e1938);
+                                                                        if (_e1987 == _e1935) {
+                                                                            phi_2545_ = (_e1991 < _e1939);
                                                                         } else {
-                                                                            phi_2544_ = false;
+                                                                            phi_2545_ = false;
                                                                         }
-                                                                        let _e2016 = phi_2544_;
-                                                                        phi_2545_ = _e2016;
+                                                                        let _e2017 = phi_2545_;
+                                                                        phi_2546_ = _e2017;
                                                                     }
-                                                                    let _e2018 = phi_2545_;
-                                                                    if _e2018 {
-                                                                        phi_2549_ = _e1938;
-                                                                        phi_2550_ = _e1934;
-                                                                        phi_2551_ = _e1990;
-                                                                        phi_2552_ = _e1986;
+                                                                    let _e2019 = phi_2546_;
+                                                                    if _e2019 {
+                                                                        phi_2550_ = _e1939;
+                                                                        phi_2551_ = _e1935;
+                                                                        phi_2552_ = _e1991;
+                                                                        phi_2553_ = _e1987;
                                                                     } else {
-                                                                        phi_2549_ = _e1990;
-                                                                        phi_2550_ = _e1986;
-                                                                        phi_2551_ = _e1938;
-                                                                        phi_2552_ = _e1934;
+                                                                        phi_2550_ = _e1991;
+                                                                        phi_2551_ = _e1987;
+                                                                        phi_2552_ = _e1939;
+                                                                        phi_2553_ = _e1935;
                                                                     }
-                                                                    let _e2020 = phi_2549_;
-                                                                    let _e2022 = phi_2550_;
-                                                                    let _e2024 = phi_2551_;
-                                                                    let _e2026 = phi_2552_;
-                                                                    let _e2029 = ((_e2026 * _e2020) - (_e2024 * _e2022));
-                                                                    if _e2018 {
-                                                                        phi_2560_ = -(_e2029);
+                                                                    let _e2021 = phi_2550_;
+                                                                    let _e2023 = phi_2551_;
+                                                                    let _e2025 = phi_2552_;
+                                                                    let _e2027 = phi_2553_;
+                                                                    let _e2030 = ((_e2027 * _e2021) - (_e2025 * _e2023));
+                                                                    if _e2019 {
+                                                                        phi_2561_ = -(_e2030);
                                                                     } else {
-                                                                        phi_2560_ = _e2029;
+                                                                        phi_2561_ = _e2030;
                                                                     }
-                                                                    let _e2032 = phi_2560_;
-                                                                    if (_e1934 < _e1960) {
-                                                                        phi_2571_ = true;
+                                                                    let _e2033 = phi_2561_;
+                                                                    if (_e1935 < _e1961) {
+                                                                        phi_2572_ = true;
                                                                     } else {
-                                                                        if (_e1934 == _e1960) {
-                                                                            phi_2570_ = (_e1938 < _e1964);
+                                                                        if (_e1935 == _e1961) {
+                                                                            phi_2571_ = (_e1939 < _e1965);
                                                                         } else {
-                                                                            phi_2570_ = false;
+                                                                            phi_2571_ = false;
                                                                         }
-                                                                        let _e2037 = phi_2570_;
-                                                                        phi_2571_ = _e2037;
+                                                                        let _e2038 = phi_2571_;
+                                                                        phi_2572_ = _e2038;
                                                                     }
-                                                                    let _e2039 = phi_2571_;
-                                                                    if _e2039 {
-                                                                        phi_2575_ = _e1964;
-                                                                        phi_2576_ = _e1960;
-                                                                        phi_2577_ = _e1938;
-                                                                        phi_2578_ = _e1934;
+                                                                    let _e2040 = phi_2572_;
+                                                                    if _e2040 {
+                                                                        phi_2576_ = _e1965;
+                                                                        phi_2577_ = _e1961;
+                                                                        phi_2578_ = _e1939;
+                                                                        phi_2579_ = _e1935;
                                                                     } else {
-                                                                        phi_2575_ = _e1938;
-                                                                        phi_2576_ = _e1934;
-                                                                        phi_2577_ = _e1964;
-                                                                        phi_2578_ = _e1960;
+                                                                        phi_2576_ = _e1939;
+                                                                        phi_2577_ = _e1935;
+                                                                        phi_2578_ = _e1965;
+                                                                        phi_2579_ = _e1961;
                                                                     }
-                                                                    let _e2041 = phi_2575_;
-                                                                    let _e2043 = phi_2576_;
-                                                                    let _e2045 = phi_2577_;
-                                                                    let _e2047 = phi_2578_;
-                                                                    let _e2050 = ((_e2047 * _e2041) - (_e2045 * _e2043));
-                                                                    if _e2039 {
-                                                                        phi_2586_ = -(_e2050);
+                                                                    let _e2042 = phi_2576_;
+                                                                    let _e2044 = phi_2577_;
+                                                                    let _e2046 = phi_2578_;
+                                                                    let _e2048 = phi_2579_;
+                                                                    let _e2051 = ((_e2048 * _e2042) - (_e2046 * _e2044));
+                                                                    if _e2040 {
+                                                                        phi_2587_ = -(_e2051);
                                                                     } else {
-                                                                        phi_2586_ = _e2050;
+                                                                        phi_2587_ = _e2051;
                                                                     }
-                                                                    let _e2053 = phi_2586_;
-                                                                    if (_e2011 >= 0f) {
-                                                                        if (_e2032 >= 0f) {
-                                                                            if (_e2053 >= 0f) {
-                                                                                phi_2601_ = ((_e2011 + _e2032) + _e2053);
-                                                                                phi_2602_ = false;
+                                                                    let _e2054 = phi_2587_;
+                                                                    if (_e2012 >= 0f) {
+                                                                        if (_e2033 >= 0f) {
+                                                                            if (_e2054 >= 0f) {
+                                                                                phi_2602_ = ((_e2012 + _e2033) + _e2054);
+                                                                                phi_2603_ = false;
                                                                             } else {
-                                                                                phi_2601_ = f32();
-                                                                                phi_2602_ = true;
+                                                                                phi_2602_ = f32();
+                                                                                phi_2603_ = true;
                                                                             }
-                                                                            let _e2060 = phi_2601_;
-                                                                            let _e2062 = phi_2602_;
-                                                                            phi_2603_ = _e2060;
-                                                                            phi_2604_ = _e2062;
+                                                                            let _e2061 = phi_2602_;
+                                                                            let _e2063 = phi_2603_;
+                                                                            phi_2604_ = _e2061;
+                                                                            phi_2605_ = _e2063;
                                                                         } else {
-                                                                            phi_2603_ = f32();
-                                                                            phi_2604_ = true;
+                                                                            phi_2604_ = f32();
+                                                                            phi_2605_ = true;
                                                                         }
-                                                                        let _e2064 = phi_2603_;
-                                                                        let _e2066 = phi_2604_;
-                                                                        phi_2605_ = _e2064;
-                                                                        phi_2606_ = _e2066;
+                                                                        let _e2065 = phi_2604_;
+                                                                        let _e2067 = phi_2605_;
+                                                                        phi_2606_ = _e2065;
+                                                                        phi_2607_ = _e2067;
                                                                     } else {
-                                                                        phi_2605_ = f32();
-                                                                        phi_2606_ = true;
+                                                                        phi_2606_ = f32();
+                                                                        phi_2607_ = true;
                                                                     }
-                                                                    let _e2068 = phi_2605_;
-                                                                    let _e2070 = phi_2606_;
-                                                                    if _e2070 {
-                                                                        if (_e2011 <= 0f) {
-                                                                            if (_e2032 <= 0f) {
-                                                                                let _e2073 = (_e2053 <= 0f);
-                                                                                if _e2073 {
+                                                                    let _e2069 = phi_2606_;
+                                                                    let _e2071 = phi_2607_;
+                                                                    if _e2071 {
+                                                                        if (_e2012 <= 0f) {
+                                                                            if (_e2033 <= 0f) {
+                                                                                let _e2074 = (_e2054 <= 0f);
+                                                                                if _e2074 {
                                                                                 }
-                                                                                phi_2624_ = ((_e2011 + _e2032) + _e2053);
-                                                                                phi_2625_ = false;
-                                                                                phi_2626_ = _e2073;
-                                                                            } else {
-                                                                                phi_2624_ = f32();
-                                                                                phi_2625_ = true;
+                                                                                phi_2625_ = ((_e2012 + _e2033) + _e2054);
                                                                                 phi_2626_ = false;
+                                                                                phi_2627_ = _e2074;
+                                                                            } else {
+                                                                                phi_2625_ = f32();
+                                                                                phi_2626_ = true;
+                                                                                phi_2627_ = false;
                                                                             }
-                                                                            let _e2077 = phi_2624_;
-                                                                            let _e2079 = phi_2625_;
-                                                                            let _e2081 = phi_2626_;
-                                                                            phi_2627_ = _e2077;
-                                                                            phi_2628_ = _e2079;
-                                                                            phi_2629_ = _e2081;
+                                                                            let _e2078 = phi_2625_;
+                                                                            let _e2080 = phi_2626_;
+                                                                            let _e2082 = phi_2627_;
+                                                                            phi_2628_ = _e2078;
+                                                                            phi_2629_ = _e2080;
+                                                                            phi_2630_ = _e2082;
                                                                         } else {
-                                                                            phi_2627_ = f32();
-                                                                            phi_2628_ = true;
-                                                                            phi_2629_ = false;
+                                                                            phi_2628_ = f32();
+                                                                            phi_2629_ = true;
+                                                                            phi_2630_ = false;
                                                                         }
-                                                                        let _e2083 = phi_2627_;
-                                                                        let _e2085 = phi_2628_;
-                                                                        let _e2087 = phi_2629_;
-                                                                        if _e2085 {
-                                                                            phi_2633_ = false;
+                                                                        let _e2084 = phi_2628_;
+                                                                        let _e2086 = phi_2629_;
+                                                                        let _e2088 = phi_2630_;
+                                                                        if _e2086 {
+                                                                            phi_2634_ = false;
                                                                         } else {
-                                                                            phi_2633_ = _e2087;
+                                                                            phi_2634_ = _e2088;
                                                                         }
-                                                                        let _e2089 = phi_2633_;
-                                                                        phi_2634_ = _e2083;
-                                                                        phi_2635_ = _e2089;
+                                                                        let _e2090 = phi_2634_;
+                                                                        phi_2635_ = _e2084;
+                                                                        phi_2636_ = _e2090;
                                                                     } else {
-                                                                        phi_2634_ = _e2068;
-                                                                        phi_2635_ = true;
+                                                                        phi_2635_ = _e2069;
+                                                                        phi_2636_ = true;
                                                                     }
-                                                                    let _e2091 = phi_2634_;
-                                                                    let _e2093 = phi_2635_;
-                                                                    if _e2093 {
-                                                                        let _e2094 = (_e2091 == 0f);
-                                                                        if _e2094 {
-                                                                            phi_2951_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2952_ = false;
+                                                                    let _e2092 = phi_2635_;
+                                                                    let _e2094 = phi_2636_;
+                                                                    if _e2094 {
+                                                                        let _e2095 = (_e2092 == 0f);
+                                                                        if _e2095 {
+                                                                            phi_2952_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2953_ = false;
                                                                         } else {
-                                                                            let _e2096 = triangles.member[(0u + _e1907)].v0_;
-                                                                            let _e2098 = (_e2096.x - _e1017);
-                                                                            let _e2100 = (_e2096.y - _e1030);
-                                                                            let _e2102 = (_e2096.z - _e1043);
-                                                                            if (_e1293 == 0u) {
-                                                                                phi_2664_ = vec3<f32>(_e2100, _e2102, _e2098);
+                                                                            let _e2097 = triangles.member[(0u + _e1908)].v0_;
+                                                                            let _e2099 = (_e2097.x - _e1018);
+                                                                            let _e2101 = (_e2097.y - _e1031);
+                                                                            let _e2103 = (_e2097.z - _e1044);
+                                                                            if (_e1294 == 0u) {
+                                                                                phi_2665_ = vec3<f32>(_e2101, _e2103, _e2099);
                                                                             } else {
-                                                                                if (_e1293 == 1u) {
-                                                                                    phi_2663_ = vec3<f32>(_e2102, _e2098, _e2100);
+                                                                                if (_e1294 == 1u) {
+                                                                                    phi_2664_ = vec3<f32>(_e2103, _e2099, _e2101);
                                                                                 } else {
-                                                                                    phi_2663_ = (_e2096 - vec3<f32>(_e1017, _e1030, _e1043));
+                                                                                    phi_2664_ = (_e2097 - vec3<f32>(_e1018, _e1031, _e1044));
                                                                                 }
-                                                                                let _e2110 = phi_2663_;
-                                                                                phi_2664_ = _e2110;
+                                                                                let _e2111 = phi_2664_;
+                                                                                phi_2665_ = _e2111;
                                                                             }
-                                                                            let _e2112 = phi_2664_;
-                                                                            let _e2114 = triangles.member[(0u + _e1907)].v1_;
-                                                                            let _e2116 = triangles.member[(0u + _e1907)].v0_;
-                                                                            let _e2119 = (_e2114.x - _e2116.x);
-                                                                            let _e2122 = (_e2114.y - _e2116.y);
-                                                                            let _e2125 = (_e2114.z - _e2116.z);
-                                                                            if (_e1293 == 0u) {
-                                                                                phi_2690_ = vec3<f32>(_e2122, _e2125, _e2119);
+                                                                            let _e2113 = phi_2665_;
+                                                                            let _e2115 = triangles.member[(0u + _e1908)].v1_;
+                                                                            let _e2117 = triangles.member[(0u + _e1908)].v0_;
+                                                                            let _e2120 = (_e2115.x - _e2117.x);
+                                                                            let _e2123 = (_e2115.y - _e2117.y);
+                                                                            let _e2126 = (_e2115.z - _e2117.z);
+                                                                            if (_e1294 == 0u) {
+                                                                                phi_2691_ = vec3<f32>(_e2123, _e2126, _e2120);
                                                                             } else {
-                                                                                if (_e1293 == 1u) {
-                                                                                    phi_2689_ = vec3<f32>(_e2125, _e2119, _e2122);
+                                                                                if (_e1294 == 1u) {
+                                                                                    phi_2690_ = vec3<f32>(_e2126, _e2120, _e2123);
                                                                                 } else {
-                                                                                    phi_2689_ = (_e2114 - _e2116);
+                                                                                    phi_2690_ = (_e2115 - _e2117);
                                                                                 }
-                                                                                let _e2132 = phi_2689_;
-                                                                                phi_2690_ = _e2132;
+                                                                                let _e2133 = phi_2690_;
+                                                                                phi_2691_ = _e2133;
                                                                             }
-                                                                            let _e2134 = phi_2690_;
-                                                                            let _e2136 = triangles.member[(0u + _e1907)].v2_;
-                                                                            let _e2138 = triangles.member[(0u + _e1907)].v0_;
-                                                                            let _e2141 = (_e2136.x - _e2138.x);
-                                                                            let _e2144 = (_e2136.y - _e2138.y);
-                                                                            let _e2147 = (_e2136.z - _e2138.z);
-                                                                            if (_e1293 == 0u) {
-                                                                                phi_2716_ = vec3<f32>(_e2144, _e2147, _e2141);
+                                                                            let _e2135 = phi_2691_;
+                                                                            let _e2137 = triangles.member[(0u + _e1908)].v2_;
+                                                                            let _e2139 = triangles.member[(0u + _e1908)].v0_;
+                                                                            let _e2142 = (_e2137.x - _e2139.x);
+                                                                            let _e2145 = (_e2137.y - _e2139.y);
+                                                                            let _e2148 = (_e2137.z - _e2139.z);
+                                                                            if (_e1294 == 0u) {
+                                                                                phi_2717_ = vec3<f32>(_e2145, _e2148, _e2142);
                                                                             } else {
-                                                                                if (_e1293 == 1u) {
-                                                                                    phi_2715_ = vec3<f32>(_e2147, _e2141, _e2144);
+                                                                                if (_e1294 == 1u) {
+                                                                                    phi_2716_ = vec3<f32>(_e2148, _e2142, _e2145);
                                                                                 } else {
-                                                                                    phi_2715_ = (_e2136 - _e2138);
+                                                                                    phi_2716_ = (_e2137 - _e2139);
                                                                                 }
-                                                                                let _e2154 = phi_2715_;
-                                                                                phi_2716_ = _e2154;
+                                                                                let _e2155 = phi_2716_;
+                                                                                phi_2717_ = _e2155;
                                                                             }
-                                                                            let _e2156 = phi_2716_;
-                                                                            let _e2163 = ((_e2134.y * _e2156.z) - (_e2134.z * _e2156.y));
-                                                                            let _e2170 = ((_e2134.z * _e2156.x) - (_e2134.x * _e2156.z));
-                                                                            let _e2177 = ((_e2134.x * _e2156.y) - (_e2134.y * _e2156.x));
-                                                                            let _e2191 = (((1f / _e1301.z) * (((_e2163 * _e2112.x) + (_e2170 * _e2112.y)) + (_e2177 * _e2112.z))) / (((_e2163 * _e1304) + (_e2170 * _e1307)) + _e2177));
-                                                                            if (_e2191 > 0f) {
-                                                                                if (_e2191 < _e147) {
-                                                                                    let _e2195 = triangles.member[(0u + _e1907)].v0_;
-                                                                                    let _e2197 = triangles.member[(0u + _e1907)].v1_;
-                                                                                    if (_e2195.x < _e2197.x) {
-                                                                                        phi_2772_ = _e2195.x;
+                                                                            let _e2157 = phi_2717_;
+                                                                            let _e2164 = ((_e2135.y * _e2157.z) - (_e2135.z * _e2157.y));
+                                                                            let _e2171 = ((_e2135.z * _e2157.x) - (_e2135.x * _e2157.z));
+                                                                            let _e2178 = ((_e2135.x * _e2157.y) - (_e2135.y * _e2157.x));
+                                                                            let _e2192 = (((1f / _e1302.z) * (((_e2164 * _e2113.x) + (_e2171 * _e2113.y)) + (_e2178 * _e2113.z))) / (((_e2164 * _e1305) + (_e2171 * _e1308)) + _e2178));
+                                                                            if (_e2192 > 0f) {
+                                                                                if (_e2192 < _e148) {
+                                                                                    let _e2196 = triangles.member[(0u + _e1908)].v0_;
+                                                                                    let _e2198 = triangles.member[(0u + _e1908)].v1_;
+                                                                                    if (_e2196.x < _e2198.x) {
+                                                                                        phi_2773_ = _e2196.x;
                                                                                     } else {
-                                                                                        phi_2772_ = _e2197.x;
+                                                                                        phi_2773_ = _e2198.x;
                                                                                     }
-                                                                                    let _e2204 = phi_2772_;
-                                                                                    if (_e2195.y < _e2197.y) {
-                                                                                        phi_2781_ = _e2195.y;
+                                                                                    let _e2205 = phi_2773_;
+                                                                                    if (_e2196.y < _e2198.y) {
+                                                                                        phi_2782_ = _e2196.y;
                                                                                     } else {
-                                                                                        phi_2781_ = _e2197.y;
+                                                                                        phi_2782_ = _e2198.y;
                                                                                     }
-                                                                                    let _e2211 = phi_2781_;
-                                                                                    if (_e2195.z < _e2197.z) {
-                                                                                        phi_2790_ = _e2195.z;
+                                                                                    let _e2212 = phi_2782_;
+                                                                                    if (_e2196.z < _e2198.z) {
+                                                                                        phi_2791_ = _e2196.z;
                                                                                     } else {
-                                                                                        phi_2790_ = _e2197.z;
+                                                                                        phi_2791_ = _e2198.z;
                                                                                     }
-                                                                                    let _e2218 = phi_2790_;
-                                                                                    let _e2220 = triangles.member[(0u + _e1907)].v2_;
-                                                                                    if (_e2204 < _e2220.x) {
-                                                                                        phi_2799_ = _e2204;
+                                                                                    let _e2219 = phi_2791_;
+                                                                                    let _e2221 = triangles.member[(0u + _e1908)].v2_;
+                                                                                    if (_e2205 < _e2221.x) {
+                                                                                        phi_2800_ = _e2205;
                                                                                     } else {
-                                                                                        phi_2799_ = _e2220.x;
+                                                                                        phi_2800_ = _e2221.x;
                                                                                     }
-                                                                                    let _e2225 = phi_2799_;
-                                                                                    if (_e2211 < _e2220.y) {
-                                                                                        phi_2806_ = _e2211;
+                                                                                    let _e2226 = phi_2800_;
+                                                                                    if (_e2212 < _e2221.y) {
+                                                                                        phi_2807_ = _e2212;
                                                                                     } else {
-                                                                                        phi_2806_ = _e2220.y;
+                                                                                        phi_2807_ = _e2221.y;
                                                                                     }
-                                                                                    let _e2230 = phi_2806_;
-                                                                                    if (_e2218 < _e2220.z) {
-                                                                                        phi_2813_ = _e2218;
+                                                                                    let _e2231 = phi_2807_;
+                                                                                    if (_e2219 < _e2221.z) {
+                                                                                        phi_2814_ = _e2219;
                                                                                     } else {
-                                                                                        phi_2813_ = _e2220.z;
+                                                                                        phi_2814_ = _e2221.z;
                                                                                     }
-                                                                                    let _e2235 = phi_2813_;
-                                                                                    let _e2237 = triangles.member[(0u + _e1907)].v0_;
-                                                                                    let _e2239 = triangles.member[(0u + _e1907)].v1_;
-                                                                                    if (_e2237.x > _e2239.x) {
-                                                                                        phi_2826_ = _e2237.x;
+                                                                                    let _e2236 = phi_2814_;
+                                                                                    let _e2238 = triangles.member[(0u + _e1908)].v0_;
+                                                                                    let _e2240 = triangles.member[(0u + _e1908)].v1_;
+                                                                                    if (_e2238.x > _e2240.x) {
+                                                                                        phi_2827_ = _e2238.x;
                                                                                     } else {
-                                                                                        phi_2826_ = _e2239.x;
+                                                                                        phi_2827_ = _e2240.x;
                                                                                     }
-                                                                                    let _e2246 = phi_2826_;
-                                                                                    if (_e2237.y > _e2239.y) {
-                                                                                        phi_2835_ = _e2237.y;
+                                                                                    let _e2247 = phi_2827_;
+                                                                                    if (_e2238.y > _e2240.y) {
+                                                                                        phi_2836_ = _e2238.y;
                                                                                     } else {
-                                                                                        phi_2835_ = _e2239.y;
+                                                                                        phi_2836_ = _e2240.y;
                                                                                     }
-                                                                                    let _e2253 = phi_2835_;
-                                                                                    if (_e2237.z > _e2239.z) {
-                                                                                        phi_2844_ = _e2237.z;
+                                                                                    let _e2254 = phi_2836_;
+                                                                                    if (_e2238.z > _e2240.z) {
+                                                                                        phi_2845_ = _e2238.z;
                                                                                     } else {
-                                                                                        phi_2844_ = _e2239.z;
+                                                                                        phi_2845_ = _e2240.z;
                                                                                     }
-                                                                                    let _e2260 = phi_2844_;
-                                                                                    let _e2262 = triangles.member[(0u + _e1907)].v2_;
-                                                                                    if (_e2246 > _e2262.x) {
-                                                                                        phi_2853_ = _e2246;
+                                                                                    let _e2261 = phi_2845_;
+                                                                                    let _e2263 = triangles.member[(0u + _e1908)].v2_;
+                                                                                    if (_e2247 > _e2263.x) {
+                                                                                        phi_2854_ = _e2247;
                                                                                     } else {
-                                                                                        phi_2853_ = _e2262.x;
+                                                                                        phi_2854_ = _e2263.x;
                                                                                     }
-                                                                                    let _e2267 = phi_2853_;
-                                                                                    if (_e2253 > _e2262.y) {
-                                                                                        phi_2860_ = _e2253;
+                                                                                    let _e2268 = phi_2854_;
+                                                                                    if (_e2254 > _e2263.y) {
+                                                                                        phi_2861_ = _e2254;
                                                                                     } else {
-                                                                                        phi_2860_ = _e2262.y;
+                                                                                        phi_2861_ = _e2263.y;
                                                                                     }
-                                                                                    let _e2272 = phi_2860_;
-                                                                                    if (_e2260 > _e2262.z) {
-                                                                                        phi_2867_ = _e2260;
+                                                                                    let _e2273 = phi_2861_;
+                                                                                    if (_e2261 > _e2263.z) {
+                                                                                        phi_2868_ = _e2261;
                                                                                     } else {
-                                                                                        phi_2867_ = _e2262.z;
+                                                                                        phi_2868_ = _e2263.z;
                                                                                     }
-                                                                                    let _e2277 = phi_2867_;
-                                                                                    let _e2281 = ((_e2225 - _e1017) * _e1218);
-                                                                                    let _e2282 = ((_e2230 - _e1030) * _e1228);
-                                                                                    let _e2283 = ((_e2235 - _e1043) * _e1238);
-                                                                                    let _e2287 = ((_e2267 - _e1017) * _e1218);
-                                                                                    let _e2288 = ((_e2272 - _e1030) * _e1228);
-                                                                                    let _e2289 = ((_e2277 - _e1043) * _e1238);
-                                                                                    if (_e2281 < _e2287) {
-                                                                                        phi_2884_ = _e2281;
-                                                                                    } else {
-                                                                                        phi_2884_ = _e2287;
-                                                                                    }
-                                                                                    let _e2292 = phi_2884_;
+                                                                                    let _e2278 = phi_2868_;
+                                                                                    let _e2282 = ((_e2226 - _e1018) * _e1219);
+                                                                                    let _e2283 = ((_e2231 - _e1031) * _e1229);
+                                                                                    let _e2284 = ((_e2236 - _e1044) * _e1239);
+                                                                                    let _e2288 = ((_e2268 - _e1018) * _e1219);
+                                                                                    let _e2289 = ((_e2273 - _e1031) * _e1229);
+                                                                                    let _e2290 = ((_e2278 - _e1044) * _e1239);
                                                                                     if (_e2282 < _e2288) {
-                                                                                        phi_2889_ = _e2282;
+                                                                                        phi_2885_ = _e2282;
                                                                                     } else {
-                                                                                        phi_2889_ = _e2288;
+                                                                                        phi_2885_ = _e2288;
                                                                                     }
-                                                                                    let _e2295 = phi_2889_;
+                                                                                    let _e2293 = phi_2885_;
                                                                                     if (_e2283 < _e2289) {
-                                                                                        phi_2894_ = _e2283;
+                                                                                        phi_2890_ = _e2283;
                                                                                     } else {
-                                                                                        phi_2894_ = _e2289;
+                                                                                        phi_2890_ = _e2289;
                                                                                     }
-                                                                                    let _e2298 = phi_2894_;
-                                                                                    if (_e2281 > _e2287) {
-                                                                                        phi_2902_ = _e2281;
+                                                                                    let _e2296 = phi_2890_;
+                                                                                    if (_e2284 < _e2290) {
+                                                                                        phi_2895_ = _e2284;
                                                                                     } else {
-                                                                                        phi_2902_ = _e2287;
+                                                                                        phi_2895_ = _e2290;
                                                                                     }
-                                                                                    let _e2304 = phi_2902_;
+                                                                                    let _e2299 = phi_2895_;
                                                                                     if (_e2282 > _e2288) {
-                                                                                        phi_2907_ = _e2282;
+                                                                                        phi_2903_ = _e2282;
                                                                                     } else {
-                                                                                        phi_2907_ = _e2288;
+                                                                                        phi_2903_ = _e2288;
                                                                                     }
-                                                                                    let _e2307 = phi_2907_;
+                                                                                    let _e2305 = phi_2903_;
                                                                                     if (_e2283 > _e2289) {
-                                                                                        phi_2912_ = _e2283;
+                                                                                        phi_2908_ = _e2283;
                                                                                     } else {
-                                                                                        phi_2912_ = _e2289;
+                                                                                        phi_2908_ = _e2289;
                                                                                     }
-                                                                                    let _e2310 = phi_2912_;
-                                                                                    let _e2314 = core_intrinsics_maximum_number_nsz_f32_((_e2292 - _e1277), (_e2295 - _e1278));
-                                                                                    let _e2315 = core_intrinsics_maximum_number_nsz_f32_(_e2314, (_e2298 - _e1279));
-                                                                                    let _e2316 = core_intrinsics_minimum_number_nsz_f32_((_e2304 + _e1277), (_e2307 + _e1278));
-                                                                                    let _e2317 = core_intrinsics_minimum_number_nsz_f32_(_e2316, (_e2310 + _e1279));
-                                                                                    if (_e2315 > _e998) {
-                                                                                        phi_2924_ = _e2315;
+                                                                                    let _e2308 = phi_2908_;
+                                                                                    if (_e2284 > _e2290) {
+                                                                                        phi_2913_ = _e2284;
                                                                                     } else {
-                                                                                        phi_2924_ = _e998;
+                                                                                        phi_2913_ = _e2290;
                                                                                     }
-                                                                                    let _e2320 = phi_2924_;
-                                                                                    if (_e2317 < _e1000) {
-                                                                                        phi_2929_ = _e2317;
+                                                                                    let _e2311 = phi_2913_;
+                                                                                    let _e2315 = core_intrinsics_maximum_number_nsz_f32_((_e2293 - _e1278), (_e2296 - _e1279));
+                                                                                    let _e2316 = core_intrinsics_maximum_number_nsz_f32_(_e2315, (_e2299 - _e1280));
+                                                                                    let _e2317 = core_intrinsics_minimum_number_nsz_f32_((_e2305 + _e1278), (_e2308 + _e1279));
+                                                                                    let _e2318 = core_intrinsics_minimum_number_nsz_f32_(_e2317, (_e2311 + _e1280));
+                                                                                    if (_e2316 > _e999) {
+                                                                                        phi_2925_ = _e2316;
                                                                                     } else {
-                                                                                        phi_2929_ = _e1000;
+                                                                                        phi_2925_ = _e999;
                                                                                     }
-                                                                                    let _e2323 = phi_2929_;
-                                                                                    if (_e2191 < _e2320) {
-                                                                                        phi_2934_ = _e2320;
+                                                                                    let _e2321 = phi_2925_;
+                                                                                    if (_e2318 < _e1001) {
+                                                                                        phi_2930_ = _e2318;
                                                                                     } else {
-                                                                                        phi_2934_ = _e2191;
+                                                                                        phi_2930_ = _e1001;
                                                                                     }
-                                                                                    let _e2326 = phi_2934_;
-                                                                                    if (_e2326 > _e2323) {
-                                                                                        phi_2939_ = _e2323;
+                                                                                    let _e2324 = phi_2930_;
+                                                                                    if (_e2192 < _e2321) {
+                                                                                        phi_2935_ = _e2321;
                                                                                     } else {
-                                                                                        phi_2939_ = _e2326;
+                                                                                        phi_2935_ = _e2192;
                                                                                     }
-                                                                                    let _e2329 = phi_2939_;
-                                                                                    phi_2944_ = lt_bvh_triangle_Intersection(_e2329, (_e2032 / _e2091), (_e2053 / _e2091), (_e2320 <= _e2323));
-                                                                                    phi_2945_ = false;
+                                                                                    let _e2327 = phi_2935_;
+                                                                                    if (_e2327 > _e2324) {
+                                                                                        phi_2940_ = _e2324;
+                                                                                    } else {
+                                                                                        phi_2940_ = _e2327;
+                                                                                    }
+                                                                                    let _e2330 = phi_2940_;
+                                                                                    phi_2945_ = lt_bvh_triangle_Intersection(_e2330, (_e2033 / _e2092), (_e2054 / _e2092), (_e2321 <= _e2324));
+                                                                                    phi_2946_ = false;
                                                                                 } else {
-                                                                                    phi_2944_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2945_ = true;
+                                                                                    phi_2945_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2946_ = true;
                                                                                 }
-                                                                                let _e2335 = phi_2944_;
-                                                                                let _e2337 = phi_2945_;
-                                                                                phi_2946_ = _e2335;
-                                                                                phi_2947_ = _e2337;
+                                                                                let _e2336 = phi_2945_;
+                                                                                let _e2338 = phi_2946_;
+                                                                                phi_2947_ = _e2336;
+                                                                                phi_2948_ = _e2338;
                                                                             } else {
-                                                                                phi_2946_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2947_ = true;
+                                                                                phi_2947_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2948_ = true;
                                                                             }
-                                                                            let _e2339 = phi_2946_;
-                                                                            let _e2341 = phi_2947_;
-                                                                            if _e2341 {
+                                                                            let _e2340 = phi_2947_;
+                                                                            let _e2342 = phi_2948_;
+                                                                            if _e2342 {
                                                                             }
-                                                                            phi_2951_ = _e2339;
-                                                                            phi_2952_ = _e2341;
+                                                                            phi_2952_ = _e2340;
+                                                                            phi_2953_ = _e2342;
                                                                         }
-                                                                        let _e2343 = phi_2951_;
-                                                                        let _e2345 = phi_2952_;
-                                                                        phi_2953_ = _e2343;
-                                                                        phi_2954_ = _e2094;
-                                                                        phi_2955_ = _e2345;
+                                                                        let _e2344 = phi_2952_;
+                                                                        let _e2346 = phi_2953_;
+                                                                        phi_2954_ = _e2344;
+                                                                        phi_2955_ = _e2095;
+                                                                        phi_2956_ = _e2346;
                                                                     } else {
-                                                                        phi_2953_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2954_ = true;
-                                                                        phi_2955_ = false;
+                                                                        phi_2954_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2955_ = true;
+                                                                        phi_2956_ = false;
                                                                     }
-                                                                    let _e2347 = phi_2953_;
-                                                                    let _e2349 = phi_2954_;
-                                                                    let _e2351 = phi_2955_;
-                                                                    if _e2349 {
-                                                                        phi_2959_ = true;
+                                                                    let _e2348 = phi_2954_;
+                                                                    let _e2350 = phi_2955_;
+                                                                    let _e2352 = phi_2956_;
+                                                                    if _e2350 {
+                                                                        phi_2960_ = true;
                                                                     } else {
-                                                                        phi_2959_ = _e2351;
+                                                                        phi_2960_ = _e2352;
                                                                     }
-                                                                    let _e2353 = phi_2959_;
-                                                                    if _e2353 {
-                                                                        phi_2963_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2354 = phi_2960_;
+                                                                    if _e2354 {
+                                                                        phi_2964_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2963_ = _e2347;
+                                                                        phi_2964_ = _e2348;
                                                                     }
-                                                                    let _e2355 = phi_2963_;
-                                                                    if _e2355.is_hit {
-                                                                        if (_e2355.t > 0f) {
-                                                                            if (_e2355.t < _e147) {
-                                                                                let _e2362 = triangles.member[(0u + _e1907)].i0_;
-                                                                                if ((_e2362 & 2147483648u) == 0u) {
-                                                                                    phi_3182_ = true;
+                                                                    let _e2356 = phi_2964_;
+                                                                    if _e2356.is_hit {
+                                                                        if (_e2356.t > 0f) {
+                                                                            if (_e2356.t < _e148) {
+                                                                                let _e2363 = triangles.member[(0u + _e1908)].i0_;
+                                                                                if ((_e2363 & 2147483648u) == 0u) {
+                                                                                    phi_3183_ = true;
                                                                                 } else {
-                                                                                    if (_e1907 < _e81) {
+                                                                                    if (_e1908 < _e81) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2371 = triangles.member[(0u + _e1907)].i0_;
-                                                                                    let _e2372 = (_e2371 & 2147483647u);
-                                                                                    let _e2374 = triangles.member[(0u + _e1907)].i1_;
-                                                                                    let _e2376 = triangles.member[(0u + _e1907)].i2_;
-                                                                                    if (_e2372 < _e96) {
+                                                                                    let _e2372 = triangles.member[(0u + _e1908)].i0_;
+                                                                                    let _e2373 = (_e2372 & 2147483647u);
+                                                                                    let _e2375 = triangles.member[(0u + _e1908)].i1_;
+                                                                                    let _e2377 = triangles.member[(0u + _e1908)].i2_;
+                                                                                    if (_e2373 < _e96) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2380 = vertices.member[(0u + _e2372)];
-                                                                                    if (_e2374 < _e96) {
+                                                                                    let _e2381 = vertices.member[(0u + _e2373)];
+                                                                                    if (_e2375 < _e96) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2384 = vertices.member[(0u + _e2374)];
-                                                                                    if (_e2376 < _e96) {
+                                                                                    let _e2385 = vertices.member[(0u + _e2375)];
+                                                                                    if (_e2377 < _e96) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2388 = vertices.member[(0u + _e2376)];
-                                                                                    let _e2389 = array<abi_Vertex, 3>(_e2380, _e2384, _e2388);
-                                                                                    if (_e2389[0].material < arrayLength((&materials.member))) {
+                                                                                    let _e2389 = vertices.member[(0u + _e2377)];
+                                                                                    let _e2390 = array<abi_Vertex, 3>(_e2381, _e2385, _e2389);
+                                                                                    if (_e2390[0].material < arrayLength((&materials.member))) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2395 = materials.member[(0u + _e2389[0].material)];
-                                                                                    if ((_e2395.flags & 1u) == 1u) {
-                                                                                        let _e2400 = ((1f - _e2355.u) - _e2355.v);
-                                                                                        if (_e2395.cutoff <= 0f) {
-                                                                                            phi_3180_ = true;
+                                                                                    let _e2396 = materials.member[(0u + _e2390[0].material)];
+                                                                                    if ((_e2396.flags & 1u) == 1u) {
+                                                                                        let _e2401 = ((1f - _e2356.u) - _e2356.v);
+                                                                                        if (_e2396.cutoff <= 0f) {
+                                                                                            phi_3181_ = true;
                                                                                         } else {
-                                                                                            let _e2427 = (_e2395.base_color.w * ((((f32((_e2389[0].color >> bitcast<u32>(24i))) * _e2400) + (f32((_e2389[1].color >> bitcast<u32>(24i))) * _e2355.u)) + (f32((_e2389[2].color >> bitcast<u32>(24i))) * _e2355.v)) * (1f / 255f)));
-                                                                                            if (_e2395.alpha_size == 0u) {
-                                                                                                phi_3177_ = _e2427;
+                                                                                            let _e2428 = (_e2396.base_color.w * ((((f32((_e2390[0].color >> bitcast<u32>(24i))) * _e2401) + (f32((_e2390[1].color >> bitcast<u32>(24i))) * _e2356.u)) + (f32((_e2390[2].color >> bitcast<u32>(24i))) * _e2356.v)) * (1f / 255f)));
+                                                                                            if (_e2396.alpha_size == 0u) {
+                                                                                                phi_3178_ = _e2428;
                                                                                             } else {
-                                                                                                local.offset = _e2395.alpha_offset;
-                                                                                                local.size = _e2395.alpha_size;
-                                                                                                local.flags = _e2395.flags;
-                                                                                                let _e2458 = _lt_shaders_texture_TextureView_quad((&local), (((_e2389[0].u * _e2400) + (_e2389[1].u * _e2355.u)) + (_e2389[2].u * _e2355.v)), (((_e2389[0].v * _e2400) + (_e2389[1].v * _e2355.u)) + (_e2389[2].v * _e2355.v)));
-                                                                                                let _e2462 = (_e2458.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2462 < _e102) {
+                                                                                                local.offset = _e2396.alpha_offset;
+                                                                                                local.size = _e2396.alpha_size;
+                                                                                                local.flags = _e2396.flags;
+                                                                                                let _e2459 = _lt_shaders_texture_TextureView_quad((&local), (((_e2390[0].u * _e2401) + (_e2390[1].u * _e2356.u)) + (_e2390[2].u * _e2356.v)), (((_e2390[0].v * _e2401) + (_e2390[1].v * _e2356.u)) + (_e2390[2].v * _e2356.v)));
+                                                                                                let _e2463 = (_e2459.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2463 < _e102) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2466 = alpha_texels.member[(0u + _e2462)];
-                                                                                                let _e2482 = (_e2458.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2482 < _e102) {
+                                                                                                let _e2467 = alpha_texels.member[(0u + _e2463)];
+                                                                                                let _e2483 = (_e2459.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2483 < _e102) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2486 = alpha_texels.member[(0u + _e2482)];
-                                                                                                let _e2503 = (_e2458.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2503 < _e102) {
+                                                                                                let _e2487 = alpha_texels.member[(0u + _e2483)];
+                                                                                                let _e2504 = (_e2459.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2504 < _e102) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2507 = alpha_texels.member[(0u + _e2503)];
-                                                                                                let _e2524 = (_e2458.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2524 < _e102) {
+                                                                                                let _e2508 = alpha_texels.member[(0u + _e2504)];
+                                                                                                let _e2525 = (_e2459.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2525 < _e102) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2528 = alpha_texels.member[(0u + _e2524)];
-                                                                                                phi_3177_ = (_e2427 * (((((f32(((_e2466 >> bitcast<u32>((((_e2458.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2458.weights.x) + ((f32(((_e2486 >> bitcast<u32>((((_e2458.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2458.weights.y)) + ((f32(((_e2507 >> bitcast<u32>((((_e2458.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2458.weights.z)) + ((f32(((_e2528 >> bitcast<u32>((((_e2458.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2458.weights.w)));
+                                                                                                let _e2529 = alpha_texels.member[(0u + _e2525)];
+                                                                                                phi_3178_ = (_e2428 * (((((f32(((_e2467 >> bitcast<u32>((((_e2459.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2459.weights.x) + ((f32(((_e2487 >> bitcast<u32>((((_e2459.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2459.weights.y)) + ((f32(((_e2508 >> bitcast<u32>((((_e2459.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2459.weights.z)) + ((f32(((_e2529 >> bitcast<u32>((((_e2459.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2459.weights.w)));
                                                                                             }
-                                                                                            let _e2544 = phi_3177_;
-                                                                                            phi_3180_ = (_e2544 >= _e2395.cutoff);
+                                                                                            let _e2545 = phi_3178_;
+                                                                                            phi_3181_ = (_e2545 >= _e2396.cutoff);
                                                                                         }
-                                                                                        let _e2548 = phi_3180_;
-                                                                                        phi_3181_ = _e2548;
+                                                                                        let _e2549 = phi_3181_;
+                                                                                        phi_3182_ = _e2549;
                                                                                     } else {
-                                                                                        phi_3181_ = false;
+                                                                                        phi_3182_ = false;
                                                                                     }
-                                                                                    let _e2550 = phi_3181_;
-                                                                                    phi_3182_ = _e2550;
+                                                                                    let _e2551 = phi_3182_;
+                                                                                    phi_3183_ = _e2551;
                                                                                 }
-                                                                                let _e2552 = phi_3182_;
-                                                                                if _e2552 {
-                                                                                    phi_3186_ = false;
+                                                                                let _e2553 = phi_3183_;
+                                                                                if _e2553 {
+                                                                                    phi_3187_ = false;
                                                                                 } else {
-                                                                                    phi_3186_ = true;
+                                                                                    phi_3187_ = true;
                                                                                 }
-                                                                                let _e2554 = phi_3186_;
-                                                                                phi_3187_ = _e2552;
-                                                                                phi_3188_ = _e2552;
-                                                                                phi_3189_ = _e2554;
+                                                                                let _e2555 = phi_3187_;
+                                                                                phi_3188_ = _e2553;
+                                                                                phi_3189_ = _e2553;
+                                                                                phi_3190_ = _e2555;
                                                                             } else {
-                                                                                phi_3187_ = bool();
-                                                                                phi_3188_ = _e1898;
-                                                                                phi_3189_ = true;
+                                                                                phi_3188_ = bool();
+                                                                                phi_3189_ = _e1899;
+                                                                                phi_3190_ = true;
                                                                             }
-                                                                            let _e2556 = phi_3187_;
-                                                                            let _e2558 = phi_3188_;
-                                                                            let _e2560 = phi_3189_;
-                                                                            phi_3190_ = _e2556;
-                                                                            phi_3191_ = _e2558;
-                                                                            phi_3192_ = _e2560;
+                                                                            let _e2557 = phi_3188_;
+                                                                            let _e2559 = phi_3189_;
+                                                                            let _e2561 = phi_3190_;
+                                                                            phi_3191_ = _e2557;
+                                                                            phi_3192_ = _e2559;
+                                                                            phi_3193_ = _e2561;
                                                                         } else {
-                                                                            phi_3190_ = bool();
-                                                                            phi_3191_ = _e1898;
-                                                                            phi_3192_ = true;
+                                                                            phi_3191_ = bool();
+                                                                            phi_3192_ = _e1899;
+                                                                            phi_3193_ = true;
                                                                         }
-                                                                        let _e2562 = phi_3190_;
-                                                                        let _e2564 = phi_3191_;
-                                                                        let _e2566 = phi_3192_;
-                                                                        phi_3193_ = _e2562;
-                                                                        phi_3194_ = _e2564;
-                                                                        phi_3195_ = _e2566;
+                                                                        let _e2563 = phi_3191_;
+                                                                        let _e2565 = phi_3192_;
+                                                                        let _e2567 = phi_3193_;
+                                                                        phi_3194_ = _e2563;
+                                                                        phi_3195_ = _e2565;
+                                                                        phi_3196_ = _e2567;
                                                                     } else {
-                                                                        phi_3193_ = bool();
-                                                                        phi_3194_ = _e1898;
-                                                                        phi_3195_ = true;
+                                                                        phi_3194_ = bool();
+                                                                        phi_3195_ = _e1899;
+                                                                        phi_3196_ = true;
                                                                     }
-                                                                    let _e2568 = phi_3193_;
-                                                                    let _e2570 = phi_3194_;
-                                                                    let _e2572 = phi_3195_;
-                                                                    if _e2572 {
+                                                                    let _e2569 = phi_3194_;
+                                                                    let _e2571 = phi_3195_;
+                                                                    let _e2573 = phi_3196_;
+                                                                    if _e2573 {
                                                                     }
-                                                                    phi_2393_ = (_e1896 & (_e1896 - 1u));
-                                                                    phi_2396_ = _e2570;
-                                                                    phi_3199_ = _e2568;
-                                                                    phi_3200_ = _e2572;
+                                                                    phi_2394_ = (_e1897 & (_e1897 - 1u));
+                                                                    phi_2397_ = _e2571;
+                                                                    phi_3200_ = _e2569;
+                                                                    phi_3201_ = _e2573;
                                                                 }
-                                                                let _e2574 = phi_2393_;
-                                                                let _e2576 = phi_2396_;
-                                                                let _e2578 = phi_3199_;
-                                                                let _e2580 = phi_3200_;
-                                                                local_14 = _e2578;
+                                                                let _e2575 = phi_2394_;
+                                                                let _e2577 = phi_2397_;
+                                                                let _e2579 = phi_3200_;
+                                                                let _e2581 = phi_3201_;
+                                                                local_14 = _e2579;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2392_ = _e2574;
-                                                                    phi_2395_ = _e2576;
-                                                                    break if !(_e2580);
+                                                                    phi_2393_ = _e2575;
+                                                                    phi_2396_ = _e2577;
+                                                                    break if !(_e2581);
                                                                 }
                                                             }
-                                                            let _e2583 = local_9;
-                                                            if _e2583 {
-                                                                let _e2585 = local_1.group_mask;
-                                                                if ((_e2585 & 4278190080u) == 0u) {
-                                                                    let _e2589 = local_1.len;
-                                                                    if (_e2589 == 0u) {
-                                                                        phi_3242_ = false;
+                                                            let _e2584 = local_9;
+                                                            if _e2584 {
+                                                                let _e2586 = local_1.group_mask;
+                                                                if ((_e2586 & 4278190080u) == 0u) {
+                                                                    let _e2590 = local_1.len;
+                                                                    if (_e2590 == 0u) {
+                                                                        phi_3243_ = false;
                                                                     } else {
-                                                                        let _e2593 = local_1.len;
-                                                                        local_1.len = (_e2593 - 1u);
-                                                                        let _e2596 = local_1.len;
-                                                                        if (_e2596 < 32u) {
+                                                                        let _e2594 = local_1.len;
+                                                                        local_1.len = (_e2594 - 1u);
+                                                                        let _e2597 = local_1.len;
+                                                                        if (_e2597 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2601 = local_1.first[(0u + _e2596)];
-                                                                        local_1.group = _e2601;
-                                                                        let _e2604 = local_1.len;
-                                                                        if (_e2604 < 32u) {
+                                                                        let _e2602 = local_1.first[(0u + _e2597)];
+                                                                        local_1.group = _e2602;
+                                                                        let _e2605 = local_1.len;
+                                                                        if (_e2605 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2609 = local_1.mask[(0u + _e2604)];
-                                                                        local_1.group_mask = _e2609;
-                                                                        phi_3242_ = true;
+                                                                        let _e2610 = local_1.mask[(0u + _e2605)];
+                                                                        local_1.group_mask = _e2610;
+                                                                        phi_3243_ = true;
                                                                     }
-                                                                    let _e2612 = phi_3242_;
-                                                                    phi_3243_ = _e2612;
+                                                                    let _e2613 = phi_3243_;
+                                                                    phi_3244_ = _e2613;
                                                                 } else {
-                                                                    phi_3243_ = true;
+                                                                    phi_3244_ = true;
                                                                 }
-                                                                let _e2614 = phi_3243_;
-                                                                if _e2614 {
-                                                                    let _e2616 = local_1.group_mask;
-                                                                    let _e2622 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2616)), 32u, (_e2616 == 0u)));
-                                                                    let _e2626 = local_1.group_mask;
-                                                                    let _e2640 = local_1.group_mask;
-                                                                    local_1.group_mask = (_e2640 & ~((1u << bitcast<u32>((_e2622 & 31u)))));
-                                                                    let _e2643 = local_1.group;
-                                                                    phi_3274_ = (_e2643 + countOneBits(((_e2626 & ~((4294967295u << bitcast<u32>((((_e2622 - 24u) ^ _e1320) & 31u))))) & 255u)));
+                                                                let _e2615 = phi_3244_;
+                                                                if _e2615 {
+                                                                    let _e2617 = local_1.group_mask;
+                                                                    let _e2623 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2617)), 32u, (_e2617 == 0u)));
+                                                                    let _e2627 = local_1.group_mask;
+                                                                    let _e2641 = local_1.group_mask;
+                                                                    local_1.group_mask = (_e2641 & ~((1u << bitcast<u32>((_e2623 & 31u)))));
+                                                                    let _e2644 = local_1.group;
+                                                                    phi_3275_ = (_e2644 + countOneBits(((_e2627 & ~((4294967295u << bitcast<u32>((((_e2623 - 24u) ^ _e1321) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_3274_ = 4294967295u;
+                                                                    phi_3275_ = 4294967295u;
                                                                 }
-                                                                let _e2646 = phi_3274_;
-                                                                phi_3275_ = _e2646;
+                                                                let _e2647 = phi_3275_;
+                                                                phi_3276_ = _e2647;
                                                             } else {
-                                                                phi_3275_ = u32();
+                                                                phi_3276_ = u32();
                                                             }
-                                                            let _e2648 = phi_3275_;
-                                                            phi_2061_ = _e2648;
-                                                            let _e3124 = local_13;
-                                                            phi_2064_ = _e3124;
-                                                            let _e3127 = local_14;
-                                                            phi_3276_ = _e3127;
-                                                            let _e3130 = local_15;
-                                                            phi_3277_ = _e3130;
-                                                            phi_3278_ = false;
+                                                            let _e2649 = phi_3276_;
+                                                            phi_2062_ = _e2649;
+                                                            let _e3125 = local_13;
+                                                            phi_2065_ = _e3125;
+                                                            let _e3128 = local_14;
+                                                            phi_3277_ = _e3128;
+                                                            let _e3131 = local_15;
+                                                            phi_3278_ = _e3131;
+                                                            phi_3279_ = false;
                                                         } else {
-                                                            phi_2061_ = u32();
-                                                            phi_2064_ = bool();
-                                                            phi_3276_ = bool();
-                                                            phi_3277_ = false;
-                                                            phi_3278_ = true;
+                                                            phi_2062_ = u32();
+                                                            phi_2065_ = bool();
+                                                            phi_3277_ = bool();
+                                                            phi_3278_ = false;
+                                                            phi_3279_ = true;
                                                         }
-                                                        let _e2650 = phi_2061_;
-                                                        let _e2652 = phi_2064_;
-                                                        let _e2654 = phi_3276_;
-                                                        let _e2656 = phi_3277_;
-                                                        let _e2658 = phi_3278_;
-                                                        local_10 = _e2658;
-                                                        local_16 = _e2654;
+                                                        let _e2651 = phi_2062_;
+                                                        let _e2653 = phi_2065_;
+                                                        let _e2655 = phi_3277_;
+                                                        let _e2657 = phi_3278_;
+                                                        let _e2659 = phi_3279_;
+                                                        local_10 = _e2659;
+                                                        local_16 = _e2655;
                                                         continue;
                                                         continuing {
-                                                            phi_2060_ = _e2650;
-                                                            phi_2063_ = _e2652;
-                                                            break if !(_e2656);
+                                                            phi_2061_ = _e2651;
+                                                            phi_2064_ = _e2653;
+                                                            break if !(_e2657);
                                                         }
                                                     }
-                                                    let _e2661 = local_10;
-                                                    if _e2661 {
-                                                        phi_3282_ = false;
+                                                    let _e2662 = local_10;
+                                                    if _e2662 {
+                                                        phi_3283_ = false;
                                                     } else {
-                                                        phi_3282_ = true;
+                                                        phi_3283_ = true;
                                                     }
-                                                    let _e2663 = phi_3282_;
-                                                    if _e2663 {
-                                                        let _e3136 = local_16;
-                                                        phi_3286_ = _e3136;
+                                                    let _e2664 = phi_3283_;
+                                                    if _e2664 {
+                                                        let _e3137 = local_16;
+                                                        phi_3287_ = _e3137;
                                                     } else {
-                                                        let _e3138 = local_17;
-                                                        phi_3286_ = _e3138;
+                                                        let _e3139 = local_17;
+                                                        phi_3287_ = _e3139;
                                                     }
-                                                    let _e2665 = phi_3286_;
-                                                    phi_3287_ = _e2665;
+                                                    let _e2666 = phi_3287_;
+                                                    phi_3288_ = _e2666;
                                                 }
-                                                let _e2667 = phi_3287_;
-                                                phi_3288_ = _e2667;
-                                                phi_3289_ = _e1142;
+                                                let _e2668 = phi_3288_;
+                                                phi_3289_ = _e2668;
+                                                phi_3290_ = _e1143;
                                             } else {
-                                                phi_3288_ = bool();
-                                                phi_3289_ = true;
+                                                phi_3289_ = bool();
+                                                phi_3290_ = true;
                                             }
-                                            let _e2669 = phi_3288_;
-                                            let _e2671 = phi_3289_;
-                                            if _e2671 {
-                                                phi_3293_ = _e937;
+                                            let _e2670 = phi_3289_;
+                                            let _e2672 = phi_3290_;
+                                            if _e2672 {
+                                                phi_3294_ = _e938;
                                             } else {
-                                                phi_3293_ = _e2669;
+                                                phi_3294_ = _e2670;
                                             }
-                                            let _e2673 = phi_3293_;
-                                            if _e2673 {
-                                                phi_3297_ = false;
+                                            let _e2674 = phi_3294_;
+                                            if _e2674 {
+                                                phi_3298_ = false;
                                             } else {
-                                                phi_3297_ = true;
+                                                phi_3298_ = true;
                                             }
-                                            let _e2675 = phi_3297_;
-                                            phi_3298_ = _e2673;
-                                            phi_3299_ = _e2675;
+                                            let _e2676 = phi_3298_;
+                                            phi_3299_ = _e2674;
+                                            phi_3300_ = _e2676;
                                         } else {
-                                            phi_3298_ = _e937;
-                                            phi_3299_ = true;
+                                            phi_3299_ = _e938;
+                                            phi_3300_ = true;
                                         }
-                                        let _e2677 = phi_3298_;
-                                        let _e2679 = phi_3299_;
-                                        phi_3300_ = _e2677;
-                                        phi_3301_ = _e2679;
+                                        let _e2678 = phi_3299_;
+                                        let _e2680 = phi_3300_;
+                                        phi_3301_ = _e2678;
+                                        phi_3302_ = _e2680;
                                     } else {
-                                        phi_3300_ = _e937;
-                                        phi_3301_ = true;
+                                        phi_3301_ = _e938;
+                                        phi_3302_ = true;
                                     }
-                                    let _e2681 = phi_3300_;
-                                    let _e2683 = phi_3301_;
-                                    phi_3302_ = _e2681;
-                                    phi_3303_ = _e2683;
+                                    let _e2682 = phi_3301_;
+                                    let _e2684 = phi_3302_;
+                                    phi_3303_ = _e2682;
+                                    phi_3304_ = _e2684;
                                 } else {
-                                    phi_3302_ = _e937;
-                                    phi_3303_ = true;
+                                    phi_3303_ = _e938;
+                                    phi_3304_ = true;
                                 }
-                                let _e2685 = phi_3302_;
-                                let _e2687 = phi_3303_;
-                                if _e2687 {
+                                let _e2686 = phi_3303_;
+                                let _e2688 = phi_3304_;
+                                if _e2688 {
                                 }
-                                phi_1446_ = (_e935 & (_e935 - 1u));
-                                phi_1449_ = _e2685;
-                                phi_3307_ = _e2687;
+                                phi_1447_ = (_e936 & (_e936 - 1u));
+                                phi_1450_ = _e2686;
+                                phi_3308_ = _e2688;
                             }
-                            let _e2689 = phi_1446_;
-                            let _e2691 = phi_1449_;
-                            let _e2693 = phi_3307_;
+                            let _e2690 = phi_1447_;
+                            let _e2692 = phi_1450_;
+                            let _e2694 = phi_3308_;
                             continue;
                             continuing {
-                                phi_1445_ = _e2689;
-                                phi_1448_ = _e2691;
-                                break if !(_e2693);
+                                phi_1446_ = _e2690;
+                                phi_1449_ = _e2692;
+                                break if !(_e2694);
                             }
                         }
-                        let _e2696 = local_11;
-                        if _e2696 {
-                            let _e2698 = local_2.group_mask;
-                            if ((_e2698 & 4278190080u) == 0u) {
-                                let _e2702 = local_2.len;
-                                if (_e2702 == 0u) {
-                                    phi_3349_ = false;
+                        let _e2697 = local_11;
+                        if _e2697 {
+                            let _e2699 = local_2.group_mask;
+                            if ((_e2699 & 4278190080u) == 0u) {
+                                let _e2703 = local_2.len;
+                                if (_e2703 == 0u) {
+                                    phi_3350_ = false;
                                 } else {
-                                    let _e2706 = local_2.len;
-                                    local_2.len = (_e2706 - 1u);
-                                    let _e2709 = local_2.len;
-                                    if (_e2709 < 32u) {
+                                    let _e2707 = local_2.len;
+                                    local_2.len = (_e2707 - 1u);
+                                    let _e2710 = local_2.len;
+                                    if (_e2710 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2714 = local_2.first[(0u + _e2709)];
-                                    local_2.group = _e2714;
-                                    let _e2717 = local_2.len;
-                                    if (_e2717 < 32u) {
+                                    let _e2715 = local_2.first[(0u + _e2710)];
+                                    local_2.group = _e2715;
+                                    let _e2718 = local_2.len;
+                                    if (_e2718 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2722 = local_2.mask[(0u + _e2717)];
-                                    local_2.group_mask = _e2722;
-                                    phi_3349_ = true;
+                                    let _e2723 = local_2.mask[(0u + _e2718)];
+                                    local_2.group_mask = _e2723;
+                                    phi_3350_ = true;
                                 }
-                                let _e2725 = phi_3349_;
-                                phi_3350_ = _e2725;
+                                let _e2726 = phi_3350_;
+                                phi_3351_ = _e2726;
                             } else {
-                                phi_3350_ = true;
+                                phi_3351_ = true;
                             }
-                            let _e2727 = phi_3350_;
-                            if _e2727 {
-                                let _e2729 = local_2.group_mask;
-                                let _e2735 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2729)), 32u, (_e2729 == 0u)));
-                                let _e2739 = local_2.group_mask;
-                                let _e2753 = local_2.group_mask;
-                                local_2.group_mask = (_e2753 & ~((1u << bitcast<u32>((_e2735 & 31u)))));
-                                let _e2756 = local_2.group;
-                                phi_3381_ = (_e2756 + countOneBits(((_e2739 & ~((4294967295u << bitcast<u32>((((_e2735 - 24u) ^ _e359) & 31u))))) & 255u)));
+                            let _e2728 = phi_3351_;
+                            if _e2728 {
+                                let _e2730 = local_2.group_mask;
+                                let _e2736 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2730)), 32u, (_e2730 == 0u)));
+                                let _e2740 = local_2.group_mask;
+                                let _e2754 = local_2.group_mask;
+                                local_2.group_mask = (_e2754 & ~((1u << bitcast<u32>((_e2736 & 31u)))));
+                                let _e2757 = local_2.group;
+                                phi_3382_ = (_e2757 + countOneBits(((_e2740 & ~((4294967295u << bitcast<u32>((((_e2736 - 24u) ^ _e360) & 31u))))) & 255u)));
                             } else {
-                                phi_3381_ = 4294967295u;
+                                phi_3382_ = 4294967295u;
                             }
-                            let _e2759 = phi_3381_;
-                            phi_3382_ = _e2759;
+                            let _e2760 = phi_3382_;
+                            phi_3383_ = _e2760;
                         } else {
-                            phi_3382_ = u32();
+                            phi_3383_ = u32();
                         }
-                        let _e2761 = phi_3382_;
-                        phi_1114_ = _e2761;
-                        let _e3161 = local_18;
-                        phi_1117_ = _e3161;
-                        let _e3164 = local_19;
-                        phi_3383_ = _e3164;
-                        phi_3384_ = false;
+                        let _e2762 = phi_3383_;
+                        phi_1115_ = _e2762;
+                        let _e3162 = local_18;
+                        phi_1118_ = _e3162;
+                        let _e3165 = local_19;
+                        phi_3384_ = _e3165;
+                        phi_3385_ = false;
                     } else {
-                        phi_1114_ = u32();
-                        phi_1117_ = bool();
-                        phi_3383_ = false;
-                        phi_3384_ = true;
+                        phi_1115_ = u32();
+                        phi_1118_ = bool();
+                        phi_3384_ = false;
+                        phi_3385_ = true;
                     }
-                    let _e2763 = phi_1114_;
-                    let _e2765 = phi_1117_;
-                    let _e2767 = phi_3383_;
-                    let _e2769 = phi_3384_;
-                    local_12 = _e2769;
+                    let _e2764 = phi_1115_;
+                    let _e2766 = phi_1118_;
+                    let _e2768 = phi_3384_;
+                    let _e2770 = phi_3385_;
+                    local_12 = _e2770;
                     continue;
                     continuing {
-                        phi_1113_ = _e2763;
-                        phi_1116_ = _e2765;
-                        break if !(_e2767);
+                        phi_1114_ = _e2764;
+                        phi_1117_ = _e2766;
+                        break if !(_e2768);
                     }
                 }
-                let _e2772 = local_12;
-                if _e2772 {
-                    phi_3388_ = false;
+                let _e2773 = local_12;
+                if _e2773 {
+                    phi_3389_ = false;
                 } else {
-                    phi_3388_ = true;
+                    phi_3389_ = true;
                 }
-                let _e2774 = phi_3388_;
-                if _e2774 {
+                let _e2775 = phi_3389_;
+                if _e2775 {
                 }
-                phi_3392_ = _e2774;
+                phi_3393_ = _e2775;
             }
-            let _e2776 = phi_3392_;
-            phi_3393_ = _e211;
-            phi_3394_ = _e2776;
+            let _e2777 = phi_3393_;
+            phi_3394_ = _e212;
+            phi_3395_ = _e2777;
         } else {
-            phi_3393_ = true;
-            phi_3394_ = false;
+            phi_3394_ = true;
+            phi_3395_ = false;
         }
-        let _e2778 = phi_3393_;
-        let _e2780 = phi_3394_;
-        if _e2778 {
-            phi_3398_ = false;
+        let _e2779 = phi_3394_;
+        let _e2781 = phi_3395_;
+        if _e2779 {
+            phi_3399_ = false;
+            phi_3400_ = true;
+        } else {
             phi_3399_ = true;
-        } else {
-            phi_3398_ = true;
-            phi_3399_ = _e2780;
+            phi_3400_ = _e2781;
         }
-        let _e2782 = phi_3398_;
-        let _e2784 = phi_3399_;
-        if _e2784 {
-            phi_3403_ = _e2782;
+        let _e2783 = phi_3399_;
+        let _e2785 = phi_3400_;
+        if _e2785 {
+            phi_3404_ = _e2783;
         } else {
-            phi_3403_ = false;
+            phi_3404_ = false;
         }
-        let _e2786 = phi_3403_;
-        if _e2786 {
-            phi_3407_ = 0f;
+        let _e2787 = phi_3404_;
+        if _e2787 {
+            phi_3408_ = 0f;
         } else {
-            phi_3407_ = 1f;
+            phi_3408_ = 1f;
         }
-        let _e2788 = phi_3407_;
-        if (_e115 < _e84) {
+        let _e2789 = phi_3408_;
+        if (_e116 < _e84) {
         } else {
             return;
         }
-        visibility.member[(0u + _e115)] = _e2788;
-        let _e2794 = p.member.light.number;
-        let _e2795 = (_e2794 * 3u);
-        let _e2796 = (_e2795 / 32u);
-        let _e2797 = (_e2795 % 32u);
-        let _e2799 = p.member.light.mask_words;
-        if (_e115 < _e84) {
+        visibility.member[(0u + _e116)] = _e2789;
+        let _e2795 = p.member.light.number;
+        let _e2796 = (_e2795 * 3u);
+        let _e2797 = (_e2796 / 32u);
+        let _e2798 = (_e2796 % 32u);
+        let _e2800 = p.member.light.mask_words;
+        if (_e116 < _e84) {
         } else {
             return;
         }
-        let _e2803 = visibility.member[(0u + _e115)];
-        let _e2805 = ((_e115 * _e2799) + _e2796);
-        if (_e2797 > 29u) {
-            let _e2807 = (_e2805 + 1u);
-            if (_e2807 < _e90) {
+        let _e2804 = visibility.member[(0u + _e116)];
+        let _e2806 = ((_e116 * _e2800) + _e2797);
+        if (_e2798 > 29u) {
+            let _e2808 = (_e2806 + 1u);
+            if (_e2808 < _e90) {
             } else {
                 return;
             }
-            let _e2811 = bits.member[(0u + _e2807)];
-            phi_3448_ = _e2811;
+            let _e2812 = bits.member[(0u + _e2808)];
+            phi_3449_ = _e2812;
         } else {
-            phi_3448_ = 0u;
+            phi_3449_ = 0u;
         }
-        let _e2813 = phi_3448_;
-        if (_e2805 < _e90) {
-        } else {
-            return;
-        }
-        let _e2817 = bits.member[(0u + _e2805)];
-        let _e2820 = (_e2817 >> bitcast<u32>((_e2797 & 31u)));
-        if (_e2797 > 29u) {
-            phi_3467_ = (_e2820 | (_e2813 << bitcast<u32>(((32u - _e2797) & 31u))));
-        } else {
-            phi_3467_ = _e2820;
-        }
-        let _e2828 = phi_3467_;
-        if ((_e2828 & 2u) == 0u) {
-            phi_3475_ = (_e2828 & 1u);
-        } else {
-            phi_3475_ = (_e2828 & 7u);
-        }
-        let _e2834 = phi_3475_;
-        if ((_e2834 & 1u) != 0u) {
-            phi_3483_ = (2u | 1u);
-        } else {
-            phi_3483_ = 2u;
-        }
-        let _e2840 = phi_3483_;
-        if (_e2803 < 0.5f) {
-            phi_3488_ = (_e2840 | 4u);
-        } else {
-            phi_3488_ = _e2840;
-        }
-        let _e2843 = phi_3488_;
-        let _e2845 = ((_e115 * _e2799) + _e2796);
-        if (_e2845 < _e90) {
+        let _e2814 = phi_3449_;
+        if (_e2806 < _e90) {
         } else {
             return;
         }
-        let _e2849 = bits.member[(0u + _e2845)];
-        if (_e2845 < _e90) {
+        let _e2818 = bits.member[(0u + _e2806)];
+        let _e2821 = (_e2818 >> bitcast<u32>((_e2798 & 31u)));
+        if (_e2798 > 29u) {
+            phi_3468_ = (_e2821 | (_e2814 << bitcast<u32>(((32u - _e2798) & 31u))));
+        } else {
+            phi_3468_ = _e2821;
+        }
+        let _e2829 = phi_3468_;
+        if ((_e2829 & 2u) == 0u) {
+            phi_3476_ = (_e2829 & 1u);
+        } else {
+            phi_3476_ = (_e2829 & 7u);
+        }
+        let _e2835 = phi_3476_;
+        if ((_e2835 & 1u) != 0u) {
+            phi_3484_ = (2u | 1u);
+        } else {
+            phi_3484_ = 2u;
+        }
+        let _e2841 = phi_3484_;
+        if (_e2804 < 0.5f) {
+            phi_3489_ = (_e2841 | 4u);
+        } else {
+            phi_3489_ = _e2841;
+        }
+        let _e2844 = phi_3489_;
+        let _e2846 = ((_e116 * _e2800) + _e2797);
+        if (_e2846 < _e90) {
         } else {
             return;
         }
-        bits.member[(0u + _e2845)] = ((_e2849 & ~((7u << bitcast<u32>((_e2797 & 31u))))) | (_e2843 << bitcast<u32>((_e2797 & 31u))));
-        if (_e2797 > 29u) {
-            let _e2863 = (_e2845 + 1u);
-            if (_e2863 < _e90) {
+        let _e2850 = bits.member[(0u + _e2846)];
+        if (_e2846 < _e90) {
+        } else {
+            return;
+        }
+        bits.member[(0u + _e2846)] = ((_e2850 & ~((7u << bitcast<u32>((_e2798 & 31u))))) | (_e2844 << bitcast<u32>((_e2798 & 31u))));
+        if (_e2798 > 29u) {
+            let _e2864 = (_e2846 + 1u);
+            if (_e2864 < _e90) {
             } else {
                 return;
             }
-            let _e2867 = bits.member[(0u + _e2863)];
-            let _e2868 = (32u - _e2797);
-            let _e2878 = (_e2845 + 1u);
-            if (_e2878 < _e90) {
+            let _e2868 = bits.member[(0u + _e2864)];
+            let _e2869 = (32u - _e2798);
+            let _e2879 = (_e2846 + 1u);
+            if (_e2879 < _e90) {
             } else {
                 return;
             }
-            bits.member[(0u + _e2878)] = ((_e2867 & ~((7u >> bitcast<u32>((_e2868 & 31u))))) | (_e2843 >> bitcast<u32>((_e2868 & 31u))));
+            bits.member[(0u + _e2879)] = ((_e2868 & ~((7u >> bitcast<u32>((_e2869 & 31u))))) | (_e2844 >> bitcast<u32>((_e2869 & 31u))));
         }
     }
     return;

@@ -137,2301 +137,2302 @@ var<storage, read_write> bits: type_9;
 var<storage> instances: type_50;
 
 fn core_intrinsics_maximum_number_nsz_f32_(param: f32, param_1: f32) -> f32 {
-    var phi_173_: bool;
-    var phi_177_: f32;
+    var phi_174_: bool;
+    var phi_178_: f32;
 
     if (param != param) {
-        phi_173_ = true;
+        phi_174_ = true;
     } else {
-        let _e57 = (param_1 >= param);
-        if _e57 {
+        let _e58 = (param_1 >= param);
+        if _e58 {
         }
-        phi_173_ = _e57;
+        phi_174_ = _e58;
     }
-    let _e59 = phi_173_;
-    if _e59 {
-        phi_177_ = param_1;
+    let _e60 = phi_174_;
+    if _e60 {
+        phi_178_ = param_1;
     } else {
-        phi_177_ = param;
+        phi_178_ = param;
     }
-    let _e61 = phi_177_;
-    return _e61;
+    let _e62 = phi_178_;
+    return _e62;
 }
 
 fn core_intrinsics_minimum_number_nsz_f32_(param_2: f32, param_3: f32) -> f32 {
-    var phi_189_: bool;
-    var phi_193_: f32;
+    var phi_190_: bool;
+    var phi_194_: f32;
 
     if (param_2 != param_2) {
-        phi_189_ = true;
+        phi_190_ = true;
     } else {
-        let _e57 = (param_3 <= param_2);
-        if _e57 {
+        let _e58 = (param_3 <= param_2);
+        if _e58 {
         }
-        phi_189_ = _e57;
+        phi_190_ = _e58;
     }
-    let _e59 = phi_189_;
-    if _e59 {
-        phi_193_ = param_3;
+    let _e60 = phi_190_;
+    if _e60 {
+        phi_194_ = param_3;
     } else {
-        phi_193_ = param_2;
+        phi_194_ = param_2;
     }
-    let _e61 = phi_193_;
-    return _e61;
+    let _e62 = phi_194_;
+    return _e62;
 }
 
 fn function_() {
     var local: lt_bvh_traverse_Stack;
     var local_1: lt_bvh_traverse_Stack;
-    var phi_278_: f32;
-    var phi_310_: bool;
-    var phi_311_: bool;
+    var phi_280_: f32;
     var phi_312_: bool;
     var phi_313_: bool;
-    var phi_317_: bool;
-    var phi_330_: bool;
-    var phi_331_: bool;
+    var phi_314_: bool;
+    var phi_315_: bool;
+    var phi_319_: bool;
     var phi_332_: bool;
     var phi_333_: bool;
-    var phi_337_: bool;
-    var phi_350_: bool;
-    var phi_351_: bool;
+    var phi_334_: bool;
+    var phi_335_: bool;
+    var phi_339_: bool;
     var phi_352_: bool;
-    var phi_356_: bool;
-    var phi_357_: bool;
+    var phi_353_: bool;
+    var phi_354_: bool;
     var phi_358_: bool;
     var phi_359_: bool;
     var phi_360_: bool;
-    var phi_364_: bool;
-    var phi_434_: f32;
-    var phi_441_: f32;
-    var phi_448_: f32;
-    var phi_455_: f32;
-    var phi_462_: f32;
-    var phi_469_: f32;
-    var phi_486_: f32;
-    var phi_491_: f32;
-    var phi_496_: f32;
-    var phi_501_: f32;
-    var phi_506_: f32;
-    var phi_525_: u32;
-    var phi_530_: u32;
-    var phi_535_: u32;
-    var phi_649_: bool;
-    var phi_650_: bool;
-    var phi_681_: u32;
+    var phi_361_: bool;
+    var phi_362_: bool;
+    var phi_366_: bool;
+    var phi_436_: f32;
+    var phi_443_: f32;
+    var phi_450_: f32;
+    var phi_457_: f32;
+    var phi_464_: f32;
+    var phi_471_: f32;
+    var phi_488_: f32;
+    var phi_493_: f32;
+    var phi_498_: f32;
+    var phi_503_: f32;
+    var phi_508_: f32;
+    var phi_527_: u32;
+    var phi_532_: u32;
+    var phi_537_: u32;
+    var phi_651_: bool;
+    var phi_652_: bool;
     var phi_683_: u32;
-    var phi_686_: bool;
-    var phi_766_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_793_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_820_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_826_: u32;
-    var phi_829_: u32;
-    var phi_843_: u32;
-    var phi_853_: u32;
-    var phi_863_: u32;
-    var phi_881_: u32;
-    var phi_891_: u32;
-    var phi_901_: u32;
-    var phi_937_: u32;
-    var phi_950_: u32;
-    var phi_955_: u32;
-    var phi_956_: u32;
+    var phi_685_: u32;
+    var phi_688_: bool;
+    var phi_768_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_795_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_822_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_828_: u32;
+    var phi_831_: u32;
+    var phi_845_: u32;
+    var phi_855_: u32;
+    var phi_865_: u32;
+    var phi_883_: u32;
+    var phi_893_: u32;
+    var phi_903_: u32;
+    var phi_939_: u32;
+    var phi_952_: u32;
     var phi_957_: u32;
-    var phi_827_: u32;
-    var phi_830_: u32;
+    var phi_958_: u32;
+    var phi_959_: u32;
+    var phi_829_: u32;
+    var phi_832_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1015_: u32;
-    var phi_1018_: bool;
-    var phi_1067_: f32;
-    var phi_1072_: f32;
-    var phi_1077_: f32;
-    var phi_1085_: f32;
-    var phi_1090_: f32;
-    var phi_1095_: f32;
-    var phi_1215_: bool;
-    var phi_1216_: bool;
+    var phi_1017_: u32;
+    var phi_1020_: bool;
+    var phi_1069_: f32;
+    var phi_1074_: f32;
+    var phi_1079_: f32;
+    var phi_1087_: f32;
+    var phi_1092_: f32;
+    var phi_1097_: f32;
     var phi_1217_: bool;
     var phi_1218_: bool;
-    var phi_1222_: bool;
-    var phi_1235_: bool;
-    var phi_1236_: bool;
+    var phi_1219_: bool;
+    var phi_1220_: bool;
+    var phi_1224_: bool;
     var phi_1237_: bool;
     var phi_1238_: bool;
-    var phi_1242_: bool;
-    var phi_1255_: bool;
-    var phi_1256_: bool;
+    var phi_1239_: bool;
+    var phi_1240_: bool;
+    var phi_1244_: bool;
     var phi_1257_: bool;
-    var phi_1261_: bool;
-    var phi_1262_: bool;
+    var phi_1258_: bool;
+    var phi_1259_: bool;
     var phi_1263_: bool;
     var phi_1264_: bool;
     var phi_1265_: bool;
-    var phi_1269_: bool;
-    var phi_1339_: f32;
-    var phi_1346_: f32;
-    var phi_1353_: f32;
-    var phi_1360_: f32;
-    var phi_1367_: f32;
-    var phi_1374_: f32;
-    var phi_1391_: f32;
-    var phi_1396_: f32;
-    var phi_1401_: f32;
-    var phi_1406_: f32;
-    var phi_1411_: f32;
-    var phi_1437_: bool;
-    var phi_1438_: bool;
-    var phi_1446_: u32;
-    var phi_1447_: u32;
-    var phi_1458_: vec3<f32>;
-    var phi_1459_: vec3<f32>;
-    var phi_1472_: u32;
-    var phi_1477_: u32;
-    var phi_1482_: u32;
-    var phi_1596_: bool;
-    var phi_1597_: bool;
-    var phi_1628_: u32;
+    var phi_1266_: bool;
+    var phi_1267_: bool;
+    var phi_1271_: bool;
+    var phi_1341_: f32;
+    var phi_1348_: f32;
+    var phi_1355_: f32;
+    var phi_1362_: f32;
+    var phi_1369_: f32;
+    var phi_1376_: f32;
+    var phi_1393_: f32;
+    var phi_1398_: f32;
+    var phi_1403_: f32;
+    var phi_1408_: f32;
+    var phi_1413_: f32;
+    var phi_1439_: bool;
+    var phi_1440_: bool;
+    var phi_1448_: u32;
+    var phi_1449_: u32;
+    var phi_1460_: vec3<f32>;
+    var phi_1461_: vec3<f32>;
+    var phi_1474_: u32;
+    var phi_1479_: u32;
+    var phi_1484_: u32;
+    var phi_1598_: bool;
+    var phi_1599_: bool;
     var phi_1630_: u32;
-    var phi_1633_: bool;
-    var phi_1713_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1740_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1767_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1773_: u32;
-    var phi_1776_: u32;
-    var phi_1790_: u32;
-    var phi_1800_: u32;
-    var phi_1810_: u32;
-    var phi_1828_: u32;
-    var phi_1838_: u32;
-    var phi_1848_: u32;
-    var phi_1884_: u32;
-    var phi_1897_: u32;
-    var phi_1902_: u32;
-    var phi_1903_: u32;
+    var phi_1632_: u32;
+    var phi_1635_: bool;
+    var phi_1715_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1742_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1769_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1775_: u32;
+    var phi_1778_: u32;
+    var phi_1792_: u32;
+    var phi_1802_: u32;
+    var phi_1812_: u32;
+    var phi_1830_: u32;
+    var phi_1840_: u32;
+    var phi_1850_: u32;
+    var phi_1886_: u32;
+    var phi_1899_: u32;
     var phi_1904_: u32;
-    var phi_1774_: u32;
-    var phi_1777_: u32;
+    var phi_1905_: u32;
+    var phi_1906_: u32;
+    var phi_1776_: u32;
+    var phi_1779_: u32;
     var local_5: u32;
     var local_6: u32;
     var local_7: u32;
-    var phi_1962_: u32;
-    var phi_1965_: bool;
-    var phi_2009_: vec3<f32>;
-    var phi_2010_: vec3<f32>;
-    var phi_2039_: vec3<f32>;
-    var phi_2040_: vec3<f32>;
-    var phi_2069_: vec3<f32>;
-    var phi_2070_: vec3<f32>;
-    var phi_2088_: bool;
-    var phi_2089_: bool;
-    var phi_2093_: f32;
-    var phi_2094_: f32;
+    var phi_1964_: u32;
+    var phi_1967_: bool;
+    var phi_2011_: vec3<f32>;
+    var phi_2012_: vec3<f32>;
+    var phi_2041_: vec3<f32>;
+    var phi_2042_: vec3<f32>;
+    var phi_2071_: vec3<f32>;
+    var phi_2072_: vec3<f32>;
+    var phi_2090_: bool;
+    var phi_2091_: bool;
     var phi_2095_: f32;
     var phi_2096_: f32;
-    var phi_2104_: f32;
-    var phi_2114_: bool;
-    var phi_2115_: bool;
-    var phi_2119_: f32;
-    var phi_2120_: f32;
+    var phi_2097_: f32;
+    var phi_2098_: f32;
+    var phi_2106_: f32;
+    var phi_2116_: bool;
+    var phi_2117_: bool;
     var phi_2121_: f32;
     var phi_2122_: f32;
-    var phi_2130_: f32;
-    var phi_2140_: bool;
-    var phi_2141_: bool;
-    var phi_2145_: f32;
-    var phi_2146_: f32;
+    var phi_2123_: f32;
+    var phi_2124_: f32;
+    var phi_2132_: f32;
+    var phi_2142_: bool;
+    var phi_2143_: bool;
     var phi_2147_: f32;
     var phi_2148_: f32;
-    var phi_2156_: f32;
-    var phi_2171_: f32;
-    var phi_2172_: bool;
+    var phi_2149_: f32;
+    var phi_2150_: f32;
+    var phi_2158_: f32;
     var phi_2173_: f32;
     var phi_2174_: bool;
     var phi_2175_: f32;
     var phi_2176_: bool;
-    var phi_2194_: f32;
-    var phi_2195_: bool;
-    var phi_2196_: bool;
-    var phi_2197_: f32;
+    var phi_2177_: f32;
+    var phi_2178_: bool;
+    var phi_2196_: f32;
+    var phi_2197_: bool;
     var phi_2198_: bool;
-    var phi_2199_: bool;
-    var phi_2203_: bool;
-    var phi_2204_: f32;
+    var phi_2199_: f32;
+    var phi_2200_: bool;
+    var phi_2201_: bool;
     var phi_2205_: bool;
-    var phi_2233_: vec3<f32>;
-    var phi_2234_: vec3<f32>;
-    var phi_2259_: vec3<f32>;
-    var phi_2260_: vec3<f32>;
-    var phi_2285_: vec3<f32>;
-    var phi_2286_: vec3<f32>;
-    var phi_2342_: f32;
-    var phi_2351_: f32;
-    var phi_2360_: f32;
-    var phi_2369_: f32;
-    var phi_2376_: f32;
-    var phi_2383_: f32;
-    var phi_2396_: f32;
-    var phi_2405_: f32;
-    var phi_2414_: f32;
-    var phi_2423_: f32;
-    var phi_2430_: f32;
-    var phi_2437_: f32;
-    var phi_2454_: f32;
-    var phi_2459_: f32;
-    var phi_2464_: f32;
-    var phi_2472_: f32;
-    var phi_2477_: f32;
-    var phi_2482_: f32;
-    var phi_2494_: f32;
-    var phi_2499_: f32;
-    var phi_2504_: f32;
-    var phi_2509_: f32;
-    var phi_2514_: lt_bvh_triangle_Intersection;
-    var phi_2515_: bool;
+    var phi_2206_: f32;
+    var phi_2207_: bool;
+    var phi_2235_: vec3<f32>;
+    var phi_2236_: vec3<f32>;
+    var phi_2261_: vec3<f32>;
+    var phi_2262_: vec3<f32>;
+    var phi_2287_: vec3<f32>;
+    var phi_2288_: vec3<f32>;
+    var phi_2344_: f32;
+    var phi_2353_: f32;
+    var phi_2362_: f32;
+    var phi_2371_: f32;
+    var phi_2378_: f32;
+    var phi_2385_: f32;
+    var phi_2398_: f32;
+    var phi_2407_: f32;
+    var phi_2416_: f32;
+    var phi_2425_: f32;
+    var phi_2432_: f32;
+    var phi_2439_: f32;
+    var phi_2456_: f32;
+    var phi_2461_: f32;
+    var phi_2466_: f32;
+    var phi_2474_: f32;
+    var phi_2479_: f32;
+    var phi_2484_: f32;
+    var phi_2496_: f32;
+    var phi_2501_: f32;
+    var phi_2506_: f32;
+    var phi_2511_: f32;
     var phi_2516_: lt_bvh_triangle_Intersection;
     var phi_2517_: bool;
-    var phi_2521_: lt_bvh_triangle_Intersection;
-    var phi_2522_: bool;
+    var phi_2518_: lt_bvh_triangle_Intersection;
+    var phi_2519_: bool;
     var phi_2523_: lt_bvh_triangle_Intersection;
     var phi_2524_: bool;
-    var phi_2525_: bool;
-    var phi_2529_: bool;
-    var phi_2533_: lt_bvh_triangle_Intersection;
-    var phi_2553_: bool;
-    var phi_2554_: bool;
+    var phi_2525_: lt_bvh_triangle_Intersection;
+    var phi_2526_: bool;
+    var phi_2527_: bool;
+    var phi_2531_: bool;
+    var phi_2535_: lt_bvh_triangle_Intersection;
     var phi_2555_: bool;
     var phi_2556_: bool;
     var phi_2557_: bool;
     var phi_2558_: bool;
     var phi_2559_: bool;
-    var phi_1963_: u32;
-    var phi_1966_: bool;
-    var phi_2563_: bool;
+    var phi_2560_: bool;
+    var phi_2561_: bool;
+    var phi_1965_: u32;
+    var phi_1968_: bool;
+    var phi_2565_: bool;
     var local_8: bool;
-    var phi_2605_: bool;
-    var phi_2606_: bool;
-    var phi_2637_: u32;
-    var phi_2638_: u32;
-    var phi_1631_: u32;
-    var phi_1634_: bool;
-    var phi_2639_: bool;
-    var phi_2640_: bool;
+    var phi_2607_: bool;
+    var phi_2608_: bool;
+    var phi_2639_: u32;
+    var phi_2640_: u32;
+    var phi_1633_: u32;
+    var phi_1636_: bool;
+    var phi_2641_: bool;
+    var phi_2642_: bool;
     var local_9: bool;
-    var phi_2644_: bool;
-    var phi_2648_: bool;
-    var phi_2649_: bool;
+    var phi_2646_: bool;
     var phi_2650_: bool;
     var phi_2651_: bool;
-    var phi_2655_: bool;
-    var phi_2659_: bool;
-    var phi_2660_: bool;
+    var phi_2652_: bool;
+    var phi_2653_: bool;
+    var phi_2657_: bool;
     var phi_2661_: bool;
     var phi_2662_: bool;
     var phi_2663_: bool;
     var phi_2664_: bool;
     var phi_2665_: bool;
-    var phi_1016_: u32;
-    var phi_1019_: bool;
-    var phi_2669_: bool;
+    var phi_2666_: bool;
+    var phi_2667_: bool;
+    var phi_1018_: u32;
+    var phi_1021_: bool;
+    var phi_2671_: bool;
     var local_10: bool;
-    var phi_2711_: bool;
-    var phi_2712_: bool;
-    var phi_2743_: u32;
-    var phi_2744_: u32;
-    var phi_684_: u32;
-    var phi_687_: bool;
-    var phi_2745_: bool;
-    var phi_2746_: bool;
+    var phi_2713_: bool;
+    var phi_2714_: bool;
+    var phi_2745_: u32;
+    var phi_2746_: u32;
+    var phi_686_: u32;
+    var phi_689_: bool;
+    var phi_2747_: bool;
+    var phi_2748_: bool;
     var local_11: bool;
-    var phi_2750_: bool;
-    var phi_2754_: bool;
-    var phi_2755_: bool;
+    var phi_2752_: bool;
     var phi_2756_: bool;
-    var phi_2760_: bool;
-    var phi_2761_: bool;
-    var phi_2765_: bool;
-    var phi_2769_: f32;
-    var phi_2810_: u32;
-    var phi_2829_: u32;
-    var phi_2837_: u32;
-    var phi_2845_: u32;
-    var phi_2850_: u32;
+    var phi_2757_: bool;
+    var phi_2758_: bool;
+    var phi_2762_: bool;
+    var phi_2763_: bool;
+    var phi_2767_: bool;
+    var phi_2771_: f32;
+    var phi_2812_: u32;
+    var phi_2831_: u32;
+    var phi_2839_: u32;
+    var phi_2847_: u32;
+    var phi_2852_: u32;
     var local_12: bool;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
     var local_16: bool;
 
-    let _e56 = id_1;
-    let _e63 = arrayLength((&nodes.member));
-    let _e69 = arrayLength((&visibility.member));
-    let _e72 = arrayLength((&list.member));
-    let _e75 = arrayLength((&bits.member));
-    let _e82 = ((_e56.y * 2097152u) + _e56.x);
-    if (3u < _e72) {
+    let _e57 = id_1;
+    let _e64 = arrayLength((&nodes.member));
+    let _e70 = arrayLength((&visibility.member));
+    let _e73 = arrayLength((&list.member));
+    let _e76 = arrayLength((&bits.member));
+    let _e83 = ((_e57.y * 2097152u) + _e57.x);
+    if (3u < _e73) {
     } else {
         return;
     }
-    let _e85 = list.member[3u];
-    if (_e82 < _e85) {
-        let _e87 = (_e82 + 4u);
-        if (_e87 < _e72) {
+    let _e86 = list.member[3u];
+    if (_e83 < _e86) {
+        let _e88 = (_e83 + 4u);
+        if (_e88 < _e73) {
         } else {
             return;
         }
-        let _e91 = list.member[(0u + _e87)];
-        let _e93 = p.member.root;
-        if (_e91 < arrayLength((&samples.member))) {
+        let _e92 = list.member[(0u + _e88)];
+        let _e93 = (_e92 & 2147483647u);
+        let _e95 = p.member.root;
+        if (_e93 < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e99 = samples.member[(0u + _e91)].position;
-        let _e101 = samples.member[(0u + _e91)].normal;
-        let _e103 = samples.member[(0u + _e91)].magnitude;
-        let _e105 = ((8f / 8388608f) * _e103);
-        let _e113 = (_e99.x + (_e101.x * _e105));
-        let _e115 = (_e99.y + (_e101.y * _e105));
-        let _e117 = (_e99.z + (_e101.z * _e105));
-        let _e119 = p.member.light.place;
-        if (_e119.w == 0f) {
-            phi_278_ = 300000000000000000000000000000000000000f;
+        let _e101 = samples.member[(0u + _e93)].position;
+        let _e103 = samples.member[(0u + _e93)].normal;
+        let _e105 = samples.member[(0u + _e93)].magnitude;
+        let _e107 = ((8f / 8388608f) * _e105);
+        let _e115 = (_e101.x + (_e103.x * _e107));
+        let _e117 = (_e101.y + (_e103.y * _e107));
+        let _e119 = (_e101.z + (_e103.z * _e107));
+        let _e121 = p.member.light.place;
+        if (_e121.w == 0f) {
+            phi_280_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_278_ = 1f;
+            phi_280_ = 1f;
         }
-        let _e123 = phi_278_;
-        let _e131 = (_e119.x - (_e113 * _e119.w));
-        let _e132 = (_e119.y - (_e115 * _e119.w));
-        let _e133 = (_e119.z - (_e117 * _e119.w));
-        let _e134 = abs(_e131);
-        let _e135 = abs(_e132);
+        let _e125 = phi_280_;
+        let _e133 = (_e121.x - (_e115 * _e121.w));
+        let _e134 = (_e121.y - (_e117 * _e121.w));
+        let _e135 = (_e121.z - (_e119 * _e121.w));
         let _e136 = abs(_e133);
-        if (abs(_e113) < 1000000000000000f) {
-            if (abs(_e115) < 1000000000000000f) {
-                phi_310_ = (abs(_e117) < 1000000000000000f);
-                phi_311_ = false;
+        let _e137 = abs(_e134);
+        let _e138 = abs(_e135);
+        if (abs(_e115) < 1000000000000000f) {
+            if (abs(_e117) < 1000000000000000f) {
+                phi_312_ = (abs(_e119) < 1000000000000000f);
+                phi_313_ = false;
             } else {
-                phi_310_ = bool();
-                phi_311_ = true;
+                phi_312_ = bool();
+                phi_313_ = true;
             }
-            let _e144 = phi_310_;
-            let _e146 = phi_311_;
-            phi_312_ = _e144;
-            phi_313_ = _e146;
+            let _e146 = phi_312_;
+            let _e148 = phi_313_;
+            phi_314_ = _e146;
+            phi_315_ = _e148;
         } else {
-            phi_312_ = bool();
-            phi_313_ = true;
+            phi_314_ = bool();
+            phi_315_ = true;
         }
-        let _e148 = phi_312_;
-        let _e150 = phi_313_;
-        if _e150 {
-            phi_317_ = false;
-        } else {
-            phi_317_ = _e148;
-        }
-        let _e152 = phi_317_;
+        let _e150 = phi_314_;
+        let _e152 = phi_315_;
         if _e152 {
-            if (_e134 < 1000000000000000f) {
-                if (_e135 < 1000000000000000f) {
-                    phi_330_ = (_e136 < 1000000000000000f);
-                    phi_331_ = false;
+            phi_319_ = false;
+        } else {
+            phi_319_ = _e150;
+        }
+        let _e154 = phi_319_;
+        if _e154 {
+            if (_e136 < 1000000000000000f) {
+                if (_e137 < 1000000000000000f) {
+                    phi_332_ = (_e138 < 1000000000000000f);
+                    phi_333_ = false;
                 } else {
-                    phi_330_ = bool();
-                    phi_331_ = true;
+                    phi_332_ = bool();
+                    phi_333_ = true;
                 }
-                let _e157 = phi_330_;
-                let _e159 = phi_331_;
-                phi_332_ = _e157;
-                phi_333_ = _e159;
+                let _e159 = phi_332_;
+                let _e161 = phi_333_;
+                phi_334_ = _e159;
+                phi_335_ = _e161;
             } else {
-                phi_332_ = bool();
-                phi_333_ = true;
+                phi_334_ = bool();
+                phi_335_ = true;
             }
-            let _e161 = phi_332_;
-            let _e163 = phi_333_;
-            if _e163 {
-                phi_337_ = false;
-            } else {
-                phi_337_ = _e161;
-            }
-            let _e165 = phi_337_;
+            let _e163 = phi_334_;
+            let _e165 = phi_335_;
             if _e165 {
-                if (_e134 > 0f) {
-                    phi_351_ = bool();
-                    phi_352_ = true;
-                } else {
-                    let _e167 = (_e135 > 0f);
-                    if _e167 {
-                        phi_350_ = bool();
-                    } else {
-                        phi_350_ = (_e136 > 0f);
-                    }
-                    let _e170 = phi_350_;
-                    phi_351_ = _e170;
-                    phi_352_ = _e167;
-                }
-                let _e172 = phi_351_;
-                let _e174 = phi_352_;
-                if _e174 {
-                    phi_356_ = true;
-                } else {
-                    phi_356_ = _e172;
-                }
-                let _e176 = phi_356_;
-                phi_357_ = _e176;
-                phi_358_ = false;
+                phi_339_ = false;
             } else {
-                phi_357_ = bool();
-                phi_358_ = true;
+                phi_339_ = _e163;
             }
-            let _e178 = phi_357_;
-            let _e180 = phi_358_;
-            phi_359_ = _e178;
-            phi_360_ = _e180;
-        } else {
-            phi_359_ = bool();
-            phi_360_ = true;
-        }
-        let _e182 = phi_359_;
-        let _e184 = phi_360_;
-        if _e184 {
-            phi_364_ = false;
-        } else {
-            phi_364_ = _e182;
-        }
-        let _e186 = phi_364_;
-        if _e186 {
-            let _e187 = (_e93 >= _e63);
-            if _e187 {
-                phi_2754_ = false;
+            let _e167 = phi_339_;
+            if _e167 {
+                if (_e136 > 0f) {
+                    phi_353_ = bool();
+                    phi_354_ = true;
+                } else {
+                    let _e169 = (_e137 > 0f);
+                    if _e169 {
+                        phi_352_ = bool();
+                    } else {
+                        phi_352_ = (_e138 > 0f);
+                    }
+                    let _e172 = phi_352_;
+                    phi_353_ = _e172;
+                    phi_354_ = _e169;
+                }
+                let _e174 = phi_353_;
+                let _e176 = phi_354_;
+                if _e176 {
+                    phi_358_ = true;
+                } else {
+                    phi_358_ = _e174;
+                }
+                let _e178 = phi_358_;
+                phi_359_ = _e178;
+                phi_360_ = false;
             } else {
-                if (_e93 < _e63) {
+                phi_359_ = bool();
+                phi_360_ = true;
+            }
+            let _e180 = phi_359_;
+            let _e182 = phi_360_;
+            phi_361_ = _e180;
+            phi_362_ = _e182;
+        } else {
+            phi_361_ = bool();
+            phi_362_ = true;
+        }
+        let _e184 = phi_361_;
+        let _e186 = phi_362_;
+        if _e186 {
+            phi_366_ = false;
+        } else {
+            phi_366_ = _e184;
+        }
+        let _e188 = phi_366_;
+        if _e188 {
+            let _e189 = (_e95 >= _e64);
+            if _e189 {
+                phi_2756_ = false;
+            } else {
+                if (_e95 < _e64) {
                 } else {
                     return;
                 }
-                let _e193 = nodes.member[(0u + _e93)].frame[0u];
-                let _e197 = nodes.member[(0u + _e93)].frame[1u];
-                let _e201 = nodes.member[(0u + _e93)].frame[2u];
-                let _e205 = nodes.member[(0u + _e93)].frame[0u];
-                let _e209 = nodes.member[(0u + _e93)].frame[1u];
-                let _e213 = nodes.member[(0u + _e93)].frame[2u];
-                let _e217 = nodes.member[(0u + _e93)].frame[3u];
-                let _e251 = core_intrinsics_maximum_number_nsz_f32_(abs(_e131), abs(_e132));
-                let _e252 = core_intrinsics_maximum_number_nsz_f32_(_e251, abs(_e133));
-                let _e253 = (_e252 * 0.0000000000009094947f);
-                if (abs(_e131) < _e253) {
-                    phi_434_ = _e253;
+                let _e195 = nodes.member[(0u + _e95)].frame[0u];
+                let _e199 = nodes.member[(0u + _e95)].frame[1u];
+                let _e203 = nodes.member[(0u + _e95)].frame[2u];
+                let _e207 = nodes.member[(0u + _e95)].frame[0u];
+                let _e211 = nodes.member[(0u + _e95)].frame[1u];
+                let _e215 = nodes.member[(0u + _e95)].frame[2u];
+                let _e219 = nodes.member[(0u + _e95)].frame[3u];
+                let _e253 = core_intrinsics_maximum_number_nsz_f32_(abs(_e133), abs(_e134));
+                let _e254 = core_intrinsics_maximum_number_nsz_f32_(_e253, abs(_e135));
+                let _e255 = (_e254 * 0.0000000000009094947f);
+                if (abs(_e133) < _e255) {
+                    phi_436_ = _e255;
                 } else {
-                    phi_434_ = abs(_e131);
+                    phi_436_ = abs(_e133);
                 }
-                let _e258 = phi_434_;
-                if (_e131 < 0f) {
-                    phi_441_ = (-1f / _e258);
-                } else {
-                    phi_441_ = (1f / _e258);
-                }
-                let _e263 = phi_441_;
-                if (abs(_e132) < _e253) {
-                    phi_448_ = _e253;
-                } else {
-                    phi_448_ = abs(_e132);
-                }
-                let _e268 = phi_448_;
-                if (_e132 < 0f) {
-                    phi_455_ = (-1f / _e268);
-                } else {
-                    phi_455_ = (1f / _e268);
-                }
-                let _e273 = phi_455_;
-                if (abs(_e133) < _e253) {
-                    phi_462_ = _e253;
-                } else {
-                    phi_462_ = abs(_e133);
-                }
-                let _e278 = phi_462_;
+                let _e260 = phi_436_;
                 if (_e133 < 0f) {
-                    phi_469_ = (-1f / _e278);
+                    phi_443_ = (-1f / _e260);
                 } else {
-                    phi_469_ = (1f / _e278);
+                    phi_443_ = (1f / _e260);
                 }
-                let _e283 = phi_469_;
-                let _e287 = abs((bitcast<f32>(_e193) - _e113));
-                let _e288 = abs((bitcast<f32>(_e197) - _e115));
-                let _e289 = abs((bitcast<f32>(_e201) - _e117));
-                let _e293 = abs(((bitcast<f32>(_e205) + (bitcast<f32>((((_e217 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e113));
-                let _e294 = abs(((bitcast<f32>(_e209) + (bitcast<f32>((((_e217 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e115));
-                let _e295 = abs(((bitcast<f32>(_e213) + (bitcast<f32>((((_e217 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e117));
-                if (_e287 > _e293) {
-                    phi_486_ = _e287;
+                let _e265 = phi_443_;
+                if (abs(_e134) < _e255) {
+                    phi_450_ = _e255;
                 } else {
-                    phi_486_ = _e293;
+                    phi_450_ = abs(_e134);
                 }
-                let _e298 = phi_486_;
-                if (_e288 > _e294) {
-                    phi_491_ = _e288;
+                let _e270 = phi_450_;
+                if (_e134 < 0f) {
+                    phi_457_ = (-1f / _e270);
                 } else {
-                    phi_491_ = _e294;
+                    phi_457_ = (1f / _e270);
                 }
-                let _e301 = phi_491_;
+                let _e275 = phi_457_;
+                if (abs(_e135) < _e255) {
+                    phi_464_ = _e255;
+                } else {
+                    phi_464_ = abs(_e135);
+                }
+                let _e280 = phi_464_;
+                if (_e135 < 0f) {
+                    phi_471_ = (-1f / _e280);
+                } else {
+                    phi_471_ = (1f / _e280);
+                }
+                let _e285 = phi_471_;
+                let _e289 = abs((bitcast<f32>(_e195) - _e115));
+                let _e290 = abs((bitcast<f32>(_e199) - _e117));
+                let _e291 = abs((bitcast<f32>(_e203) - _e119));
+                let _e295 = abs(((bitcast<f32>(_e207) + (bitcast<f32>((((_e219 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e115));
+                let _e296 = abs(((bitcast<f32>(_e211) + (bitcast<f32>((((_e219 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e117));
+                let _e297 = abs(((bitcast<f32>(_e215) + (bitcast<f32>((((_e219 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e119));
                 if (_e289 > _e295) {
-                    phi_496_ = _e289;
+                    phi_488_ = _e289;
                 } else {
-                    phi_496_ = _e295;
+                    phi_488_ = _e295;
                 }
-                let _e304 = phi_496_;
-                if (_e298 > _e301) {
-                    phi_501_ = _e298;
+                let _e300 = phi_488_;
+                if (_e290 > _e296) {
+                    phi_493_ = _e290;
                 } else {
-                    phi_501_ = _e301;
+                    phi_493_ = _e296;
                 }
-                let _e307 = phi_501_;
-                if (_e307 > _e304) {
-                    phi_506_ = _e307;
+                let _e303 = phi_493_;
+                if (_e291 > _e297) {
+                    phi_498_ = _e291;
                 } else {
-                    phi_506_ = _e304;
+                    phi_498_ = _e297;
                 }
-                let _e310 = phi_506_;
-                let _e314 = (_e310 * 0.0000019073486f);
-                let _e315 = (abs(_e263) * _e314);
-                let _e316 = (abs(_e273) * _e314);
-                let _e317 = (abs(_e283) * _e314);
-                let _e321 = (_e310 * 0.0000009536743f);
-                let _e322 = (abs(_e263) * _e321);
-                let _e323 = (abs(_e273) * _e321);
-                let _e324 = (abs(_e283) * _e321);
-                if (_e263 < 0f) {
-                    phi_525_ = 0u;
+                let _e306 = phi_498_;
+                if (_e300 > _e303) {
+                    phi_503_ = _e300;
                 } else {
-                    phi_525_ = 1u;
+                    phi_503_ = _e303;
                 }
-                let _e327 = phi_525_;
-                if (_e273 < 0f) {
-                    phi_530_ = 0u;
+                let _e309 = phi_503_;
+                if (_e309 > _e306) {
+                    phi_508_ = _e309;
                 } else {
-                    phi_530_ = 2u;
+                    phi_508_ = _e306;
                 }
-                let _e330 = phi_530_;
-                if (_e283 < 0f) {
-                    phi_535_ = 0u;
+                let _e312 = phi_508_;
+                let _e316 = (_e312 * 0.0000019073486f);
+                let _e317 = (abs(_e265) * _e316);
+                let _e318 = (abs(_e275) * _e316);
+                let _e319 = (abs(_e285) * _e316);
+                let _e323 = (_e312 * 0.0000009536743f);
+                let _e324 = (abs(_e265) * _e323);
+                let _e325 = (abs(_e275) * _e323);
+                let _e326 = (abs(_e285) * _e323);
+                if (_e265 < 0f) {
+                    phi_527_ = 0u;
                 } else {
-                    phi_535_ = 4u;
+                    phi_527_ = 1u;
                 }
-                let _e333 = phi_535_;
-                let _e335 = ((_e327 | _e330) | _e333);
-                let _e336 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e93, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e336.first[0], _e336.first[1], _e336.first[2], _e336.first[3], _e336.first[4], _e336.first[5], _e336.first[6], _e336.first[7], _e336.first[8], _e336.first[9], _e336.first[10], _e336.first[11], _e336.first[12], _e336.first[13], _e336.first[14], _e336.first[15], _e336.first[16], _e336.first[17], _e336.first[18], _e336.first[19], _e336.first[20], _e336.first[21], _e336.first[22], _e336.first[23], _e336.first[24], _e336.first[25], _e336.first[26], _e336.first[27], _e336.first[28], _e336.first[29], _e336.first[30], _e336.first[31]), array<u32, 32>(_e336.mask[0], _e336.mask[1], _e336.mask[2], _e336.mask[3], _e336.mask[4], _e336.mask[5], _e336.mask[6], _e336.mask[7], _e336.mask[8], _e336.mask[9], _e336.mask[10], _e336.mask[11], _e336.mask[12], _e336.mask[13], _e336.mask[14], _e336.mask[15], _e336.mask[16], _e336.mask[17], _e336.mask[18], _e336.mask[19], _e336.mask[20], _e336.mask[21], _e336.mask[22], _e336.mask[23], _e336.mask[24], _e336.mask[25], _e336.mask[26], _e336.mask[27], _e336.mask[28], _e336.mask[29], _e336.mask[30], _e336.mask[31]), _e336.len, _e336.group, _e336.group_mask);
-                let _e410 = local_1.group_mask;
-                if ((_e410 & 4278190080u) == 0u) {
-                    let _e414 = local_1.len;
-                    if (_e414 == 0u) {
-                        phi_649_ = false;
+                let _e329 = phi_527_;
+                if (_e275 < 0f) {
+                    phi_532_ = 0u;
+                } else {
+                    phi_532_ = 2u;
+                }
+                let _e332 = phi_532_;
+                if (_e285 < 0f) {
+                    phi_537_ = 0u;
+                } else {
+                    phi_537_ = 4u;
+                }
+                let _e335 = phi_537_;
+                let _e337 = ((_e329 | _e332) | _e335);
+                let _e338 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e95, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e338.first[0], _e338.first[1], _e338.first[2], _e338.first[3], _e338.first[4], _e338.first[5], _e338.first[6], _e338.first[7], _e338.first[8], _e338.first[9], _e338.first[10], _e338.first[11], _e338.first[12], _e338.first[13], _e338.first[14], _e338.first[15], _e338.first[16], _e338.first[17], _e338.first[18], _e338.first[19], _e338.first[20], _e338.first[21], _e338.first[22], _e338.first[23], _e338.first[24], _e338.first[25], _e338.first[26], _e338.first[27], _e338.first[28], _e338.first[29], _e338.first[30], _e338.first[31]), array<u32, 32>(_e338.mask[0], _e338.mask[1], _e338.mask[2], _e338.mask[3], _e338.mask[4], _e338.mask[5], _e338.mask[6], _e338.mask[7], _e338.mask[8], _e338.mask[9], _e338.mask[10], _e338.mask[11], _e338.mask[12], _e338.mask[13], _e338.mask[14], _e338.mask[15], _e338.mask[16], _e338.mask[17], _e338.mask[18], _e338.mask[19], _e338.mask[20], _e338.mask[21], _e338.mask[22], _e338.mask[23], _e338.mask[24], _e338.mask[25], _e338.mask[26], _e338.mask[27], _e338.mask[28], _e338.mask[29], _e338.mask[30], _e338.mask[31]), _e338.len, _e338.group, _e338.group_mask);
+                let _e412 = local_1.group_mask;
+                if ((_e412 & 4278190080u) == 0u) {
+                    let _e416 = local_1.len;
+                    if (_e416 == 0u) {
+                        phi_651_ = false;
                     } else {
-                        let _e418 = local_1.len;
-                        local_1.len = (_e418 - 1u);
-                        let _e421 = local_1.len;
-                        if (_e421 < 32u) {
+                        let _e420 = local_1.len;
+                        local_1.len = (_e420 - 1u);
+                        let _e423 = local_1.len;
+                        if (_e423 < 32u) {
                         } else {
                             return;
                         }
-                        let _e426 = local_1.first[(0u + _e421)];
-                        local_1.group = _e426;
-                        let _e429 = local_1.len;
-                        if (_e429 < 32u) {
+                        let _e428 = local_1.first[(0u + _e423)];
+                        local_1.group = _e428;
+                        let _e431 = local_1.len;
+                        if (_e431 < 32u) {
                         } else {
                             return;
                         }
-                        let _e434 = local_1.mask[(0u + _e429)];
-                        local_1.group_mask = _e434;
-                        phi_649_ = true;
+                        let _e436 = local_1.mask[(0u + _e431)];
+                        local_1.group_mask = _e436;
+                        phi_651_ = true;
                     }
-                    let _e437 = phi_649_;
-                    phi_650_ = _e437;
+                    let _e439 = phi_651_;
+                    phi_652_ = _e439;
                 } else {
-                    phi_650_ = true;
+                    phi_652_ = true;
                 }
-                let _e439 = phi_650_;
-                if _e439 {
-                    let _e441 = local_1.group_mask;
-                    let _e447 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e441)), 32u, (_e441 == 0u)));
-                    let _e451 = local_1.group_mask;
-                    let _e465 = local_1.group_mask;
-                    local_1.group_mask = (_e465 & ~((1u << bitcast<u32>((_e447 & 31u)))));
-                    let _e468 = local_1.group;
-                    phi_681_ = (_e468 + countOneBits(((_e451 & ~((4294967295u << bitcast<u32>((((_e447 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e441 = phi_652_;
+                if _e441 {
+                    let _e443 = local_1.group_mask;
+                    let _e449 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e443)), 32u, (_e443 == 0u)));
+                    let _e453 = local_1.group_mask;
+                    let _e467 = local_1.group_mask;
+                    local_1.group_mask = (_e467 & ~((1u << bitcast<u32>((_e449 & 31u)))));
+                    let _e470 = local_1.group;
+                    phi_683_ = (_e470 + countOneBits(((_e453 & ~((4294967295u << bitcast<u32>((((_e449 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_681_ = 4294967295u;
+                    phi_683_ = 4294967295u;
                 }
-                let _e471 = phi_681_;
-                phi_683_ = _e471;
-                phi_686_ = false;
+                let _e473 = phi_683_;
+                phi_685_ = _e473;
+                phi_688_ = false;
                 loop {
-                    let _e473 = phi_683_;
-                    let _e475 = phi_686_;
-                    if (_e473 != 4294967295u) {
-                        if (_e473 < _e63) {
+                    let _e475 = phi_685_;
+                    let _e477 = phi_688_;
+                    if (_e475 != 4294967295u) {
+                        if (_e475 < _e64) {
                         } else {
                             return;
                         }
-                        let _e482 = nodes.member[(0u + _e473)].frame[3u];
-                        let _e507 = (bitcast<f32>((((_e482 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e263);
-                        let _e508 = (bitcast<f32>((((_e482 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e273);
-                        let _e509 = (bitcast<f32>((((_e482 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e283);
-                        let _e512 = nodes.member[(0u + _e473)].frame[0u];
-                        let _e516 = nodes.member[(0u + _e473)].frame[1u];
-                        let _e520 = nodes.member[(0u + _e473)].frame[2u];
-                        let _e525 = ((bitcast<f32>(_e512) - _e113) * _e263);
-                        let _e526 = ((bitcast<f32>(_e516) - _e115) * _e273);
-                        let _e527 = ((bitcast<f32>(_e520) - _e117) * _e283);
-                        let _e535 = nodes.member[(0u + _e473)].x;
-                        if (_e263 < 0f) {
-                            let _e546 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e535.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e552 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e546.unnamed.root, _e535.w), _e546.unnamed_1);
-                            let _e558 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e552.unnamed, lt_bvh_traverse_Tree(_e535.x, _e552.unnamed_1.first_primitive));
-                            phi_766_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e558.unnamed, lt_bvh_traverse_Tree(_e558.unnamed_1.root, _e535.y));
+                        let _e484 = nodes.member[(0u + _e475)].frame[3u];
+                        let _e509 = (bitcast<f32>((((_e484 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e265);
+                        let _e510 = (bitcast<f32>((((_e484 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e275);
+                        let _e511 = (bitcast<f32>((((_e484 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e285);
+                        let _e514 = nodes.member[(0u + _e475)].frame[0u];
+                        let _e518 = nodes.member[(0u + _e475)].frame[1u];
+                        let _e522 = nodes.member[(0u + _e475)].frame[2u];
+                        let _e527 = ((bitcast<f32>(_e514) - _e115) * _e265);
+                        let _e528 = ((bitcast<f32>(_e518) - _e117) * _e275);
+                        let _e529 = ((bitcast<f32>(_e522) - _e119) * _e285);
+                        let _e537 = nodes.member[(0u + _e475)].x;
+                        if (_e265 < 0f) {
+                            let _e548 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e537.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e554 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e548.unnamed.root, _e537.w), _e548.unnamed_1);
+                            let _e560 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e554.unnamed, lt_bvh_traverse_Tree(_e537.x, _e554.unnamed_1.first_primitive));
+                            phi_768_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e560.unnamed, lt_bvh_traverse_Tree(_e560.unnamed_1.root, _e537.y));
                         } else {
-                            let _e574 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e535.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e580 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e574.unnamed.root, _e535.y), _e574.unnamed_1);
-                            let _e586 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e580.unnamed, lt_bvh_traverse_Tree(_e535.z, _e580.unnamed_1.first_primitive));
-                            phi_766_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e586.unnamed, lt_bvh_traverse_Tree(_e586.unnamed_1.root, _e535.w));
+                            let _e576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e537.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e576.unnamed.root, _e537.y), _e576.unnamed_1);
+                            let _e588 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e582.unnamed, lt_bvh_traverse_Tree(_e537.z, _e582.unnamed_1.first_primitive));
+                            phi_768_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e588.unnamed, lt_bvh_traverse_Tree(_e588.unnamed_1.root, _e537.w));
                         }
-                        let _e594 = phi_766_;
-                        let _e604 = nodes.member[(0u + _e473)].y;
-                        if (_e273 < 0f) {
-                            let _e615 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e604.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e621 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e615.unnamed.root, _e604.w), _e615.unnamed_1);
-                            let _e627 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e621.unnamed, lt_bvh_traverse_Tree(_e604.x, _e621.unnamed_1.first_primitive));
-                            phi_793_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e627.unnamed, lt_bvh_traverse_Tree(_e627.unnamed_1.root, _e604.y));
+                        let _e596 = phi_768_;
+                        let _e606 = nodes.member[(0u + _e475)].y;
+                        if (_e275 < 0f) {
+                            let _e617 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e606.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e623 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e617.unnamed.root, _e606.w), _e617.unnamed_1);
+                            let _e629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e623.unnamed, lt_bvh_traverse_Tree(_e606.x, _e623.unnamed_1.first_primitive));
+                            phi_795_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e629.unnamed, lt_bvh_traverse_Tree(_e629.unnamed_1.root, _e606.y));
                         } else {
-                            let _e643 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e604.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e649 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e643.unnamed.root, _e604.y), _e643.unnamed_1);
-                            let _e655 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e649.unnamed, lt_bvh_traverse_Tree(_e604.z, _e649.unnamed_1.first_primitive));
-                            phi_793_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e655.unnamed, lt_bvh_traverse_Tree(_e655.unnamed_1.root, _e604.w));
+                            let _e645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e606.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e645.unnamed.root, _e606.y), _e645.unnamed_1);
+                            let _e657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e651.unnamed, lt_bvh_traverse_Tree(_e606.z, _e651.unnamed_1.first_primitive));
+                            phi_795_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e657.unnamed, lt_bvh_traverse_Tree(_e657.unnamed_1.root, _e606.w));
                         }
-                        let _e663 = phi_793_;
-                        let _e673 = nodes.member[(0u + _e473)].z;
-                        if (_e283 < 0f) {
-                            let _e684 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e673.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e690 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e684.unnamed.root, _e673.w), _e684.unnamed_1);
-                            let _e696 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e690.unnamed, lt_bvh_traverse_Tree(_e673.x, _e690.unnamed_1.first_primitive));
-                            phi_820_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e696.unnamed, lt_bvh_traverse_Tree(_e696.unnamed_1.root, _e673.y));
+                        let _e665 = phi_795_;
+                        let _e675 = nodes.member[(0u + _e475)].z;
+                        if (_e285 < 0f) {
+                            let _e686 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e675.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e686.unnamed.root, _e675.w), _e686.unnamed_1);
+                            let _e698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e692.unnamed, lt_bvh_traverse_Tree(_e675.x, _e692.unnamed_1.first_primitive));
+                            phi_822_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e698.unnamed, lt_bvh_traverse_Tree(_e698.unnamed_1.root, _e675.y));
                         } else {
-                            let _e712 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e673.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e718 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e712.unnamed.root, _e673.y), _e712.unnamed_1);
-                            let _e724 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e718.unnamed, lt_bvh_traverse_Tree(_e673.z, _e718.unnamed_1.first_primitive));
-                            phi_820_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e724.unnamed, lt_bvh_traverse_Tree(_e724.unnamed_1.root, _e673.w));
+                            let _e714 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e675.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e720 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e714.unnamed.root, _e675.y), _e714.unnamed_1);
+                            let _e726 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e720.unnamed, lt_bvh_traverse_Tree(_e675.z, _e720.unnamed_1.first_primitive));
+                            phi_822_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e726.unnamed, lt_bvh_traverse_Tree(_e726.unnamed_1.root, _e675.w));
                         }
-                        let _e732 = phi_820_;
-                        phi_826_ = 0u;
-                        phi_829_ = 0u;
+                        let _e734 = phi_822_;
+                        phi_828_ = 0u;
+                        phi_831_ = 0u;
                         loop {
-                            let _e742 = phi_826_;
-                            let _e744 = phi_829_;
-                            local_2 = _e744;
-                            local_3 = _e744;
-                            local_4 = _e744;
-                            let _e745 = (_e742 < 8u);
-                            if _e745 {
-                                let _e747 = (_e742 >> bitcast<u32>(2i));
-                                let _e748 = (_e742 & 3u);
-                                if (_e747 == 0u) {
-                                    phi_843_ = _e594.unnamed.root;
+                            let _e744 = phi_828_;
+                            let _e746 = phi_831_;
+                            local_2 = _e746;
+                            local_3 = _e746;
+                            local_4 = _e746;
+                            let _e747 = (_e744 < 8u);
+                            if _e747 {
+                                let _e749 = (_e744 >> bitcast<u32>(2i));
+                                let _e750 = (_e744 & 3u);
+                                if (_e749 == 0u) {
+                                    phi_845_ = _e596.unnamed.root;
                                 } else {
-                                    phi_843_ = _e594.unnamed.first_primitive;
+                                    phi_845_ = _e596.unnamed.first_primitive;
                                 }
-                                let _e751 = phi_843_;
-                                if (_e747 == 0u) {
-                                    phi_853_ = _e663.unnamed.root;
+                                let _e753 = phi_845_;
+                                if (_e749 == 0u) {
+                                    phi_855_ = _e665.unnamed.root;
                                 } else {
-                                    phi_853_ = _e663.unnamed.first_primitive;
+                                    phi_855_ = _e665.unnamed.first_primitive;
                                 }
-                                let _e760 = phi_853_;
-                                if (_e747 == 0u) {
-                                    phi_863_ = _e732.unnamed.root;
+                                let _e762 = phi_855_;
+                                if (_e749 == 0u) {
+                                    phi_865_ = _e734.unnamed.root;
                                 } else {
-                                    phi_863_ = _e732.unnamed.first_primitive;
+                                    phi_865_ = _e734.unnamed.first_primitive;
                                 }
-                                let _e769 = phi_863_;
-                                let _e782 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e751 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e507) + (_e525 - _e315)), ((f32(((_e760 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e508) + (_e526 - _e316)));
-                                let _e783 = core_intrinsics_maximum_number_nsz_f32_(_e782, ((f32(((_e769 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e509) + (_e527 - _e317)));
-                                if (_e747 == 0u) {
-                                    phi_881_ = _e594.unnamed_1.root;
+                                let _e771 = phi_865_;
+                                let _e784 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e753 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u)) * _e509) + (_e527 - _e317)), ((f32(((_e762 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u)) * _e510) + (_e528 - _e318)));
+                                let _e785 = core_intrinsics_maximum_number_nsz_f32_(_e784, ((f32(((_e771 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u)) * _e511) + (_e529 - _e319)));
+                                if (_e749 == 0u) {
+                                    phi_883_ = _e596.unnamed_1.root;
                                 } else {
-                                    phi_881_ = _e594.unnamed_1.first_primitive;
+                                    phi_883_ = _e596.unnamed_1.first_primitive;
                                 }
-                                let _e786 = phi_881_;
-                                if (_e747 == 0u) {
-                                    phi_891_ = _e663.unnamed_1.root;
+                                let _e788 = phi_883_;
+                                if (_e749 == 0u) {
+                                    phi_893_ = _e665.unnamed_1.root;
                                 } else {
-                                    phi_891_ = _e663.unnamed_1.first_primitive;
+                                    phi_893_ = _e665.unnamed_1.first_primitive;
                                 }
-                                let _e795 = phi_891_;
-                                if (_e747 == 0u) {
-                                    phi_901_ = _e732.unnamed_1.root;
+                                let _e797 = phi_893_;
+                                if (_e749 == 0u) {
+                                    phi_903_ = _e734.unnamed_1.root;
                                 } else {
-                                    phi_901_ = _e732.unnamed_1.first_primitive;
+                                    phi_903_ = _e734.unnamed_1.first_primitive;
                                 }
-                                let _e804 = phi_901_;
-                                let _e817 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e786 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e507) + (_e525 + _e315)), ((f32(((_e795 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e508) + (_e526 + _e316)));
-                                let _e818 = core_intrinsics_minimum_number_nsz_f32_(_e817, ((f32(((_e804 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u)) * _e509) + (_e527 + _e317)));
-                                if (_e783 <= _e818) {
-                                    if (_e783 <= _e123) {
-                                        if (_e818 >= 0f) {
-                                            if (_e747 == 0u) {
-                                                let _e825 = nodes.member[(0u + _e473)].links[2u];
-                                                phi_937_ = _e825;
+                                let _e806 = phi_903_;
+                                let _e819 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e788 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u)) * _e509) + (_e527 + _e317)), ((f32(((_e797 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u)) * _e510) + (_e528 + _e318)));
+                                let _e820 = core_intrinsics_minimum_number_nsz_f32_(_e819, ((f32(((_e806 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u)) * _e511) + (_e529 + _e319)));
+                                if (_e785 <= _e820) {
+                                    if (_e785 <= _e125) {
+                                        if (_e820 >= 0f) {
+                                            if (_e749 == 0u) {
+                                                let _e827 = nodes.member[(0u + _e475)].links[2u];
+                                                phi_939_ = _e827;
                                             } else {
-                                                let _e828 = nodes.member[(0u + _e473)].links[3u];
-                                                phi_937_ = _e828;
+                                                let _e830 = nodes.member[(0u + _e475)].links[3u];
+                                                phi_939_ = _e830;
                                             }
-                                            let _e830 = phi_937_;
-                                            let _e835 = ((_e830 >> bitcast<u32>(((_e748 * 8u) & 31u))) & 255u);
-                                            let _e836 = (_e835 & 31u);
-                                            if (_e836 >= 24u) {
-                                                phi_950_ = (24u + ((_e836 - 24u) ^ _e335));
+                                            let _e832 = phi_939_;
+                                            let _e837 = ((_e832 >> bitcast<u32>(((_e750 * 8u) & 31u))) & 255u);
+                                            let _e838 = (_e837 & 31u);
+                                            if (_e838 >= 24u) {
+                                                phi_952_ = (24u + ((_e838 - 24u) ^ _e337));
                                             } else {
-                                                phi_950_ = _e836;
+                                                phi_952_ = _e838;
                                             }
-                                            let _e842 = phi_950_;
-                                            phi_955_ = (_e744 | ((_e835 >> bitcast<u32>(5i)) << bitcast<u32>((_e842 & 31u))));
+                                            let _e844 = phi_952_;
+                                            phi_957_ = (_e746 | ((_e837 >> bitcast<u32>(5i)) << bitcast<u32>((_e844 & 31u))));
                                         } else {
-                                            phi_955_ = _e744;
+                                            phi_957_ = _e746;
                                         }
-                                        let _e850 = phi_955_;
-                                        phi_956_ = _e850;
+                                        let _e852 = phi_957_;
+                                        phi_958_ = _e852;
                                     } else {
-                                        phi_956_ = _e744;
+                                        phi_958_ = _e746;
                                     }
-                                    let _e852 = phi_956_;
-                                    phi_957_ = _e852;
+                                    let _e854 = phi_958_;
+                                    phi_959_ = _e854;
                                 } else {
-                                    phi_957_ = _e744;
+                                    phi_959_ = _e746;
                                 }
-                                let _e854 = phi_957_;
-                                phi_827_ = (_e742 + 1u);
-                                phi_830_ = _e854;
+                                let _e856 = phi_959_;
+                                phi_829_ = (_e744 + 1u);
+                                phi_832_ = _e856;
                             } else {
-                                phi_827_ = u32();
-                                phi_830_ = u32();
+                                phi_829_ = u32();
+                                phi_832_ = u32();
                             }
-                            let _e857 = phi_827_;
-                            let _e859 = phi_830_;
+                            let _e859 = phi_829_;
+                            let _e861 = phi_832_;
                             continue;
                             continuing {
-                                phi_826_ = _e857;
-                                phi_829_ = _e859;
-                                break if !(_e745);
+                                phi_828_ = _e859;
+                                phi_831_ = _e861;
+                                break if !(_e747);
                             }
                         }
-                        let _e863 = nodes.member[(0u + _e473)].links[0u];
-                        let _e867 = nodes.member[(0u + _e473)].frame[3u];
-                        let _e871 = local_2;
-                        if ((_e871 & 4278190080u) == 0u) {
+                        let _e865 = nodes.member[(0u + _e475)].links[0u];
+                        let _e869 = nodes.member[(0u + _e475)].frame[3u];
+                        let _e873 = local_2;
+                        if ((_e873 & 4278190080u) == 0u) {
                         } else {
-                            let _e875 = local_1.group_mask;
-                            if ((_e875 & 4278190080u) == 0u) {
+                            let _e877 = local_1.group_mask;
+                            if ((_e877 & 4278190080u) == 0u) {
                             } else {
-                                let _e879 = local_1.len;
-                                if (_e879 < 32u) {
-                                    let _e882 = local_1.group;
-                                    let _e884 = local_1.len;
-                                    if (_e884 < 32u) {
+                                let _e881 = local_1.len;
+                                if (_e881 < 32u) {
+                                    let _e884 = local_1.group;
+                                    let _e886 = local_1.len;
+                                    if (_e886 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e884)] = _e882;
-                                    let _e890 = local_1.group_mask;
-                                    let _e892 = local_1.len;
-                                    if (_e892 < 32u) {
+                                    local_1.first[(0u + _e886)] = _e884;
+                                    let _e892 = local_1.group_mask;
+                                    let _e894 = local_1.len;
+                                    if (_e894 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e892)] = _e890;
-                                    let _e899 = local_1.len;
-                                    local_1.len = (_e899 + 1u);
+                                    local_1.mask[(0u + _e894)] = _e892;
+                                    let _e901 = local_1.len;
+                                    local_1.len = (_e901 + 1u);
                                 }
                             }
-                            local_1.group = (_e93 + _e863);
-                            let _e903 = local_3;
-                            local_1.group_mask = ((_e903 & 4278190080u) | (_e867 >> bitcast<u32>(24i)));
+                            local_1.group = (_e95 + _e865);
+                            let _e905 = local_3;
+                            local_1.group_mask = ((_e905 & 4278190080u) | (_e869 >> bitcast<u32>(24i)));
                         }
-                        let _e908 = local_4;
-                        phi_1015_ = (_e908 & 16777215u);
-                        phi_1018_ = _e475;
+                        let _e910 = local_4;
+                        phi_1017_ = (_e910 & 16777215u);
+                        phi_1020_ = _e477;
                         loop {
-                            let _e911 = phi_1015_;
-                            let _e913 = phi_1018_;
-                            local_15 = _e913;
-                            let _e914 = (_e911 == 0u);
-                            local_10 = _e914;
-                            local_16 = _e914;
-                            if _e914 {
-                                phi_1016_ = u32();
-                                phi_1019_ = bool();
-                                phi_2669_ = false;
+                            let _e913 = phi_1017_;
+                            let _e915 = phi_1020_;
+                            local_15 = _e915;
+                            let _e916 = (_e913 == 0u);
+                            local_10 = _e916;
+                            local_16 = _e916;
+                            if _e916 {
+                                phi_1018_ = u32();
+                                phi_1021_ = bool();
+                                phi_2671_ = false;
                             } else {
-                                let _e917 = nodes.member[(0u + _e473)].links[1u];
-                                let _e921 = (_e917 + select(firstTrailingBit(_e911), 32u, (_e911 == 0u)));
-                                if (_e921 < arrayLength((&instances.member))) {
+                                let _e919 = nodes.member[(0u + _e475)].links[1u];
+                                let _e923 = (_e919 + select(firstTrailingBit(_e913), 32u, (_e913 == 0u)));
+                                if (_e923 < arrayLength((&instances.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e928 = instances.member[(0u + _e921)].low_world;
-                                let _e930 = instances.member[(0u + _e921)].high_world;
-                                let _e937 = ((_e928.x - _e113) * _e263);
-                                let _e938 = ((_e928.y - _e115) * _e273);
-                                let _e939 = ((_e928.z - _e117) * _e283);
-                                let _e946 = ((_e930.x - _e113) * _e263);
-                                let _e947 = ((_e930.y - _e115) * _e273);
-                                let _e948 = ((_e930.z - _e117) * _e283);
-                                if (_e937 < _e946) {
-                                    phi_1067_ = _e937;
-                                } else {
-                                    phi_1067_ = _e946;
-                                }
-                                let _e951 = phi_1067_;
-                                if (_e938 < _e947) {
-                                    phi_1072_ = _e938;
-                                } else {
-                                    phi_1072_ = _e947;
-                                }
-                                let _e954 = phi_1072_;
+                                let _e930 = instances.member[(0u + _e923)].low_world;
+                                let _e932 = instances.member[(0u + _e923)].high_world;
+                                let _e939 = ((_e930.x - _e115) * _e265);
+                                let _e940 = ((_e930.y - _e117) * _e275);
+                                let _e941 = ((_e930.z - _e119) * _e285);
+                                let _e948 = ((_e932.x - _e115) * _e265);
+                                let _e949 = ((_e932.y - _e117) * _e275);
+                                let _e950 = ((_e932.z - _e119) * _e285);
                                 if (_e939 < _e948) {
-                                    phi_1077_ = _e939;
+                                    phi_1069_ = _e939;
                                 } else {
-                                    phi_1077_ = _e948;
+                                    phi_1069_ = _e948;
                                 }
-                                let _e957 = phi_1077_;
-                                if (_e937 > _e946) {
-                                    phi_1085_ = _e937;
+                                let _e953 = phi_1069_;
+                                if (_e940 < _e949) {
+                                    phi_1074_ = _e940;
                                 } else {
-                                    phi_1085_ = _e946;
+                                    phi_1074_ = _e949;
                                 }
-                                let _e963 = phi_1085_;
-                                if (_e938 > _e947) {
-                                    phi_1090_ = _e938;
+                                let _e956 = phi_1074_;
+                                if (_e941 < _e950) {
+                                    phi_1079_ = _e941;
                                 } else {
-                                    phi_1090_ = _e947;
+                                    phi_1079_ = _e950;
                                 }
-                                let _e966 = phi_1090_;
+                                let _e959 = phi_1079_;
                                 if (_e939 > _e948) {
-                                    phi_1095_ = _e939;
+                                    phi_1087_ = _e939;
                                 } else {
-                                    phi_1095_ = _e948;
+                                    phi_1087_ = _e948;
                                 }
-                                let _e969 = phi_1095_;
-                                let _e973 = core_intrinsics_maximum_number_nsz_f32_((_e951 - _e322), (_e954 - _e323));
-                                let _e974 = core_intrinsics_maximum_number_nsz_f32_(_e973, (_e957 - _e324));
-                                let _e975 = core_intrinsics_minimum_number_nsz_f32_((_e963 + _e322), (_e966 + _e323));
-                                let _e976 = core_intrinsics_minimum_number_nsz_f32_(_e975, (_e969 + _e324));
-                                if (_e974 <= _e976) {
-                                    if (_e974 <= _e123) {
-                                        if (_e976 >= 0f) {
-                                            let _e982 = instances.member[(0u + _e921)].world_to_object[0u];
-                                            let _e993 = ((((_e982.x * _e113) + (_e982.y * _e115)) + (_e982.z * _e117)) + (_e982.w * 1f));
-                                            let _e995 = instances.member[(0u + _e921)].world_to_object[1u];
-                                            let _e1006 = ((((_e995.x * _e113) + (_e995.y * _e115)) + (_e995.z * _e117)) + (_e995.w * 1f));
-                                            let _e1008 = instances.member[(0u + _e921)].world_to_object[2u];
-                                            let _e1019 = ((((_e1008.x * _e113) + (_e1008.y * _e115)) + (_e1008.z * _e117)) + (_e1008.w * 1f));
-                                            let _e1022 = instances.member[(0u + _e921)].world_to_object[0u];
-                                            let _e1033 = ((((_e1022.x * _e131) + (_e1022.y * _e132)) + (_e1022.z * _e133)) + (_e1022.w * 0f));
-                                            let _e1035 = instances.member[(0u + _e921)].world_to_object[1u];
-                                            let _e1046 = ((((_e1035.x * _e131) + (_e1035.y * _e132)) + (_e1035.z * _e133)) + (_e1035.w * 0f));
-                                            let _e1048 = instances.member[(0u + _e921)].world_to_object[2u];
-                                            let _e1059 = ((((_e1048.x * _e131) + (_e1048.y * _e132)) + (_e1048.z * _e133)) + (_e1048.w * 0f));
-                                            let _e1062 = instances.member[(0u + _e921)].root;
-                                            let _e1064 = instances.member[(0u + _e921)].first_triangle;
-                                            let _e1065 = abs(_e1033);
-                                            let _e1066 = abs(_e1046);
-                                            let _e1067 = abs(_e1059);
-                                            if (abs(_e993) < 1000000000000000f) {
-                                                if (abs(_e1006) < 1000000000000000f) {
-                                                    phi_1215_ = (abs(_e1019) < 1000000000000000f);
-                                                    phi_1216_ = false;
+                                let _e965 = phi_1087_;
+                                if (_e940 > _e949) {
+                                    phi_1092_ = _e940;
+                                } else {
+                                    phi_1092_ = _e949;
+                                }
+                                let _e968 = phi_1092_;
+                                if (_e941 > _e950) {
+                                    phi_1097_ = _e941;
+                                } else {
+                                    phi_1097_ = _e950;
+                                }
+                                let _e971 = phi_1097_;
+                                let _e975 = core_intrinsics_maximum_number_nsz_f32_((_e953 - _e324), (_e956 - _e325));
+                                let _e976 = core_intrinsics_maximum_number_nsz_f32_(_e975, (_e959 - _e326));
+                                let _e977 = core_intrinsics_minimum_number_nsz_f32_((_e965 + _e324), (_e968 + _e325));
+                                let _e978 = core_intrinsics_minimum_number_nsz_f32_(_e977, (_e971 + _e326));
+                                if (_e976 <= _e978) {
+                                    if (_e976 <= _e125) {
+                                        if (_e978 >= 0f) {
+                                            let _e984 = instances.member[(0u + _e923)].world_to_object[0u];
+                                            let _e995 = ((((_e984.x * _e115) + (_e984.y * _e117)) + (_e984.z * _e119)) + (_e984.w * 1f));
+                                            let _e997 = instances.member[(0u + _e923)].world_to_object[1u];
+                                            let _e1008 = ((((_e997.x * _e115) + (_e997.y * _e117)) + (_e997.z * _e119)) + (_e997.w * 1f));
+                                            let _e1010 = instances.member[(0u + _e923)].world_to_object[2u];
+                                            let _e1021 = ((((_e1010.x * _e115) + (_e1010.y * _e117)) + (_e1010.z * _e119)) + (_e1010.w * 1f));
+                                            let _e1024 = instances.member[(0u + _e923)].world_to_object[0u];
+                                            let _e1035 = ((((_e1024.x * _e133) + (_e1024.y * _e134)) + (_e1024.z * _e135)) + (_e1024.w * 0f));
+                                            let _e1037 = instances.member[(0u + _e923)].world_to_object[1u];
+                                            let _e1048 = ((((_e1037.x * _e133) + (_e1037.y * _e134)) + (_e1037.z * _e135)) + (_e1037.w * 0f));
+                                            let _e1050 = instances.member[(0u + _e923)].world_to_object[2u];
+                                            let _e1061 = ((((_e1050.x * _e133) + (_e1050.y * _e134)) + (_e1050.z * _e135)) + (_e1050.w * 0f));
+                                            let _e1064 = instances.member[(0u + _e923)].root;
+                                            let _e1066 = instances.member[(0u + _e923)].first_triangle;
+                                            let _e1067 = abs(_e1035);
+                                            let _e1068 = abs(_e1048);
+                                            let _e1069 = abs(_e1061);
+                                            if (abs(_e995) < 1000000000000000f) {
+                                                if (abs(_e1008) < 1000000000000000f) {
+                                                    phi_1217_ = (abs(_e1021) < 1000000000000000f);
+                                                    phi_1218_ = false;
                                                 } else {
-                                                    phi_1215_ = bool();
-                                                    phi_1216_ = true;
+                                                    phi_1217_ = bool();
+                                                    phi_1218_ = true;
                                                 }
-                                                let _e1075 = phi_1215_;
-                                                let _e1077 = phi_1216_;
-                                                phi_1217_ = _e1075;
-                                                phi_1218_ = _e1077;
+                                                let _e1077 = phi_1217_;
+                                                let _e1079 = phi_1218_;
+                                                phi_1219_ = _e1077;
+                                                phi_1220_ = _e1079;
                                             } else {
-                                                phi_1217_ = bool();
-                                                phi_1218_ = true;
+                                                phi_1219_ = bool();
+                                                phi_1220_ = true;
                                             }
-                                            let _e1079 = phi_1217_;
-                                            let _e1081 = phi_1218_;
-                                            if _e1081 {
-                                                phi_1222_ = false;
-                                            } else {
-                                                phi_1222_ = _e1079;
-                                            }
-                                            let _e1083 = phi_1222_;
+                                            let _e1081 = phi_1219_;
+                                            let _e1083 = phi_1220_;
                                             if _e1083 {
-                                                if (_e1065 < 1000000000000000f) {
-                                                    if (_e1066 < 1000000000000000f) {
-                                                        phi_1235_ = (_e1067 < 1000000000000000f);
-                                                        phi_1236_ = false;
+                                                phi_1224_ = false;
+                                            } else {
+                                                phi_1224_ = _e1081;
+                                            }
+                                            let _e1085 = phi_1224_;
+                                            if _e1085 {
+                                                if (_e1067 < 1000000000000000f) {
+                                                    if (_e1068 < 1000000000000000f) {
+                                                        phi_1237_ = (_e1069 < 1000000000000000f);
+                                                        phi_1238_ = false;
                                                     } else {
-                                                        phi_1235_ = bool();
-                                                        phi_1236_ = true;
+                                                        phi_1237_ = bool();
+                                                        phi_1238_ = true;
                                                     }
-                                                    let _e1088 = phi_1235_;
-                                                    let _e1090 = phi_1236_;
-                                                    phi_1237_ = _e1088;
-                                                    phi_1238_ = _e1090;
+                                                    let _e1090 = phi_1237_;
+                                                    let _e1092 = phi_1238_;
+                                                    phi_1239_ = _e1090;
+                                                    phi_1240_ = _e1092;
                                                 } else {
-                                                    phi_1237_ = bool();
-                                                    phi_1238_ = true;
+                                                    phi_1239_ = bool();
+                                                    phi_1240_ = true;
                                                 }
-                                                let _e1092 = phi_1237_;
-                                                let _e1094 = phi_1238_;
-                                                if _e1094 {
-                                                    phi_1242_ = false;
-                                                } else {
-                                                    phi_1242_ = _e1092;
-                                                }
-                                                let _e1096 = phi_1242_;
+                                                let _e1094 = phi_1239_;
+                                                let _e1096 = phi_1240_;
                                                 if _e1096 {
-                                                    if (_e1065 > 0f) {
-                                                        phi_1256_ = bool();
-                                                        phi_1257_ = true;
-                                                    } else {
-                                                        let _e1098 = (_e1066 > 0f);
-                                                        if _e1098 {
-                                                            phi_1255_ = bool();
-                                                        } else {
-                                                            phi_1255_ = (_e1067 > 0f);
-                                                        }
-                                                        let _e1101 = phi_1255_;
-                                                        phi_1256_ = _e1101;
-                                                        phi_1257_ = _e1098;
-                                                    }
-                                                    let _e1103 = phi_1256_;
-                                                    let _e1105 = phi_1257_;
-                                                    if _e1105 {
-                                                        phi_1261_ = true;
-                                                    } else {
-                                                        phi_1261_ = _e1103;
-                                                    }
-                                                    let _e1107 = phi_1261_;
-                                                    phi_1262_ = _e1107;
-                                                    phi_1263_ = false;
+                                                    phi_1244_ = false;
                                                 } else {
-                                                    phi_1262_ = bool();
-                                                    phi_1263_ = true;
+                                                    phi_1244_ = _e1094;
                                                 }
-                                                let _e1109 = phi_1262_;
-                                                let _e1111 = phi_1263_;
-                                                phi_1264_ = _e1109;
-                                                phi_1265_ = _e1111;
-                                            } else {
-                                                phi_1264_ = bool();
-                                                phi_1265_ = true;
-                                            }
-                                            let _e1113 = phi_1264_;
-                                            let _e1115 = phi_1265_;
-                                            if _e1115 {
-                                                phi_1269_ = false;
-                                            } else {
-                                                phi_1269_ = _e1113;
-                                            }
-                                            let _e1117 = phi_1269_;
-                                            if _e1117 {
-                                                let _e1118 = (_e1062 >= _e63);
-                                                if _e1118 {
-                                                    phi_2649_ = bool();
+                                                let _e1098 = phi_1244_;
+                                                if _e1098 {
+                                                    if (_e1067 > 0f) {
+                                                        phi_1258_ = bool();
+                                                        phi_1259_ = true;
+                                                    } else {
+                                                        let _e1100 = (_e1068 > 0f);
+                                                        if _e1100 {
+                                                            phi_1257_ = bool();
+                                                        } else {
+                                                            phi_1257_ = (_e1069 > 0f);
+                                                        }
+                                                        let _e1103 = phi_1257_;
+                                                        phi_1258_ = _e1103;
+                                                        phi_1259_ = _e1100;
+                                                    }
+                                                    let _e1105 = phi_1258_;
+                                                    let _e1107 = phi_1259_;
+                                                    if _e1107 {
+                                                        phi_1263_ = true;
+                                                    } else {
+                                                        phi_1263_ = _e1105;
+                                                    }
+                                                    let _e1109 = phi_1263_;
+                                                    phi_1264_ = _e1109;
+                                                    phi_1265_ = false;
                                                 } else {
-                                                    if (_e1062 < _e63) {
+                                                    phi_1264_ = bool();
+                                                    phi_1265_ = true;
+                                                }
+                                                let _e1111 = phi_1264_;
+                                                let _e1113 = phi_1265_;
+                                                phi_1266_ = _e1111;
+                                                phi_1267_ = _e1113;
+                                            } else {
+                                                phi_1266_ = bool();
+                                                phi_1267_ = true;
+                                            }
+                                            let _e1115 = phi_1266_;
+                                            let _e1117 = phi_1267_;
+                                            if _e1117 {
+                                                phi_1271_ = false;
+                                            } else {
+                                                phi_1271_ = _e1115;
+                                            }
+                                            let _e1119 = phi_1271_;
+                                            if _e1119 {
+                                                let _e1120 = (_e1064 >= _e64);
+                                                if _e1120 {
+                                                    phi_2651_ = bool();
+                                                } else {
+                                                    if (_e1064 < _e64) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1124 = nodes.member[(0u + _e1062)].frame[0u];
-                                                    let _e1128 = nodes.member[(0u + _e1062)].frame[1u];
-                                                    let _e1132 = nodes.member[(0u + _e1062)].frame[2u];
-                                                    let _e1136 = nodes.member[(0u + _e1062)].frame[0u];
-                                                    let _e1140 = nodes.member[(0u + _e1062)].frame[1u];
-                                                    let _e1144 = nodes.member[(0u + _e1062)].frame[2u];
-                                                    let _e1148 = nodes.member[(0u + _e1062)].frame[3u];
-                                                    let _e1182 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1033), abs(_e1046));
-                                                    let _e1183 = core_intrinsics_maximum_number_nsz_f32_(_e1182, abs(_e1059));
-                                                    let _e1184 = (_e1183 * 0.0000000000009094947f);
-                                                    if (abs(_e1033) < _e1184) {
-                                                        phi_1339_ = _e1184;
+                                                    let _e1126 = nodes.member[(0u + _e1064)].frame[0u];
+                                                    let _e1130 = nodes.member[(0u + _e1064)].frame[1u];
+                                                    let _e1134 = nodes.member[(0u + _e1064)].frame[2u];
+                                                    let _e1138 = nodes.member[(0u + _e1064)].frame[0u];
+                                                    let _e1142 = nodes.member[(0u + _e1064)].frame[1u];
+                                                    let _e1146 = nodes.member[(0u + _e1064)].frame[2u];
+                                                    let _e1150 = nodes.member[(0u + _e1064)].frame[3u];
+                                                    let _e1184 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1035), abs(_e1048));
+                                                    let _e1185 = core_intrinsics_maximum_number_nsz_f32_(_e1184, abs(_e1061));
+                                                    let _e1186 = (_e1185 * 0.0000000000009094947f);
+                                                    if (abs(_e1035) < _e1186) {
+                                                        phi_1341_ = _e1186;
                                                     } else {
-                                                        phi_1339_ = abs(_e1033);
+                                                        phi_1341_ = abs(_e1035);
                                                     }
-                                                    let _e1189 = phi_1339_;
-                                                    if (_e1033 < 0f) {
-                                                        phi_1346_ = (-1f / _e1189);
+                                                    let _e1191 = phi_1341_;
+                                                    if (_e1035 < 0f) {
+                                                        phi_1348_ = (-1f / _e1191);
                                                     } else {
-                                                        phi_1346_ = (1f / _e1189);
+                                                        phi_1348_ = (1f / _e1191);
                                                     }
-                                                    let _e1194 = phi_1346_;
-                                                    if (abs(_e1046) < _e1184) {
-                                                        phi_1353_ = _e1184;
+                                                    let _e1196 = phi_1348_;
+                                                    if (abs(_e1048) < _e1186) {
+                                                        phi_1355_ = _e1186;
                                                     } else {
-                                                        phi_1353_ = abs(_e1046);
+                                                        phi_1355_ = abs(_e1048);
                                                     }
-                                                    let _e1199 = phi_1353_;
-                                                    if (_e1046 < 0f) {
-                                                        phi_1360_ = (-1f / _e1199);
+                                                    let _e1201 = phi_1355_;
+                                                    if (_e1048 < 0f) {
+                                                        phi_1362_ = (-1f / _e1201);
                                                     } else {
-                                                        phi_1360_ = (1f / _e1199);
+                                                        phi_1362_ = (1f / _e1201);
                                                     }
-                                                    let _e1204 = phi_1360_;
-                                                    if (abs(_e1059) < _e1184) {
-                                                        phi_1367_ = _e1184;
+                                                    let _e1206 = phi_1362_;
+                                                    if (abs(_e1061) < _e1186) {
+                                                        phi_1369_ = _e1186;
                                                     } else {
-                                                        phi_1367_ = abs(_e1059);
+                                                        phi_1369_ = abs(_e1061);
                                                     }
-                                                    let _e1209 = phi_1367_;
-                                                    if (_e1059 < 0f) {
-                                                        phi_1374_ = (-1f / _e1209);
+                                                    let _e1211 = phi_1369_;
+                                                    if (_e1061 < 0f) {
+                                                        phi_1376_ = (-1f / _e1211);
                                                     } else {
-                                                        phi_1374_ = (1f / _e1209);
+                                                        phi_1376_ = (1f / _e1211);
                                                     }
-                                                    let _e1214 = phi_1374_;
-                                                    let _e1218 = abs((bitcast<f32>(_e1124) - _e993));
-                                                    let _e1219 = abs((bitcast<f32>(_e1128) - _e1006));
-                                                    let _e1220 = abs((bitcast<f32>(_e1132) - _e1019));
-                                                    let _e1224 = abs(((bitcast<f32>(_e1136) + (bitcast<f32>((((_e1148 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e993));
-                                                    let _e1225 = abs(((bitcast<f32>(_e1140) + (bitcast<f32>((((_e1148 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1006));
-                                                    let _e1226 = abs(((bitcast<f32>(_e1144) + (bitcast<f32>((((_e1148 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1019));
-                                                    if (_e1218 > _e1224) {
-                                                        phi_1391_ = _e1218;
-                                                    } else {
-                                                        phi_1391_ = _e1224;
-                                                    }
-                                                    let _e1229 = phi_1391_;
-                                                    if (_e1219 > _e1225) {
-                                                        phi_1396_ = _e1219;
-                                                    } else {
-                                                        phi_1396_ = _e1225;
-                                                    }
-                                                    let _e1232 = phi_1396_;
+                                                    let _e1216 = phi_1376_;
+                                                    let _e1220 = abs((bitcast<f32>(_e1126) - _e995));
+                                                    let _e1221 = abs((bitcast<f32>(_e1130) - _e1008));
+                                                    let _e1222 = abs((bitcast<f32>(_e1134) - _e1021));
+                                                    let _e1226 = abs(((bitcast<f32>(_e1138) + (bitcast<f32>((((_e1150 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e995));
+                                                    let _e1227 = abs(((bitcast<f32>(_e1142) + (bitcast<f32>((((_e1150 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1008));
+                                                    let _e1228 = abs(((bitcast<f32>(_e1146) + (bitcast<f32>((((_e1150 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1021));
                                                     if (_e1220 > _e1226) {
-                                                        phi_1401_ = _e1220;
+                                                        phi_1393_ = _e1220;
                                                     } else {
-                                                        phi_1401_ = _e1226;
+                                                        phi_1393_ = _e1226;
                                                     }
-                                                    let _e1235 = phi_1401_;
-                                                    if (_e1229 > _e1232) {
-                                                        phi_1406_ = _e1229;
+                                                    let _e1231 = phi_1393_;
+                                                    if (_e1221 > _e1227) {
+                                                        phi_1398_ = _e1221;
                                                     } else {
-                                                        phi_1406_ = _e1232;
+                                                        phi_1398_ = _e1227;
                                                     }
-                                                    let _e1238 = phi_1406_;
-                                                    if (_e1238 > _e1235) {
-                                                        phi_1411_ = _e1238;
+                                                    let _e1234 = phi_1398_;
+                                                    if (_e1222 > _e1228) {
+                                                        phi_1403_ = _e1222;
                                                     } else {
-                                                        phi_1411_ = _e1235;
+                                                        phi_1403_ = _e1228;
                                                     }
-                                                    let _e1241 = phi_1411_;
-                                                    let _e1245 = (_e1241 * 0.0000019073486f);
-                                                    let _e1246 = (abs(_e1194) * _e1245);
-                                                    let _e1247 = (abs(_e1204) * _e1245);
-                                                    let _e1248 = (abs(_e1214) * _e1245);
-                                                    let _e1252 = (_e1241 * 0.0000009536743f);
-                                                    let _e1253 = (abs(_e1194) * _e1252);
-                                                    let _e1254 = (abs(_e1204) * _e1252);
-                                                    let _e1255 = (abs(_e1214) * _e1252);
-                                                    let _e1256 = abs(_e1033);
-                                                    let _e1257 = abs(_e1046);
-                                                    let _e1258 = abs(_e1059);
-                                                    if (_e1256 >= _e1257) {
-                                                        if (_e1256 >= _e1258) {
-                                                            phi_1437_ = false;
+                                                    let _e1237 = phi_1403_;
+                                                    if (_e1231 > _e1234) {
+                                                        phi_1408_ = _e1231;
+                                                    } else {
+                                                        phi_1408_ = _e1234;
+                                                    }
+                                                    let _e1240 = phi_1408_;
+                                                    if (_e1240 > _e1237) {
+                                                        phi_1413_ = _e1240;
+                                                    } else {
+                                                        phi_1413_ = _e1237;
+                                                    }
+                                                    let _e1243 = phi_1413_;
+                                                    let _e1247 = (_e1243 * 0.0000019073486f);
+                                                    let _e1248 = (abs(_e1196) * _e1247);
+                                                    let _e1249 = (abs(_e1206) * _e1247);
+                                                    let _e1250 = (abs(_e1216) * _e1247);
+                                                    let _e1254 = (_e1243 * 0.0000009536743f);
+                                                    let _e1255 = (abs(_e1196) * _e1254);
+                                                    let _e1256 = (abs(_e1206) * _e1254);
+                                                    let _e1257 = (abs(_e1216) * _e1254);
+                                                    let _e1258 = abs(_e1035);
+                                                    let _e1259 = abs(_e1048);
+                                                    let _e1260 = abs(_e1061);
+                                                    if (_e1258 >= _e1259) {
+                                                        if (_e1258 >= _e1260) {
+                                                            phi_1439_ = false;
                                                         } else {
-                                                            phi_1437_ = true;
+                                                            phi_1439_ = true;
                                                         }
-                                                        let _e1262 = phi_1437_;
-                                                        phi_1438_ = _e1262;
+                                                        let _e1264 = phi_1439_;
+                                                        phi_1440_ = _e1264;
                                                     } else {
-                                                        phi_1438_ = true;
+                                                        phi_1440_ = true;
                                                     }
-                                                    let _e1264 = phi_1438_;
-                                                    if _e1264 {
-                                                        if (_e1257 >= _e1258) {
-                                                            phi_1446_ = 1u;
+                                                    let _e1266 = phi_1440_;
+                                                    if _e1266 {
+                                                        if (_e1259 >= _e1260) {
+                                                            phi_1448_ = 1u;
                                                         } else {
-                                                            phi_1446_ = 2u;
+                                                            phi_1448_ = 2u;
                                                         }
-                                                        let _e1267 = phi_1446_;
-                                                        phi_1447_ = _e1267;
+                                                        let _e1269 = phi_1448_;
+                                                        phi_1449_ = _e1269;
                                                     } else {
-                                                        phi_1447_ = 0u;
+                                                        phi_1449_ = 0u;
                                                     }
-                                                    let _e1269 = phi_1447_;
-                                                    if (_e1269 == 0u) {
-                                                        phi_1459_ = vec3<f32>(_e1046, _e1059, _e1033);
+                                                    let _e1271 = phi_1449_;
+                                                    if (_e1271 == 0u) {
+                                                        phi_1461_ = vec3<f32>(_e1048, _e1061, _e1035);
                                                     } else {
-                                                        if (_e1269 == 1u) {
-                                                            phi_1458_ = vec3<f32>(_e1059, _e1033, _e1046);
+                                                        if (_e1271 == 1u) {
+                                                            phi_1460_ = vec3<f32>(_e1061, _e1035, _e1048);
                                                         } else {
-                                                            phi_1458_ = vec3<f32>(_e1033, _e1046, _e1059);
+                                                            phi_1460_ = vec3<f32>(_e1035, _e1048, _e1061);
                                                         }
-                                                        let _e1275 = phi_1458_;
-                                                        phi_1459_ = _e1275;
+                                                        let _e1277 = phi_1460_;
+                                                        phi_1461_ = _e1277;
                                                     }
-                                                    let _e1277 = phi_1459_;
-                                                    let _e1280 = (_e1277.x / _e1277.z);
-                                                    let _e1283 = (_e1277.y / _e1277.z);
-                                                    if (_e1194 < 0f) {
-                                                        phi_1472_ = 0u;
+                                                    let _e1279 = phi_1461_;
+                                                    let _e1282 = (_e1279.x / _e1279.z);
+                                                    let _e1285 = (_e1279.y / _e1279.z);
+                                                    if (_e1196 < 0f) {
+                                                        phi_1474_ = 0u;
                                                     } else {
-                                                        phi_1472_ = 1u;
+                                                        phi_1474_ = 1u;
                                                     }
-                                                    let _e1288 = phi_1472_;
-                                                    if (_e1204 < 0f) {
-                                                        phi_1477_ = 0u;
+                                                    let _e1290 = phi_1474_;
+                                                    if (_e1206 < 0f) {
+                                                        phi_1479_ = 0u;
                                                     } else {
-                                                        phi_1477_ = 2u;
+                                                        phi_1479_ = 2u;
                                                     }
-                                                    let _e1291 = phi_1477_;
-                                                    if (_e1214 < 0f) {
-                                                        phi_1482_ = 0u;
+                                                    let _e1293 = phi_1479_;
+                                                    if (_e1216 < 0f) {
+                                                        phi_1484_ = 0u;
                                                     } else {
-                                                        phi_1482_ = 4u;
+                                                        phi_1484_ = 4u;
                                                     }
-                                                    let _e1294 = phi_1482_;
-                                                    let _e1296 = ((_e1288 | _e1291) | _e1294);
-                                                    let _e1297 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1062, 2147483648u);
-                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1297.first[0], _e1297.first[1], _e1297.first[2], _e1297.first[3], _e1297.first[4], _e1297.first[5], _e1297.first[6], _e1297.first[7], _e1297.first[8], _e1297.first[9], _e1297.first[10], _e1297.first[11], _e1297.first[12], _e1297.first[13], _e1297.first[14], _e1297.first[15], _e1297.first[16], _e1297.first[17], _e1297.first[18], _e1297.first[19], _e1297.first[20], _e1297.first[21], _e1297.first[22], _e1297.first[23], _e1297.first[24], _e1297.first[25], _e1297.first[26], _e1297.first[27], _e1297.first[28], _e1297.first[29], _e1297.first[30], _e1297.first[31]), array<u32, 32>(_e1297.mask[0], _e1297.mask[1], _e1297.mask[2], _e1297.mask[3], _e1297.mask[4], _e1297.mask[5], _e1297.mask[6], _e1297.mask[7], _e1297.mask[8], _e1297.mask[9], _e1297.mask[10], _e1297.mask[11], _e1297.mask[12], _e1297.mask[13], _e1297.mask[14], _e1297.mask[15], _e1297.mask[16], _e1297.mask[17], _e1297.mask[18], _e1297.mask[19], _e1297.mask[20], _e1297.mask[21], _e1297.mask[22], _e1297.mask[23], _e1297.mask[24], _e1297.mask[25], _e1297.mask[26], _e1297.mask[27], _e1297.mask[28], _e1297.mask[29], _e1297.mask[30], _e1297.mask[31]), _e1297.len, _e1297.group, _e1297.group_mask);
-                                                    let _e1371 = local.group_mask;
-                                                    if ((_e1371 & 4278190080u) == 0u) {
-                                                        let _e1375 = local.len;
-                                                        if (_e1375 == 0u) {
-                                                            phi_1596_ = false;
+                                                    let _e1296 = phi_1484_;
+                                                    let _e1298 = ((_e1290 | _e1293) | _e1296);
+                                                    let _e1299 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1064, 2147483648u);
+                                                    local = lt_bvh_traverse_Stack(array<u32, 32>(_e1299.first[0], _e1299.first[1], _e1299.first[2], _e1299.first[3], _e1299.first[4], _e1299.first[5], _e1299.first[6], _e1299.first[7], _e1299.first[8], _e1299.first[9], _e1299.first[10], _e1299.first[11], _e1299.first[12], _e1299.first[13], _e1299.first[14], _e1299.first[15], _e1299.first[16], _e1299.first[17], _e1299.first[18], _e1299.first[19], _e1299.first[20], _e1299.first[21], _e1299.first[22], _e1299.first[23], _e1299.first[24], _e1299.first[25], _e1299.first[26], _e1299.first[27], _e1299.first[28], _e1299.first[29], _e1299.first[30], _e1299.first[31]), array<u32, 32>(_e1299.mask[0], _e1299.mask[1], _e1299.mask[2], _e1299.mask[3], _e1299.mask[4], _e1299.mask[5], _e1299.mask[6], _e1299.mask[7], _e1299.mask[8], _e1299.mask[9], _e1299.mask[10], _e1299.mask[11], _e1299.mask[12], _e1299.mask[13], _e1299.mask[14], _e1299.mask[15], _e1299.mask[16], _e1299.mask[17], _e1299.mask[18], _e1299.mask[19], _e1299.mask[20], _e1299.mask[21], _e1299.mask[22], _e1299.mask[23], _e1299.mask[24], _e1299.mask[25], _e1299.mask[26], _e1299.mask[27], _e1299.mask[28], _e1299.mask[29], _e1299.mask[30], _e1299.mask[31]), _e1299.len, _e1299.group, _e1299.group_mask);
+                                                    let _e1373 = local.group_mask;
+                                                    if ((_e1373 & 4278190080u) == 0u) {
+                                                        let _e1377 = local.len;
+                                                        if (_e1377 == 0u) {
+                                                            phi_1598_ = false;
                                                         } else {
-                                                            let _e1379 = local.len;
-                                                            local.len = (_e1379 - 1u);
-                                                            let _e1382 = local.len;
-                                                            if (_e1382 < 32u) {
+                                                            let _e1381 = local.len;
+                                                            local.len = (_e1381 - 1u);
+                                                            let _e1384 = local.len;
+                                                            if (_e1384 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1387 = local.first[(0u + _e1382)];
-                                                            local.group = _e1387;
-                                                            let _e1390 = local.len;
-                                                            if (_e1390 < 32u) {
+                                                            let _e1389 = local.first[(0u + _e1384)];
+                                                            local.group = _e1389;
+                                                            let _e1392 = local.len;
+                                                            if (_e1392 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1395 = local.mask[(0u + _e1390)];
-                                                            local.group_mask = _e1395;
-                                                            phi_1596_ = true;
+                                                            let _e1397 = local.mask[(0u + _e1392)];
+                                                            local.group_mask = _e1397;
+                                                            phi_1598_ = true;
                                                         }
-                                                        let _e1398 = phi_1596_;
-                                                        phi_1597_ = _e1398;
+                                                        let _e1400 = phi_1598_;
+                                                        phi_1599_ = _e1400;
                                                     } else {
-                                                        phi_1597_ = true;
+                                                        phi_1599_ = true;
                                                     }
-                                                    let _e1400 = phi_1597_;
-                                                    if _e1400 {
-                                                        let _e1402 = local.group_mask;
-                                                        let _e1408 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1402)), 32u, (_e1402 == 0u)));
-                                                        let _e1412 = local.group_mask;
-                                                        let _e1426 = local.group_mask;
-                                                        local.group_mask = (_e1426 & ~((1u << bitcast<u32>((_e1408 & 31u)))));
-                                                        let _e1429 = local.group;
-                                                        phi_1628_ = (_e1429 + countOneBits(((_e1412 & ~((4294967295u << bitcast<u32>((((_e1408 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1402 = phi_1599_;
+                                                    if _e1402 {
+                                                        let _e1404 = local.group_mask;
+                                                        let _e1410 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1404)), 32u, (_e1404 == 0u)));
+                                                        let _e1414 = local.group_mask;
+                                                        let _e1428 = local.group_mask;
+                                                        local.group_mask = (_e1428 & ~((1u << bitcast<u32>((_e1410 & 31u)))));
+                                                        let _e1431 = local.group;
+                                                        phi_1630_ = (_e1431 + countOneBits(((_e1414 & ~((4294967295u << bitcast<u32>((((_e1410 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_1628_ = 4294967295u;
+                                                        phi_1630_ = 4294967295u;
                                                     }
-                                                    let _e1432 = phi_1628_;
-                                                    phi_1630_ = _e1432;
-                                                    phi_1633_ = _e913;
+                                                    let _e1434 = phi_1630_;
+                                                    phi_1632_ = _e1434;
+                                                    phi_1635_ = _e915;
                                                     loop {
-                                                        let _e1434 = phi_1630_;
-                                                        let _e1436 = phi_1633_;
-                                                        local_14 = _e1436;
-                                                        if (_e1434 != 4294967295u) {
-                                                            if (_e1434 < _e63) {
+                                                        let _e1436 = phi_1632_;
+                                                        let _e1438 = phi_1635_;
+                                                        local_14 = _e1438;
+                                                        if (_e1436 != 4294967295u) {
+                                                            if (_e1436 < _e64) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1443 = nodes.member[(0u + _e1434)].frame[3u];
-                                                            let _e1468 = (bitcast<f32>((((_e1443 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1194);
-                                                            let _e1469 = (bitcast<f32>((((_e1443 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1204);
-                                                            let _e1470 = (bitcast<f32>((((_e1443 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1214);
-                                                            let _e1473 = nodes.member[(0u + _e1434)].frame[0u];
-                                                            let _e1477 = nodes.member[(0u + _e1434)].frame[1u];
-                                                            let _e1481 = nodes.member[(0u + _e1434)].frame[2u];
-                                                            let _e1486 = ((bitcast<f32>(_e1473) - _e993) * _e1194);
-                                                            let _e1487 = ((bitcast<f32>(_e1477) - _e1006) * _e1204);
-                                                            let _e1488 = ((bitcast<f32>(_e1481) - _e1019) * _e1214);
-                                                            let _e1496 = nodes.member[(0u + _e1434)].x;
-                                                            if (_e1194 < 0f) {
-                                                                let _e1507 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1496.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1513 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1507.unnamed.root, _e1496.w), _e1507.unnamed_1);
-                                                                let _e1519 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1513.unnamed, lt_bvh_traverse_Tree(_e1496.x, _e1513.unnamed_1.first_primitive));
-                                                                phi_1713_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1519.unnamed, lt_bvh_traverse_Tree(_e1519.unnamed_1.root, _e1496.y));
+                                                            let _e1445 = nodes.member[(0u + _e1436)].frame[3u];
+                                                            let _e1470 = (bitcast<f32>((((_e1445 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1196);
+                                                            let _e1471 = (bitcast<f32>((((_e1445 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1206);
+                                                            let _e1472 = (bitcast<f32>((((_e1445 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1216);
+                                                            let _e1475 = nodes.member[(0u + _e1436)].frame[0u];
+                                                            let _e1479 = nodes.member[(0u + _e1436)].frame[1u];
+                                                            let _e1483 = nodes.member[(0u + _e1436)].frame[2u];
+                                                            let _e1488 = ((bitcast<f32>(_e1475) - _e995) * _e1196);
+                                                            let _e1489 = ((bitcast<f32>(_e1479) - _e1008) * _e1206);
+                                                            let _e1490 = ((bitcast<f32>(_e1483) - _e1021) * _e1216);
+                                                            let _e1498 = nodes.member[(0u + _e1436)].x;
+                                                            if (_e1196 < 0f) {
+                                                                let _e1509 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1498.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1515 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1509.unnamed.root, _e1498.w), _e1509.unnamed_1);
+                                                                let _e1521 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1515.unnamed, lt_bvh_traverse_Tree(_e1498.x, _e1515.unnamed_1.first_primitive));
+                                                                phi_1715_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1521.unnamed, lt_bvh_traverse_Tree(_e1521.unnamed_1.root, _e1498.y));
                                                             } else {
-                                                                let _e1535 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1496.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1541 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1535.unnamed.root, _e1496.y), _e1535.unnamed_1);
-                                                                let _e1547 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1541.unnamed, lt_bvh_traverse_Tree(_e1496.z, _e1541.unnamed_1.first_primitive));
-                                                                phi_1713_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1547.unnamed, lt_bvh_traverse_Tree(_e1547.unnamed_1.root, _e1496.w));
+                                                                let _e1537 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1498.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1543 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1537.unnamed.root, _e1498.y), _e1537.unnamed_1);
+                                                                let _e1549 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1543.unnamed, lt_bvh_traverse_Tree(_e1498.z, _e1543.unnamed_1.first_primitive));
+                                                                phi_1715_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1549.unnamed, lt_bvh_traverse_Tree(_e1549.unnamed_1.root, _e1498.w));
                                                             }
-                                                            let _e1555 = phi_1713_;
-                                                            let _e1565 = nodes.member[(0u + _e1434)].y;
-                                                            if (_e1204 < 0f) {
-                                                                let _e1576 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1565.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1582 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1576.unnamed.root, _e1565.w), _e1576.unnamed_1);
-                                                                let _e1588 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1582.unnamed, lt_bvh_traverse_Tree(_e1565.x, _e1582.unnamed_1.first_primitive));
-                                                                phi_1740_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1588.unnamed, lt_bvh_traverse_Tree(_e1588.unnamed_1.root, _e1565.y));
+                                                            let _e1557 = phi_1715_;
+                                                            let _e1567 = nodes.member[(0u + _e1436)].y;
+                                                            if (_e1206 < 0f) {
+                                                                let _e1578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1567.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1584 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1578.unnamed.root, _e1567.w), _e1578.unnamed_1);
+                                                                let _e1590 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1584.unnamed, lt_bvh_traverse_Tree(_e1567.x, _e1584.unnamed_1.first_primitive));
+                                                                phi_1742_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1590.unnamed, lt_bvh_traverse_Tree(_e1590.unnamed_1.root, _e1567.y));
                                                             } else {
-                                                                let _e1604 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1565.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1610 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1604.unnamed.root, _e1565.y), _e1604.unnamed_1);
-                                                                let _e1616 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1610.unnamed, lt_bvh_traverse_Tree(_e1565.z, _e1610.unnamed_1.first_primitive));
-                                                                phi_1740_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1616.unnamed, lt_bvh_traverse_Tree(_e1616.unnamed_1.root, _e1565.w));
+                                                                let _e1606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1567.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1612 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1606.unnamed.root, _e1567.y), _e1606.unnamed_1);
+                                                                let _e1618 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1612.unnamed, lt_bvh_traverse_Tree(_e1567.z, _e1612.unnamed_1.first_primitive));
+                                                                phi_1742_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1618.unnamed, lt_bvh_traverse_Tree(_e1618.unnamed_1.root, _e1567.w));
                                                             }
-                                                            let _e1624 = phi_1740_;
-                                                            let _e1634 = nodes.member[(0u + _e1434)].z;
-                                                            if (_e1214 < 0f) {
-                                                                let _e1645 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1634.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1651 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1645.unnamed.root, _e1634.w), _e1645.unnamed_1);
-                                                                let _e1657 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1651.unnamed, lt_bvh_traverse_Tree(_e1634.x, _e1651.unnamed_1.first_primitive));
-                                                                phi_1767_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1657.unnamed, lt_bvh_traverse_Tree(_e1657.unnamed_1.root, _e1634.y));
+                                                            let _e1626 = phi_1742_;
+                                                            let _e1636 = nodes.member[(0u + _e1436)].z;
+                                                            if (_e1216 < 0f) {
+                                                                let _e1647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1636.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1653 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1647.unnamed.root, _e1636.w), _e1647.unnamed_1);
+                                                                let _e1659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1653.unnamed, lt_bvh_traverse_Tree(_e1636.x, _e1653.unnamed_1.first_primitive));
+                                                                phi_1769_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1659.unnamed, lt_bvh_traverse_Tree(_e1659.unnamed_1.root, _e1636.y));
                                                             } else {
-                                                                let _e1673 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1634.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1679 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1673.unnamed.root, _e1634.y), _e1673.unnamed_1);
-                                                                let _e1685 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1679.unnamed, lt_bvh_traverse_Tree(_e1634.z, _e1679.unnamed_1.first_primitive));
-                                                                phi_1767_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1685.unnamed, lt_bvh_traverse_Tree(_e1685.unnamed_1.root, _e1634.w));
+                                                                let _e1675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1636.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1681 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1675.unnamed.root, _e1636.y), _e1675.unnamed_1);
+                                                                let _e1687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1681.unnamed, lt_bvh_traverse_Tree(_e1636.z, _e1681.unnamed_1.first_primitive));
+                                                                phi_1769_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1687.unnamed, lt_bvh_traverse_Tree(_e1687.unnamed_1.root, _e1636.w));
                                                             }
-                                                            let _e1693 = phi_1767_;
-                                                            phi_1773_ = 0u;
-                                                            phi_1776_ = 0u;
+                                                            let _e1695 = phi_1769_;
+                                                            phi_1775_ = 0u;
+                                                            phi_1778_ = 0u;
                                                             loop {
-                                                                let _e1703 = phi_1773_;
-                                                                let _e1705 = phi_1776_;
-                                                                local_5 = _e1705;
-                                                                local_6 = _e1705;
-                                                                local_7 = _e1705;
-                                                                let _e1706 = (_e1703 < 8u);
-                                                                if _e1706 {
-                                                                    let _e1708 = (_e1703 >> bitcast<u32>(2i));
-                                                                    let _e1709 = (_e1703 & 3u);
-                                                                    if (_e1708 == 0u) {
-                                                                        phi_1790_ = _e1555.unnamed.root;
+                                                                let _e1705 = phi_1775_;
+                                                                let _e1707 = phi_1778_;
+                                                                local_5 = _e1707;
+                                                                local_6 = _e1707;
+                                                                local_7 = _e1707;
+                                                                let _e1708 = (_e1705 < 8u);
+                                                                if _e1708 {
+                                                                    let _e1710 = (_e1705 >> bitcast<u32>(2i));
+                                                                    let _e1711 = (_e1705 & 3u);
+                                                                    if (_e1710 == 0u) {
+                                                                        phi_1792_ = _e1557.unnamed.root;
                                                                     } else {
-                                                                        phi_1790_ = _e1555.unnamed.first_primitive;
+                                                                        phi_1792_ = _e1557.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1712 = phi_1790_;
-                                                                    if (_e1708 == 0u) {
-                                                                        phi_1800_ = _e1624.unnamed.root;
+                                                                    let _e1714 = phi_1792_;
+                                                                    if (_e1710 == 0u) {
+                                                                        phi_1802_ = _e1626.unnamed.root;
                                                                     } else {
-                                                                        phi_1800_ = _e1624.unnamed.first_primitive;
+                                                                        phi_1802_ = _e1626.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1721 = phi_1800_;
-                                                                    if (_e1708 == 0u) {
-                                                                        phi_1810_ = _e1693.unnamed.root;
+                                                                    let _e1723 = phi_1802_;
+                                                                    if (_e1710 == 0u) {
+                                                                        phi_1812_ = _e1695.unnamed.root;
                                                                     } else {
-                                                                        phi_1810_ = _e1693.unnamed.first_primitive;
+                                                                        phi_1812_ = _e1695.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1730 = phi_1810_;
-                                                                    let _e1743 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1712 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1468) + (_e1486 - _e1246)), ((f32(((_e1721 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1469) + (_e1487 - _e1247)));
-                                                                    let _e1744 = core_intrinsics_maximum_number_nsz_f32_(_e1743, ((f32(((_e1730 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1470) + (_e1488 - _e1248)));
-                                                                    if (_e1708 == 0u) {
-                                                                        phi_1828_ = _e1555.unnamed_1.root;
+                                                                    let _e1732 = phi_1812_;
+                                                                    let _e1745 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1714 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1470) + (_e1488 - _e1248)), ((f32(((_e1723 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1471) + (_e1489 - _e1249)));
+                                                                    let _e1746 = core_intrinsics_maximum_number_nsz_f32_(_e1745, ((f32(((_e1732 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1472) + (_e1490 - _e1250)));
+                                                                    if (_e1710 == 0u) {
+                                                                        phi_1830_ = _e1557.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1828_ = _e1555.unnamed_1.first_primitive;
+                                                                        phi_1830_ = _e1557.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1747 = phi_1828_;
-                                                                    if (_e1708 == 0u) {
-                                                                        phi_1838_ = _e1624.unnamed_1.root;
+                                                                    let _e1749 = phi_1830_;
+                                                                    if (_e1710 == 0u) {
+                                                                        phi_1840_ = _e1626.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1838_ = _e1624.unnamed_1.first_primitive;
+                                                                        phi_1840_ = _e1626.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1756 = phi_1838_;
-                                                                    if (_e1708 == 0u) {
-                                                                        phi_1848_ = _e1693.unnamed_1.root;
+                                                                    let _e1758 = phi_1840_;
+                                                                    if (_e1710 == 0u) {
+                                                                        phi_1850_ = _e1695.unnamed_1.root;
                                                                     } else {
-                                                                        phi_1848_ = _e1693.unnamed_1.first_primitive;
+                                                                        phi_1850_ = _e1695.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1765 = phi_1848_;
-                                                                    let _e1778 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1747 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1468) + (_e1486 + _e1246)), ((f32(((_e1756 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1469) + (_e1487 + _e1247)));
-                                                                    let _e1779 = core_intrinsics_minimum_number_nsz_f32_(_e1778, ((f32(((_e1765 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u)) * _e1470) + (_e1488 + _e1248)));
-                                                                    if (_e1744 <= _e1779) {
-                                                                        if (_e1744 <= _e123) {
-                                                                            if (_e1779 >= 0f) {
-                                                                                if (_e1708 == 0u) {
-                                                                                    let _e1786 = nodes.member[(0u + _e1434)].links[2u];
-                                                                                    phi_1884_ = _e1786;
+                                                                    let _e1767 = phi_1850_;
+                                                                    let _e1780 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1749 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1470) + (_e1488 + _e1248)), ((f32(((_e1758 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1471) + (_e1489 + _e1249)));
+                                                                    let _e1781 = core_intrinsics_minimum_number_nsz_f32_(_e1780, ((f32(((_e1767 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u)) * _e1472) + (_e1490 + _e1250)));
+                                                                    if (_e1746 <= _e1781) {
+                                                                        if (_e1746 <= _e125) {
+                                                                            if (_e1781 >= 0f) {
+                                                                                if (_e1710 == 0u) {
+                                                                                    let _e1788 = nodes.member[(0u + _e1436)].links[2u];
+                                                                                    phi_1886_ = _e1788;
                                                                                 } else {
-                                                                                    let _e1789 = nodes.member[(0u + _e1434)].links[3u];
-                                                                                    phi_1884_ = _e1789;
+                                                                                    let _e1791 = nodes.member[(0u + _e1436)].links[3u];
+                                                                                    phi_1886_ = _e1791;
                                                                                 }
-                                                                                let _e1791 = phi_1884_;
-                                                                                let _e1796 = ((_e1791 >> bitcast<u32>(((_e1709 * 8u) & 31u))) & 255u);
-                                                                                let _e1797 = (_e1796 & 31u);
-                                                                                if (_e1797 >= 24u) {
-                                                                                    phi_1897_ = (24u + ((_e1797 - 24u) ^ _e1296));
+                                                                                let _e1793 = phi_1886_;
+                                                                                let _e1798 = ((_e1793 >> bitcast<u32>(((_e1711 * 8u) & 31u))) & 255u);
+                                                                                let _e1799 = (_e1798 & 31u);
+                                                                                if (_e1799 >= 24u) {
+                                                                                    phi_1899_ = (24u + ((_e1799 - 24u) ^ _e1298));
                                                                                 } else {
-                                                                                    phi_1897_ = _e1797;
+                                                                                    phi_1899_ = _e1799;
                                                                                 }
-                                                                                let _e1803 = phi_1897_;
-                                                                                phi_1902_ = (_e1705 | ((_e1796 >> bitcast<u32>(5i)) << bitcast<u32>((_e1803 & 31u))));
+                                                                                let _e1805 = phi_1899_;
+                                                                                phi_1904_ = (_e1707 | ((_e1798 >> bitcast<u32>(5i)) << bitcast<u32>((_e1805 & 31u))));
                                                                             } else {
-                                                                                phi_1902_ = _e1705;
+                                                                                phi_1904_ = _e1707;
                                                                             }
-                                                                            let _e1811 = phi_1902_;
-                                                                            phi_1903_ = _e1811;
+                                                                            let _e1813 = phi_1904_;
+                                                                            phi_1905_ = _e1813;
                                                                         } else {
-                                                                            phi_1903_ = _e1705;
+                                                                            phi_1905_ = _e1707;
                                                                         }
-                                                                        let _e1813 = phi_1903_;
-                                                                        phi_1904_ = _e1813;
+                                                                        let _e1815 = phi_1905_;
+                                                                        phi_1906_ = _e1815;
                                                                     } else {
-                                                                        phi_1904_ = _e1705;
+                                                                        phi_1906_ = _e1707;
                                                                     }
-                                                                    let _e1815 = phi_1904_;
-                                                                    phi_1774_ = (_e1703 + 1u);
-                                                                    phi_1777_ = _e1815;
+                                                                    let _e1817 = phi_1906_;
+                                                                    phi_1776_ = (_e1705 + 1u);
+                                                                    phi_1779_ = _e1817;
                                                                 } else {
-                                                                    phi_1774_ = u32();
-                                                                    phi_1777_ = u32();
+                                                                    phi_1776_ = u32();
+                                                                    phi_1779_ = u32();
                                                                 }
-                                                                let _e1818 = phi_1774_;
-                                                                let _e1820 = phi_1777_;
+                                                                let _e1820 = phi_1776_;
+                                                                let _e1822 = phi_1779_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1773_ = _e1818;
-                                                                    phi_1776_ = _e1820;
-                                                                    break if !(_e1706);
+                                                                    phi_1775_ = _e1820;
+                                                                    phi_1778_ = _e1822;
+                                                                    break if !(_e1708);
                                                                 }
                                                             }
-                                                            let _e1824 = nodes.member[(0u + _e1434)].links[0u];
-                                                            let _e1828 = nodes.member[(0u + _e1434)].frame[3u];
-                                                            let _e1832 = local_5;
-                                                            if ((_e1832 & 4278190080u) == 0u) {
+                                                            let _e1826 = nodes.member[(0u + _e1436)].links[0u];
+                                                            let _e1830 = nodes.member[(0u + _e1436)].frame[3u];
+                                                            let _e1834 = local_5;
+                                                            if ((_e1834 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1836 = local.group_mask;
-                                                                if ((_e1836 & 4278190080u) == 0u) {
+                                                                let _e1838 = local.group_mask;
+                                                                if ((_e1838 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1840 = local.len;
-                                                                    if (_e1840 < 32u) {
-                                                                        let _e1843 = local.group;
-                                                                        let _e1845 = local.len;
-                                                                        if (_e1845 < 32u) {
+                                                                    let _e1842 = local.len;
+                                                                    if (_e1842 < 32u) {
+                                                                        let _e1845 = local.group;
+                                                                        let _e1847 = local.len;
+                                                                        if (_e1847 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.first[(0u + _e1845)] = _e1843;
-                                                                        let _e1851 = local.group_mask;
-                                                                        let _e1853 = local.len;
-                                                                        if (_e1853 < 32u) {
+                                                                        local.first[(0u + _e1847)] = _e1845;
+                                                                        let _e1853 = local.group_mask;
+                                                                        let _e1855 = local.len;
+                                                                        if (_e1855 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local.mask[(0u + _e1853)] = _e1851;
-                                                                        let _e1860 = local.len;
-                                                                        local.len = (_e1860 + 1u);
+                                                                        local.mask[(0u + _e1855)] = _e1853;
+                                                                        let _e1862 = local.len;
+                                                                        local.len = (_e1862 + 1u);
                                                                     }
                                                                 }
-                                                                local.group = (_e1062 + _e1824);
-                                                                let _e1864 = local_6;
-                                                                local.group_mask = ((_e1864 & 4278190080u) | (_e1828 >> bitcast<u32>(24i)));
+                                                                local.group = (_e1064 + _e1826);
+                                                                let _e1866 = local_6;
+                                                                local.group_mask = ((_e1866 & 4278190080u) | (_e1830 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1869 = local_7;
-                                                            phi_1962_ = (_e1869 & 16777215u);
-                                                            phi_1965_ = _e1436;
+                                                            let _e1871 = local_7;
+                                                            phi_1964_ = (_e1871 & 16777215u);
+                                                            phi_1967_ = _e1438;
                                                             loop {
-                                                                let _e1872 = phi_1962_;
-                                                                let _e1874 = phi_1965_;
-                                                                local_12 = _e1874;
-                                                                let _e1875 = (_e1872 == 0u);
-                                                                local_8 = _e1875;
-                                                                local_13 = _e1875;
-                                                                if _e1875 {
-                                                                    phi_1963_ = u32();
-                                                                    phi_1966_ = bool();
-                                                                    phi_2563_ = false;
+                                                                let _e1874 = phi_1964_;
+                                                                let _e1876 = phi_1967_;
+                                                                local_12 = _e1876;
+                                                                let _e1877 = (_e1874 == 0u);
+                                                                local_8 = _e1877;
+                                                                local_13 = _e1877;
+                                                                if _e1877 {
+                                                                    phi_1965_ = u32();
+                                                                    phi_1968_ = bool();
+                                                                    phi_2565_ = false;
                                                                 } else {
-                                                                    let _e1878 = nodes.member[(0u + _e1434)].links[1u];
-                                                                    let _e1883 = ((_e1064 + _e1878) + select(firstTrailingBit(_e1872), 32u, (_e1872 == 0u)));
-                                                                    if (_e1883 < arrayLength((&triangles.member))) {
+                                                                    let _e1880 = nodes.member[(0u + _e1436)].links[1u];
+                                                                    let _e1885 = ((_e1066 + _e1880) + select(firstTrailingBit(_e1874), 32u, (_e1874 == 0u)));
+                                                                    if (_e1885 < arrayLength((&triangles.member))) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1890 = triangles.member[(0u + _e1883)].v0_;
-                                                                    let _e1892 = (_e1890.x - _e993);
-                                                                    let _e1894 = (_e1890.y - _e1006);
-                                                                    let _e1896 = (_e1890.z - _e1019);
-                                                                    if (_e1269 == 0u) {
-                                                                        phi_2010_ = vec3<f32>(_e1894, _e1896, _e1892);
+                                                                    let _e1892 = triangles.member[(0u + _e1885)].v0_;
+                                                                    let _e1894 = (_e1892.x - _e995);
+                                                                    let _e1896 = (_e1892.y - _e1008);
+                                                                    let _e1898 = (_e1892.z - _e1021);
+                                                                    if (_e1271 == 0u) {
+                                                                        phi_2012_ = vec3<f32>(_e1896, _e1898, _e1894);
                                                                     } else {
-                                                                        if (_e1269 == 1u) {
-                                                                            phi_2009_ = vec3<f32>(_e1896, _e1892, _e1894);
+                                                                        if (_e1271 == 1u) {
+                                                                            phi_2011_ = vec3<f32>(_e1898, _e1894, _e1896);
                                                                         } else {
-                                                                            phi_2009_ = (_e1890 - vec3<f32>(_e993, _e1006, _e1019));
+                                                                            phi_2011_ = (_e1892 - vec3<f32>(_e995, _e1008, _e1021));
                                                                         }
-                                                                        let _e1904 = phi_2009_;
-                                                                        phi_2010_ = _e1904;
+                                                                        let _e1906 = phi_2011_;
+                                                                        phi_2012_ = _e1906;
                                                                     }
-                                                                    let _e1906 = phi_2010_;
-                                                                    let _e1910 = (_e1906.x - (_e1280 * _e1906.z));
-                                                                    let _e1914 = (_e1906.y - (_e1283 * _e1906.z));
-                                                                    let _e1916 = triangles.member[(0u + _e1883)].v1_;
-                                                                    let _e1918 = (_e1916.x - _e993);
-                                                                    let _e1920 = (_e1916.y - _e1006);
-                                                                    let _e1922 = (_e1916.z - _e1019);
-                                                                    if (_e1269 == 0u) {
-                                                                        phi_2040_ = vec3<f32>(_e1920, _e1922, _e1918);
+                                                                    let _e1908 = phi_2012_;
+                                                                    let _e1912 = (_e1908.x - (_e1282 * _e1908.z));
+                                                                    let _e1916 = (_e1908.y - (_e1285 * _e1908.z));
+                                                                    let _e1918 = triangles.member[(0u + _e1885)].v1_;
+                                                                    let _e1920 = (_e1918.x - _e995);
+                                                                    let _e1922 = (_e1918.y - _e1008);
+                                                                    let _e1924 = (_e1918.z - _e1021);
+                                                                    if (_e1271 == 0u) {
+                                                                        phi_2042_ = vec3<f32>(_e1922, _e1924, _e1920);
                                                                     } else {
-                                                                        if (_e1269 == 1u) {
-                                                                            phi_2039_ = vec3<f32>(_e1922, _e1918, _e1920);
+                                                                        if (_e1271 == 1u) {
+                                                                            phi_2041_ = vec3<f32>(_e1924, _e1920, _e1922);
                                                                         } else {
-                                                                            phi_2039_ = (_e1916 - vec3<f32>(_e993, _e1006, _e1019));
+                                                                            phi_2041_ = (_e1918 - vec3<f32>(_e995, _e1008, _e1021));
                                                                         }
-                                                                        let _e1930 = phi_2039_;
-                                                                        phi_2040_ = _e1930;
+                                                                        let _e1932 = phi_2041_;
+                                                                        phi_2042_ = _e1932;
                                                                     }
-                                                                    let _e1932 = phi_2040_;
-                                                                    let _e1936 = (_e1932.x - (_e1280 * _e1932.z));
-                                                                    let _e1940 = (_e1932.y - (_e1283 * _e1932.z));
-                                                                    let _e1942 = triangles.member[(0u + _e1883)].v2_;
-                                                                    let _e1944 = (_e1942.x - _e993);
-                                                                    let _e1946 = (_e1942.y - _e1006);
-                                                                    let _e1948 = (_e1942.z - _e1019);
-                                                                    if (_e1269 == 0u) {
-                                                                        phi_2070_ = vec3<f32>(_e1946, _e1948, _e1944);
+                                                                    let _e1934 = phi_2042_;
+                                                                    let _e1938 = (_e1934.x - (_e1282 * _e1934.z));
+                                                                    let _e1942 = (_e1934.y - (_e1285 * _e1934.z));
+                                                                    let _e1944 = triangles.member[(0u + _e1885)].v2_;
+                                                                    let _e1946 = (_e1944.x - _e995);
+                                                                    let _e1948 = (_e1944.y - _e1008);
+                                                                    let _e1950 = (_e1944.z - _e1021);
+                                                                    if (_e1271 == 0u) {
+                                                                        phi_2072_ = vec3<f32>(_e1948, _e1950, _e1946);
                                                                     } else {
-                                                                        if (_e1269 == 1u) {
-                                                                            phi_2069_ = vec3<f32>(_e1948, _e1944, _e1946);
+                                                                        if (_e1271 == 1u) {
+                                                                            phi_2071_ = vec3<f32>(_e1950, _e1946, _e1948);
                                                                         } else {
-                                                                            phi_2069_ = (_e1942 - vec3<f32>(_e993, _e1006, _e1019));
+                                                                            phi_2071_ = (_e1944 - vec3<f32>(_e995, _e1008, _e1021));
                                                                         }
-                                                                        let _e1956 = phi_2069_;
-                                                                        phi_2070_ = _e1956;
+                                                                        let _e1958 = phi_2071_;
+                                                                        phi_2072_ = _e1958;
                                                                     }
-                                                                    let _e1958 = phi_2070_;
-                                                                    let _e1962 = (_e1958.x - (_e1280 * _e1958.z));
-                                                                    let _e1966 = (_e1958.y - (_e1283 * _e1958.z));
-                                                                    if (_e1936 < _e1962) {
-                                                                        phi_2089_ = true;
+                                                                    let _e1960 = phi_2072_;
+                                                                    let _e1964 = (_e1960.x - (_e1282 * _e1960.z));
+                                                                    let _e1968 = (_e1960.y - (_e1285 * _e1960.z));
+                                                                    if (_e1938 < _e1964) {
+                                                                        phi_2091_ = true;
                                                                     } else {
-                                                                        if (_e1936 == _e1962) {
-                                                                            phi_2088_ = (_e1940 < _e1966);
+                                                                        if (_e1938 == _e1964) {
+                                                                            phi_2090_ = (_e1942 < _e1968);
                                                                         } else {
-                                                                            phi_2088_ = false;
+                                                                            phi_2090_ = false;
                                                                         }
-                                                                        let _e1971 = phi_2088_;
-                                                                        phi_2089_ = _e1971;
+                                                                        let _e1973 = phi_2090_;
+                                                                        phi_2091_ = _e1973;
                                                                     }
-                                                                    let _e1973 = phi_2089_;
-                                                                    if _e1973 {
-                                                                        phi_2093_ = _e1966;
-                                                                        phi_2094_ = _e1962;
-                                                                        phi_2095_ = _e1940;
-                                                                        phi_2096_ = _e1936;
+                                                                    let _e1975 = phi_2091_;
+                                                                    if _e1975 {
+                                                                        phi_2095_ = _e1968;
+                                                                        phi_2096_ = _e1964;
+                                                                        phi_2097_ = _e1942;
+                                                                        phi_2098_ = _e1938;
                                                                     } else {
-                                                                        phi_2093_ = _e1940;
-                                                                        phi_2094_ = _e1936;
-                                                                        phi_2095_ = _e1966;
-                                                                        phi_2096_ = _e1962;
+                                                                        phi_2095_ = _e1942;
+                                                                        phi_2096_ = _e1938;
+                                                                        phi_2097_ = _e1968;
+                                                                        phi_2098_ = _e1964;
                                                                     }
-                                                                    let _e1975 = phi_2093_;
-                                                                    let _e1977 = phi_2094_;
-                                                                    let _e1979 = phi_2095_;
-                                                                    let _e1981 = phi_2096_;
-                                                                    let _e1984 = ((_e1981 * _e1975) - (_e1979 * _e1977));
-                                                                    if _e1973 {
-                                                                        phi_2104_ = -(_e1984);
+                                                                    let _e1977 = phi_2095_;
+                                                                    let _e1979 = phi_2096_;
+                                                                    let _e1981 = phi_2097_;
+                                                                    let _e1983 = phi_2098_;
+                                                                    let _e1986 = ((_e1983 * _e1977) - (_e1981 * _e1979));
+                                                                    if _e1975 {
+                                                                        phi_2106_ = -(_e1986);
                                                                     } else {
-                                                                        phi_2104_ = _e1984;
+                                                                        phi_2106_ = _e1986;
                                                                     }
-                                                                    let _e1987 = phi_2104_;
-                                                                    if (_e1962 < _e1910) {
-                                                                        phi_2115_ = true;
+                                                                    let _e1989 = phi_2106_;
+                                                                    if (_e1964 < _e1912) {
+                                                                        phi_2117_ = true;
                                                                     } else {
-                                                                        if (_e1962 == _e1910) {
-                                                                            phi_2114_ = (_e1966 < _e1914);
+                                                                        if (_e1964 == _e1912) {
+                                                                            phi_2116_ = (_e1968 < _e1916);
                                                                         } else {
-                                                                            phi_2114_ = false;
+                                                                            phi_2116_ = false;
                                                                         }
-                                                                        let _e1992 = phi_2114_;
-                                                                        phi_2115_ = _e1992;
+                                                                        let _e1994 = phi_2116_;
+                                                                        phi_2117_ = _e1994;
                                                                     }
-                                                                    let _e1994 = phi_2115_;
-                                                                    if _e1994 {
-                                                                        phi_2119_ = _e1914;
-                                                                        phi_2120_ = _e1910;
-                                                                        phi_2121_ = _e1966;
-                                                                        phi_2122_ = _e1962;
+                                                                    let _e1996 = phi_2117_;
+                                                                    if _e1996 {
+                                                                        phi_2121_ = _e1916;
+                                                                        phi_2122_ = _e1912;
+                                                                        phi_2123_ = _e1968;
+                                                                        phi_2124_ = _e1964;
                                                                     } else {
-                                                                        phi_2119_ = _e1966;
-                                                                        phi_2120_ = _e1962;
-                                                                        phi_2121_ = _e1914;
-                                                                        phi_2122_ = _e1910;
+                                                                        phi_2121_ = _e1968;
+                                                                        phi_2122_ = _e1964;
+                                                                        phi_2123_ = _e1916;
+                                                                        phi_2124_ = _e1912;
                                                                     }
-                                                                    let _e1996 = phi_2119_;
-                                                                    let _e1998 = phi_2120_;
-                                                                    let _e2000 = phi_2121_;
-                                                                    let _e2002 = phi_2122_;
-                                                                    let _e2005 = ((_e2002 * _e1996) - (_e2000 * _e1998));
-                                                                    if _e1994 {
-                                                                        phi_2130_ = -(_e2005);
+                                                                    let _e1998 = phi_2121_;
+                                                                    let _e2000 = phi_2122_;
+                                                                    let _e2002 = phi_2123_;
+                                                                    let _e2004 = phi_2124_;
+                                                                    let _e2007 = ((_e2004 * _e1998) - (_e2002 * _e2000));
+                                                                    if _e1996 {
+                                                                        phi_2132_ = -(_e2007);
                                                                     } else {
-                                                                        phi_2130_ = _e2005;
+                                                                        phi_2132_ = _e2007;
                                                                     }
-                                                                    let _e2008 = phi_2130_;
-                                                                    if (_e1910 < _e1936) {
-                                                                        phi_2141_ = true;
+                                                                    let _e2010 = phi_2132_;
+                                                                    if (_e1912 < _e1938) {
+                                                                        phi_2143_ = true;
                                                                     } else {
-                                                                        if (_e1910 == _e1936) {
-                                                                            phi_2140_ = (_e1914 < _e1940);
+                                                                        if (_e1912 == _e1938) {
+                                                                            phi_2142_ = (_e1916 < _e1942);
                                                                         } else {
-                                                                            phi_2140_ = false;
+                                                                            phi_2142_ = false;
                                                                         }
-                                                                        let _e2013 = phi_2140_;
-                                                                        phi_2141_ = _e2013;
+                                                                        let _e2015 = phi_2142_;
+                                                                        phi_2143_ = _e2015;
                                                                     }
-                                                                    let _e2015 = phi_2141_;
-                                                                    if _e2015 {
-                                                                        phi_2145_ = _e1940;
-                                                                        phi_2146_ = _e1936;
-                                                                        phi_2147_ = _e1914;
-                                                                        phi_2148_ = _e1910;
+                                                                    let _e2017 = phi_2143_;
+                                                                    if _e2017 {
+                                                                        phi_2147_ = _e1942;
+                                                                        phi_2148_ = _e1938;
+                                                                        phi_2149_ = _e1916;
+                                                                        phi_2150_ = _e1912;
                                                                     } else {
-                                                                        phi_2145_ = _e1914;
-                                                                        phi_2146_ = _e1910;
-                                                                        phi_2147_ = _e1940;
-                                                                        phi_2148_ = _e1936;
+                                                                        phi_2147_ = _e1916;
+                                                                        phi_2148_ = _e1912;
+                                                                        phi_2149_ = _e1942;
+                                                                        phi_2150_ = _e1938;
                                                                     }
-                                                                    let _e2017 = phi_2145_;
-                                                                    let _e2019 = phi_2146_;
-                                                                    let _e2021 = phi_2147_;
-                                                                    let _e2023 = phi_2148_;
-                                                                    let _e2026 = ((_e2023 * _e2017) - (_e2021 * _e2019));
-                                                                    if _e2015 {
-                                                                        phi_2156_ = -(_e2026);
+                                                                    let _e2019 = phi_2147_;
+                                                                    let _e2021 = phi_2148_;
+                                                                    let _e2023 = phi_2149_;
+                                                                    let _e2025 = phi_2150_;
+                                                                    let _e2028 = ((_e2025 * _e2019) - (_e2023 * _e2021));
+                                                                    if _e2017 {
+                                                                        phi_2158_ = -(_e2028);
                                                                     } else {
-                                                                        phi_2156_ = _e2026;
+                                                                        phi_2158_ = _e2028;
                                                                     }
-                                                                    let _e2029 = phi_2156_;
-                                                                    if (_e1987 >= 0f) {
-                                                                        if (_e2008 >= 0f) {
-                                                                            if (_e2029 >= 0f) {
-                                                                                phi_2171_ = ((_e1987 + _e2008) + _e2029);
-                                                                                phi_2172_ = false;
+                                                                    let _e2031 = phi_2158_;
+                                                                    if (_e1989 >= 0f) {
+                                                                        if (_e2010 >= 0f) {
+                                                                            if (_e2031 >= 0f) {
+                                                                                phi_2173_ = ((_e1989 + _e2010) + _e2031);
+                                                                                phi_2174_ = false;
                                                                             } else {
-                                                                                phi_2171_ = f32();
-                                                                                phi_2172_ = true;
+                                                                                phi_2173_ = f32();
+                                                                                phi_2174_ = true;
                                                                             }
-                                                                            let _e2036 = phi_2171_;
-                                                                            let _e2038 = phi_2172_;
-                                                                            phi_2173_ = _e2036;
-                                                                            phi_2174_ = _e2038;
+                                                                            let _e2038 = phi_2173_;
+                                                                            let _e2040 = phi_2174_;
+                                                                            phi_2175_ = _e2038;
+                                                                            phi_2176_ = _e2040;
                                                                         } else {
-                                                                            phi_2173_ = f32();
-                                                                            phi_2174_ = true;
+                                                                            phi_2175_ = f32();
+                                                                            phi_2176_ = true;
                                                                         }
-                                                                        let _e2040 = phi_2173_;
-                                                                        let _e2042 = phi_2174_;
-                                                                        phi_2175_ = _e2040;
-                                                                        phi_2176_ = _e2042;
+                                                                        let _e2042 = phi_2175_;
+                                                                        let _e2044 = phi_2176_;
+                                                                        phi_2177_ = _e2042;
+                                                                        phi_2178_ = _e2044;
                                                                     } else {
-                                                                        phi_2175_ = f32();
-                                                                        phi_2176_ = true;
+                                                                        phi_2177_ = f32();
+                                                                        phi_2178_ = true;
                                                                     }
-                                                                    let _e2044 = phi_2175_;
-                                                                    let _e2046 = phi_2176_;
-                                                                    if _e2046 {
-                                                                        if (_e1987 <= 0f) {
-                                                                            if (_e2008 <= 0f) {
-                                                                                let _e2049 = (_e2029 <= 0f);
-                                                                                if _e2049 {
+                                                                    let _e2046 = phi_2177_;
+                                                                    let _e2048 = phi_2178_;
+                                                                    if _e2048 {
+                                                                        if (_e1989 <= 0f) {
+                                                                            if (_e2010 <= 0f) {
+                                                                                let _e2051 = (_e2031 <= 0f);
+                                                                                if _e2051 {
                                                                                 }
-                                                                                phi_2194_ = ((_e1987 + _e2008) + _e2029);
-                                                                                phi_2195_ = false;
-                                                                                phi_2196_ = _e2049;
+                                                                                phi_2196_ = ((_e1989 + _e2010) + _e2031);
+                                                                                phi_2197_ = false;
+                                                                                phi_2198_ = _e2051;
                                                                             } else {
-                                                                                phi_2194_ = f32();
-                                                                                phi_2195_ = true;
-                                                                                phi_2196_ = false;
+                                                                                phi_2196_ = f32();
+                                                                                phi_2197_ = true;
+                                                                                phi_2198_ = false;
                                                                             }
-                                                                            let _e2053 = phi_2194_;
-                                                                            let _e2055 = phi_2195_;
-                                                                            let _e2057 = phi_2196_;
-                                                                            phi_2197_ = _e2053;
-                                                                            phi_2198_ = _e2055;
-                                                                            phi_2199_ = _e2057;
+                                                                            let _e2055 = phi_2196_;
+                                                                            let _e2057 = phi_2197_;
+                                                                            let _e2059 = phi_2198_;
+                                                                            phi_2199_ = _e2055;
+                                                                            phi_2200_ = _e2057;
+                                                                            phi_2201_ = _e2059;
                                                                         } else {
-                                                                            phi_2197_ = f32();
-                                                                            phi_2198_ = true;
-                                                                            phi_2199_ = false;
+                                                                            phi_2199_ = f32();
+                                                                            phi_2200_ = true;
+                                                                            phi_2201_ = false;
                                                                         }
-                                                                        let _e2059 = phi_2197_;
-                                                                        let _e2061 = phi_2198_;
-                                                                        let _e2063 = phi_2199_;
-                                                                        if _e2061 {
-                                                                            phi_2203_ = false;
+                                                                        let _e2061 = phi_2199_;
+                                                                        let _e2063 = phi_2200_;
+                                                                        let _e2065 = phi_2201_;
+                                                                        if _e2063 {
+                                                                            phi_2205_ = false;
                                                                         } else {
-                                                                            phi_2203_ = _e2063;
+                                                                            phi_2205_ = _e2065;
                                                                         }
-                                                                        let _e2065 = phi_2203_;
-                                                                        phi_2204_ = _e2059;
-                                                                        phi_2205_ = _e2065;
+                                                                        let _e2067 = phi_2205_;
+                                                                        phi_2206_ = _e2061;
+                                                                        phi_2207_ = _e2067;
                                                                     } else {
-                                                                        phi_2204_ = _e2044;
-                                                                        phi_2205_ = true;
+                                                                        phi_2206_ = _e2046;
+                                                                        phi_2207_ = true;
                                                                     }
-                                                                    let _e2067 = phi_2204_;
-                                                                    let _e2069 = phi_2205_;
-                                                                    if _e2069 {
-                                                                        let _e2070 = (_e2067 == 0f);
-                                                                        if _e2070 {
-                                                                            phi_2521_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2522_ = false;
+                                                                    let _e2069 = phi_2206_;
+                                                                    let _e2071 = phi_2207_;
+                                                                    if _e2071 {
+                                                                        let _e2072 = (_e2069 == 0f);
+                                                                        if _e2072 {
+                                                                            phi_2523_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2524_ = false;
                                                                         } else {
-                                                                            let _e2072 = triangles.member[(0u + _e1883)].v0_;
-                                                                            let _e2074 = (_e2072.x - _e993);
-                                                                            let _e2076 = (_e2072.y - _e1006);
-                                                                            let _e2078 = (_e2072.z - _e1019);
-                                                                            if (_e1269 == 0u) {
-                                                                                phi_2234_ = vec3<f32>(_e2076, _e2078, _e2074);
+                                                                            let _e2074 = triangles.member[(0u + _e1885)].v0_;
+                                                                            let _e2076 = (_e2074.x - _e995);
+                                                                            let _e2078 = (_e2074.y - _e1008);
+                                                                            let _e2080 = (_e2074.z - _e1021);
+                                                                            if (_e1271 == 0u) {
+                                                                                phi_2236_ = vec3<f32>(_e2078, _e2080, _e2076);
                                                                             } else {
-                                                                                if (_e1269 == 1u) {
-                                                                                    phi_2233_ = vec3<f32>(_e2078, _e2074, _e2076);
+                                                                                if (_e1271 == 1u) {
+                                                                                    phi_2235_ = vec3<f32>(_e2080, _e2076, _e2078);
                                                                                 } else {
-                                                                                    phi_2233_ = (_e2072 - vec3<f32>(_e993, _e1006, _e1019));
+                                                                                    phi_2235_ = (_e2074 - vec3<f32>(_e995, _e1008, _e1021));
                                                                                 }
-                                                                                let _e2086 = phi_2233_;
-                                                                                phi_2234_ = _e2086;
+                                                                                let _e2088 = phi_2235_;
+                                                                                phi_2236_ = _e2088;
                                                                             }
-                                                                            let _e2088 = phi_2234_;
-                                                                            let _e2090 = triangles.member[(0u + _e1883)].v1_;
-                                                                            let _e2092 = triangles.member[(0u + _e1883)].v0_;
-                                                                            let _e2095 = (_e2090.x - _e2092.x);
-                                                                            let _e2098 = (_e2090.y - _e2092.y);
-                                                                            let _e2101 = (_e2090.z - _e2092.z);
-                                                                            if (_e1269 == 0u) {
-                                                                                phi_2260_ = vec3<f32>(_e2098, _e2101, _e2095);
+                                                                            let _e2090 = phi_2236_;
+                                                                            let _e2092 = triangles.member[(0u + _e1885)].v1_;
+                                                                            let _e2094 = triangles.member[(0u + _e1885)].v0_;
+                                                                            let _e2097 = (_e2092.x - _e2094.x);
+                                                                            let _e2100 = (_e2092.y - _e2094.y);
+                                                                            let _e2103 = (_e2092.z - _e2094.z);
+                                                                            if (_e1271 == 0u) {
+                                                                                phi_2262_ = vec3<f32>(_e2100, _e2103, _e2097);
                                                                             } else {
-                                                                                if (_e1269 == 1u) {
-                                                                                    phi_2259_ = vec3<f32>(_e2101, _e2095, _e2098);
+                                                                                if (_e1271 == 1u) {
+                                                                                    phi_2261_ = vec3<f32>(_e2103, _e2097, _e2100);
                                                                                 } else {
-                                                                                    phi_2259_ = (_e2090 - _e2092);
+                                                                                    phi_2261_ = (_e2092 - _e2094);
                                                                                 }
-                                                                                let _e2108 = phi_2259_;
-                                                                                phi_2260_ = _e2108;
+                                                                                let _e2110 = phi_2261_;
+                                                                                phi_2262_ = _e2110;
                                                                             }
-                                                                            let _e2110 = phi_2260_;
-                                                                            let _e2112 = triangles.member[(0u + _e1883)].v2_;
-                                                                            let _e2114 = triangles.member[(0u + _e1883)].v0_;
-                                                                            let _e2117 = (_e2112.x - _e2114.x);
-                                                                            let _e2120 = (_e2112.y - _e2114.y);
-                                                                            let _e2123 = (_e2112.z - _e2114.z);
-                                                                            if (_e1269 == 0u) {
-                                                                                phi_2286_ = vec3<f32>(_e2120, _e2123, _e2117);
+                                                                            let _e2112 = phi_2262_;
+                                                                            let _e2114 = triangles.member[(0u + _e1885)].v2_;
+                                                                            let _e2116 = triangles.member[(0u + _e1885)].v0_;
+                                                                            let _e2119 = (_e2114.x - _e2116.x);
+                                                                            let _e2122 = (_e2114.y - _e2116.y);
+                                                                            let _e2125 = (_e2114.z - _e2116.z);
+                                                                            if (_e1271 == 0u) {
+                                                                                phi_2288_ = vec3<f32>(_e2122, _e2125, _e2119);
                                                                             } else {
-                                                                                if (_e1269 == 1u) {
-                                                                                    phi_2285_ = vec3<f32>(_e2123, _e2117, _e2120);
+                                                                                if (_e1271 == 1u) {
+                                                                                    phi_2287_ = vec3<f32>(_e2125, _e2119, _e2122);
                                                                                 } else {
-                                                                                    phi_2285_ = (_e2112 - _e2114);
+                                                                                    phi_2287_ = (_e2114 - _e2116);
                                                                                 }
-                                                                                let _e2130 = phi_2285_;
-                                                                                phi_2286_ = _e2130;
+                                                                                let _e2132 = phi_2287_;
+                                                                                phi_2288_ = _e2132;
                                                                             }
-                                                                            let _e2132 = phi_2286_;
-                                                                            let _e2139 = ((_e2110.y * _e2132.z) - (_e2110.z * _e2132.y));
-                                                                            let _e2146 = ((_e2110.z * _e2132.x) - (_e2110.x * _e2132.z));
-                                                                            let _e2153 = ((_e2110.x * _e2132.y) - (_e2110.y * _e2132.x));
-                                                                            let _e2167 = (((1f / _e1277.z) * (((_e2139 * _e2088.x) + (_e2146 * _e2088.y)) + (_e2153 * _e2088.z))) / (((_e2139 * _e1280) + (_e2146 * _e1283)) + _e2153));
-                                                                            if (_e2167 > 0f) {
-                                                                                if (_e2167 < _e123) {
-                                                                                    let _e2171 = triangles.member[(0u + _e1883)].v0_;
-                                                                                    let _e2173 = triangles.member[(0u + _e1883)].v1_;
-                                                                                    if (_e2171.x < _e2173.x) {
-                                                                                        phi_2342_ = _e2171.x;
+                                                                            let _e2134 = phi_2288_;
+                                                                            let _e2141 = ((_e2112.y * _e2134.z) - (_e2112.z * _e2134.y));
+                                                                            let _e2148 = ((_e2112.z * _e2134.x) - (_e2112.x * _e2134.z));
+                                                                            let _e2155 = ((_e2112.x * _e2134.y) - (_e2112.y * _e2134.x));
+                                                                            let _e2169 = (((1f / _e1279.z) * (((_e2141 * _e2090.x) + (_e2148 * _e2090.y)) + (_e2155 * _e2090.z))) / (((_e2141 * _e1282) + (_e2148 * _e1285)) + _e2155));
+                                                                            if (_e2169 > 0f) {
+                                                                                if (_e2169 < _e125) {
+                                                                                    let _e2173 = triangles.member[(0u + _e1885)].v0_;
+                                                                                    let _e2175 = triangles.member[(0u + _e1885)].v1_;
+                                                                                    if (_e2173.x < _e2175.x) {
+                                                                                        phi_2344_ = _e2173.x;
                                                                                     } else {
-                                                                                        phi_2342_ = _e2173.x;
+                                                                                        phi_2344_ = _e2175.x;
                                                                                     }
-                                                                                    let _e2180 = phi_2342_;
-                                                                                    if (_e2171.y < _e2173.y) {
-                                                                                        phi_2351_ = _e2171.y;
+                                                                                    let _e2182 = phi_2344_;
+                                                                                    if (_e2173.y < _e2175.y) {
+                                                                                        phi_2353_ = _e2173.y;
                                                                                     } else {
-                                                                                        phi_2351_ = _e2173.y;
+                                                                                        phi_2353_ = _e2175.y;
                                                                                     }
-                                                                                    let _e2187 = phi_2351_;
-                                                                                    if (_e2171.z < _e2173.z) {
-                                                                                        phi_2360_ = _e2171.z;
+                                                                                    let _e2189 = phi_2353_;
+                                                                                    if (_e2173.z < _e2175.z) {
+                                                                                        phi_2362_ = _e2173.z;
                                                                                     } else {
-                                                                                        phi_2360_ = _e2173.z;
+                                                                                        phi_2362_ = _e2175.z;
                                                                                     }
-                                                                                    let _e2194 = phi_2360_;
-                                                                                    let _e2196 = triangles.member[(0u + _e1883)].v2_;
-                                                                                    if (_e2180 < _e2196.x) {
-                                                                                        phi_2369_ = _e2180;
+                                                                                    let _e2196 = phi_2362_;
+                                                                                    let _e2198 = triangles.member[(0u + _e1885)].v2_;
+                                                                                    if (_e2182 < _e2198.x) {
+                                                                                        phi_2371_ = _e2182;
                                                                                     } else {
-                                                                                        phi_2369_ = _e2196.x;
+                                                                                        phi_2371_ = _e2198.x;
                                                                                     }
-                                                                                    let _e2201 = phi_2369_;
-                                                                                    if (_e2187 < _e2196.y) {
-                                                                                        phi_2376_ = _e2187;
+                                                                                    let _e2203 = phi_2371_;
+                                                                                    if (_e2189 < _e2198.y) {
+                                                                                        phi_2378_ = _e2189;
                                                                                     } else {
-                                                                                        phi_2376_ = _e2196.y;
+                                                                                        phi_2378_ = _e2198.y;
                                                                                     }
-                                                                                    let _e2206 = phi_2376_;
-                                                                                    if (_e2194 < _e2196.z) {
-                                                                                        phi_2383_ = _e2194;
+                                                                                    let _e2208 = phi_2378_;
+                                                                                    if (_e2196 < _e2198.z) {
+                                                                                        phi_2385_ = _e2196;
                                                                                     } else {
-                                                                                        phi_2383_ = _e2196.z;
+                                                                                        phi_2385_ = _e2198.z;
                                                                                     }
-                                                                                    let _e2211 = phi_2383_;
-                                                                                    let _e2213 = triangles.member[(0u + _e1883)].v0_;
-                                                                                    let _e2215 = triangles.member[(0u + _e1883)].v1_;
-                                                                                    if (_e2213.x > _e2215.x) {
-                                                                                        phi_2396_ = _e2213.x;
+                                                                                    let _e2213 = phi_2385_;
+                                                                                    let _e2215 = triangles.member[(0u + _e1885)].v0_;
+                                                                                    let _e2217 = triangles.member[(0u + _e1885)].v1_;
+                                                                                    if (_e2215.x > _e2217.x) {
+                                                                                        phi_2398_ = _e2215.x;
                                                                                     } else {
-                                                                                        phi_2396_ = _e2215.x;
+                                                                                        phi_2398_ = _e2217.x;
                                                                                     }
-                                                                                    let _e2222 = phi_2396_;
-                                                                                    if (_e2213.y > _e2215.y) {
-                                                                                        phi_2405_ = _e2213.y;
+                                                                                    let _e2224 = phi_2398_;
+                                                                                    if (_e2215.y > _e2217.y) {
+                                                                                        phi_2407_ = _e2215.y;
                                                                                     } else {
-                                                                                        phi_2405_ = _e2215.y;
+                                                                                        phi_2407_ = _e2217.y;
                                                                                     }
-                                                                                    let _e2229 = phi_2405_;
-                                                                                    if (_e2213.z > _e2215.z) {
-                                                                                        phi_2414_ = _e2213.z;
+                                                                                    let _e2231 = phi_2407_;
+                                                                                    if (_e2215.z > _e2217.z) {
+                                                                                        phi_2416_ = _e2215.z;
                                                                                     } else {
-                                                                                        phi_2414_ = _e2215.z;
+                                                                                        phi_2416_ = _e2217.z;
                                                                                     }
-                                                                                    let _e2236 = phi_2414_;
-                                                                                    let _e2238 = triangles.member[(0u + _e1883)].v2_;
-                                                                                    if (_e2222 > _e2238.x) {
-                                                                                        phi_2423_ = _e2222;
+                                                                                    let _e2238 = phi_2416_;
+                                                                                    let _e2240 = triangles.member[(0u + _e1885)].v2_;
+                                                                                    if (_e2224 > _e2240.x) {
+                                                                                        phi_2425_ = _e2224;
                                                                                     } else {
-                                                                                        phi_2423_ = _e2238.x;
+                                                                                        phi_2425_ = _e2240.x;
                                                                                     }
-                                                                                    let _e2243 = phi_2423_;
-                                                                                    if (_e2229 > _e2238.y) {
-                                                                                        phi_2430_ = _e2229;
+                                                                                    let _e2245 = phi_2425_;
+                                                                                    if (_e2231 > _e2240.y) {
+                                                                                        phi_2432_ = _e2231;
                                                                                     } else {
-                                                                                        phi_2430_ = _e2238.y;
+                                                                                        phi_2432_ = _e2240.y;
                                                                                     }
-                                                                                    let _e2248 = phi_2430_;
-                                                                                    if (_e2236 > _e2238.z) {
-                                                                                        phi_2437_ = _e2236;
+                                                                                    let _e2250 = phi_2432_;
+                                                                                    if (_e2238 > _e2240.z) {
+                                                                                        phi_2439_ = _e2238;
                                                                                     } else {
-                                                                                        phi_2437_ = _e2238.z;
+                                                                                        phi_2439_ = _e2240.z;
                                                                                     }
-                                                                                    let _e2253 = phi_2437_;
-                                                                                    let _e2257 = ((_e2201 - _e993) * _e1194);
-                                                                                    let _e2258 = ((_e2206 - _e1006) * _e1204);
-                                                                                    let _e2259 = ((_e2211 - _e1019) * _e1214);
-                                                                                    let _e2263 = ((_e2243 - _e993) * _e1194);
-                                                                                    let _e2264 = ((_e2248 - _e1006) * _e1204);
-                                                                                    let _e2265 = ((_e2253 - _e1019) * _e1214);
-                                                                                    if (_e2257 < _e2263) {
-                                                                                        phi_2454_ = _e2257;
-                                                                                    } else {
-                                                                                        phi_2454_ = _e2263;
-                                                                                    }
-                                                                                    let _e2268 = phi_2454_;
-                                                                                    if (_e2258 < _e2264) {
-                                                                                        phi_2459_ = _e2258;
-                                                                                    } else {
-                                                                                        phi_2459_ = _e2264;
-                                                                                    }
-                                                                                    let _e2271 = phi_2459_;
+                                                                                    let _e2255 = phi_2439_;
+                                                                                    let _e2259 = ((_e2203 - _e995) * _e1196);
+                                                                                    let _e2260 = ((_e2208 - _e1008) * _e1206);
+                                                                                    let _e2261 = ((_e2213 - _e1021) * _e1216);
+                                                                                    let _e2265 = ((_e2245 - _e995) * _e1196);
+                                                                                    let _e2266 = ((_e2250 - _e1008) * _e1206);
+                                                                                    let _e2267 = ((_e2255 - _e1021) * _e1216);
                                                                                     if (_e2259 < _e2265) {
-                                                                                        phi_2464_ = _e2259;
+                                                                                        phi_2456_ = _e2259;
                                                                                     } else {
-                                                                                        phi_2464_ = _e2265;
+                                                                                        phi_2456_ = _e2265;
                                                                                     }
-                                                                                    let _e2274 = phi_2464_;
-                                                                                    if (_e2257 > _e2263) {
-                                                                                        phi_2472_ = _e2257;
+                                                                                    let _e2270 = phi_2456_;
+                                                                                    if (_e2260 < _e2266) {
+                                                                                        phi_2461_ = _e2260;
                                                                                     } else {
-                                                                                        phi_2472_ = _e2263;
+                                                                                        phi_2461_ = _e2266;
                                                                                     }
-                                                                                    let _e2280 = phi_2472_;
-                                                                                    if (_e2258 > _e2264) {
-                                                                                        phi_2477_ = _e2258;
+                                                                                    let _e2273 = phi_2461_;
+                                                                                    if (_e2261 < _e2267) {
+                                                                                        phi_2466_ = _e2261;
                                                                                     } else {
-                                                                                        phi_2477_ = _e2264;
+                                                                                        phi_2466_ = _e2267;
                                                                                     }
-                                                                                    let _e2283 = phi_2477_;
+                                                                                    let _e2276 = phi_2466_;
                                                                                     if (_e2259 > _e2265) {
-                                                                                        phi_2482_ = _e2259;
+                                                                                        phi_2474_ = _e2259;
                                                                                     } else {
-                                                                                        phi_2482_ = _e2265;
+                                                                                        phi_2474_ = _e2265;
                                                                                     }
-                                                                                    let _e2286 = phi_2482_;
-                                                                                    let _e2290 = core_intrinsics_maximum_number_nsz_f32_((_e2268 - _e1253), (_e2271 - _e1254));
-                                                                                    let _e2291 = core_intrinsics_maximum_number_nsz_f32_(_e2290, (_e2274 - _e1255));
-                                                                                    let _e2292 = core_intrinsics_minimum_number_nsz_f32_((_e2280 + _e1253), (_e2283 + _e1254));
-                                                                                    let _e2293 = core_intrinsics_minimum_number_nsz_f32_(_e2292, (_e2286 + _e1255));
-                                                                                    if (_e2291 > _e974) {
-                                                                                        phi_2494_ = _e2291;
+                                                                                    let _e2282 = phi_2474_;
+                                                                                    if (_e2260 > _e2266) {
+                                                                                        phi_2479_ = _e2260;
                                                                                     } else {
-                                                                                        phi_2494_ = _e974;
+                                                                                        phi_2479_ = _e2266;
                                                                                     }
-                                                                                    let _e2296 = phi_2494_;
-                                                                                    if (_e2293 < _e976) {
-                                                                                        phi_2499_ = _e2293;
+                                                                                    let _e2285 = phi_2479_;
+                                                                                    if (_e2261 > _e2267) {
+                                                                                        phi_2484_ = _e2261;
                                                                                     } else {
-                                                                                        phi_2499_ = _e976;
+                                                                                        phi_2484_ = _e2267;
                                                                                     }
-                                                                                    let _e2299 = phi_2499_;
-                                                                                    if (_e2167 < _e2296) {
-                                                                                        phi_2504_ = _e2296;
+                                                                                    let _e2288 = phi_2484_;
+                                                                                    let _e2292 = core_intrinsics_maximum_number_nsz_f32_((_e2270 - _e1255), (_e2273 - _e1256));
+                                                                                    let _e2293 = core_intrinsics_maximum_number_nsz_f32_(_e2292, (_e2276 - _e1257));
+                                                                                    let _e2294 = core_intrinsics_minimum_number_nsz_f32_((_e2282 + _e1255), (_e2285 + _e1256));
+                                                                                    let _e2295 = core_intrinsics_minimum_number_nsz_f32_(_e2294, (_e2288 + _e1257));
+                                                                                    if (_e2293 > _e976) {
+                                                                                        phi_2496_ = _e2293;
                                                                                     } else {
-                                                                                        phi_2504_ = _e2167;
+                                                                                        phi_2496_ = _e976;
                                                                                     }
-                                                                                    let _e2302 = phi_2504_;
-                                                                                    if (_e2302 > _e2299) {
-                                                                                        phi_2509_ = _e2299;
+                                                                                    let _e2298 = phi_2496_;
+                                                                                    if (_e2295 < _e978) {
+                                                                                        phi_2501_ = _e2295;
                                                                                     } else {
-                                                                                        phi_2509_ = _e2302;
+                                                                                        phi_2501_ = _e978;
                                                                                     }
-                                                                                    let _e2305 = phi_2509_;
-                                                                                    phi_2514_ = lt_bvh_triangle_Intersection(_e2305, (_e2008 / _e2067), (_e2029 / _e2067), (_e2296 <= _e2299));
-                                                                                    phi_2515_ = false;
+                                                                                    let _e2301 = phi_2501_;
+                                                                                    if (_e2169 < _e2298) {
+                                                                                        phi_2506_ = _e2298;
+                                                                                    } else {
+                                                                                        phi_2506_ = _e2169;
+                                                                                    }
+                                                                                    let _e2304 = phi_2506_;
+                                                                                    if (_e2304 > _e2301) {
+                                                                                        phi_2511_ = _e2301;
+                                                                                    } else {
+                                                                                        phi_2511_ = _e2304;
+                                                                                    }
+                                                                                    let _e2307 = phi_2511_;
+                                                                                    phi_2516_ = lt_bvh_triangle_Intersection(_e2307, (_e2010 / _e2069), (_e2031 / _e2069), (_e2298 <= _e2301));
+                                                                                    phi_2517_ = false;
                                                                                 } else {
-                                                                                    phi_2514_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2515_ = true;
+                                                                                    phi_2516_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2517_ = true;
                                                                                 }
-                                                                                let _e2311 = phi_2514_;
-                                                                                let _e2313 = phi_2515_;
-                                                                                phi_2516_ = _e2311;
-                                                                                phi_2517_ = _e2313;
+                                                                                let _e2313 = phi_2516_;
+                                                                                let _e2315 = phi_2517_;
+                                                                                phi_2518_ = _e2313;
+                                                                                phi_2519_ = _e2315;
                                                                             } else {
-                                                                                phi_2516_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2517_ = true;
+                                                                                phi_2518_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2519_ = true;
                                                                             }
-                                                                            let _e2315 = phi_2516_;
-                                                                            let _e2317 = phi_2517_;
-                                                                            if _e2317 {
+                                                                            let _e2317 = phi_2518_;
+                                                                            let _e2319 = phi_2519_;
+                                                                            if _e2319 {
                                                                             }
-                                                                            phi_2521_ = _e2315;
-                                                                            phi_2522_ = _e2317;
+                                                                            phi_2523_ = _e2317;
+                                                                            phi_2524_ = _e2319;
                                                                         }
-                                                                        let _e2319 = phi_2521_;
-                                                                        let _e2321 = phi_2522_;
-                                                                        phi_2523_ = _e2319;
-                                                                        phi_2524_ = _e2070;
+                                                                        let _e2321 = phi_2523_;
+                                                                        let _e2323 = phi_2524_;
                                                                         phi_2525_ = _e2321;
+                                                                        phi_2526_ = _e2072;
+                                                                        phi_2527_ = _e2323;
                                                                     } else {
-                                                                        phi_2523_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2524_ = true;
-                                                                        phi_2525_ = false;
+                                                                        phi_2525_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2526_ = true;
+                                                                        phi_2527_ = false;
                                                                     }
-                                                                    let _e2323 = phi_2523_;
-                                                                    let _e2325 = phi_2524_;
-                                                                    let _e2327 = phi_2525_;
-                                                                    if _e2325 {
-                                                                        phi_2529_ = true;
+                                                                    let _e2325 = phi_2525_;
+                                                                    let _e2327 = phi_2526_;
+                                                                    let _e2329 = phi_2527_;
+                                                                    if _e2327 {
+                                                                        phi_2531_ = true;
                                                                     } else {
-                                                                        phi_2529_ = _e2327;
+                                                                        phi_2531_ = _e2329;
                                                                     }
-                                                                    let _e2329 = phi_2529_;
-                                                                    if _e2329 {
-                                                                        phi_2533_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2331 = phi_2531_;
+                                                                    if _e2331 {
+                                                                        phi_2535_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2533_ = _e2323;
+                                                                        phi_2535_ = _e2325;
                                                                     }
-                                                                    let _e2331 = phi_2533_;
-                                                                    if _e2331.is_hit {
-                                                                        if (_e2331.t > 0f) {
-                                                                            if (_e2331.t < _e123) {
+                                                                    let _e2333 = phi_2535_;
+                                                                    if _e2333.is_hit {
+                                                                        if (_e2333.t > 0f) {
+                                                                            if (_e2333.t < _e125) {
                                                                                 if true {
-                                                                                    phi_2553_ = false;
+                                                                                    phi_2555_ = false;
                                                                                 } else {
-                                                                                    phi_2553_ = true;
+                                                                                    phi_2555_ = true;
                                                                                 }
-                                                                                let _e2340 = phi_2553_;
-                                                                                phi_2554_ = true;
-                                                                                phi_2555_ = _e2340;
+                                                                                let _e2342 = phi_2555_;
+                                                                                phi_2556_ = true;
+                                                                                phi_2557_ = _e2342;
                                                                             } else {
-                                                                                phi_2554_ = _e1874;
-                                                                                phi_2555_ = true;
+                                                                                phi_2556_ = _e1876;
+                                                                                phi_2557_ = true;
                                                                             }
-                                                                            let _e2342 = phi_2554_;
-                                                                            let _e2344 = phi_2555_;
-                                                                            phi_2556_ = _e2342;
-                                                                            phi_2557_ = _e2344;
+                                                                            let _e2344 = phi_2556_;
+                                                                            let _e2346 = phi_2557_;
+                                                                            phi_2558_ = _e2344;
+                                                                            phi_2559_ = _e2346;
                                                                         } else {
-                                                                            phi_2556_ = _e1874;
-                                                                            phi_2557_ = true;
+                                                                            phi_2558_ = _e1876;
+                                                                            phi_2559_ = true;
                                                                         }
-                                                                        let _e2346 = phi_2556_;
-                                                                        let _e2348 = phi_2557_;
-                                                                        phi_2558_ = _e2346;
-                                                                        phi_2559_ = _e2348;
+                                                                        let _e2348 = phi_2558_;
+                                                                        let _e2350 = phi_2559_;
+                                                                        phi_2560_ = _e2348;
+                                                                        phi_2561_ = _e2350;
                                                                     } else {
-                                                                        phi_2558_ = _e1874;
-                                                                        phi_2559_ = true;
+                                                                        phi_2560_ = _e1876;
+                                                                        phi_2561_ = true;
                                                                     }
-                                                                    let _e2350 = phi_2558_;
-                                                                    let _e2352 = phi_2559_;
-                                                                    if _e2352 {
+                                                                    let _e2352 = phi_2560_;
+                                                                    let _e2354 = phi_2561_;
+                                                                    if _e2354 {
                                                                     }
-                                                                    phi_1963_ = (_e1872 & (_e1872 - 1u));
-                                                                    phi_1966_ = _e2350;
-                                                                    phi_2563_ = _e2352;
+                                                                    phi_1965_ = (_e1874 & (_e1874 - 1u));
+                                                                    phi_1968_ = _e2352;
+                                                                    phi_2565_ = _e2354;
                                                                 }
-                                                                let _e2354 = phi_1963_;
-                                                                let _e2356 = phi_1966_;
-                                                                let _e2358 = phi_2563_;
+                                                                let _e2356 = phi_1965_;
+                                                                let _e2358 = phi_1968_;
+                                                                let _e2360 = phi_2565_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_1962_ = _e2354;
-                                                                    phi_1965_ = _e2356;
-                                                                    break if !(_e2358);
+                                                                    phi_1964_ = _e2356;
+                                                                    phi_1967_ = _e2358;
+                                                                    break if !(_e2360);
                                                                 }
                                                             }
-                                                            let _e2361 = local_8;
-                                                            if _e2361 {
-                                                                let _e2363 = local.group_mask;
-                                                                if ((_e2363 & 4278190080u) == 0u) {
-                                                                    let _e2367 = local.len;
-                                                                    if (_e2367 == 0u) {
-                                                                        phi_2605_ = false;
+                                                            let _e2363 = local_8;
+                                                            if _e2363 {
+                                                                let _e2365 = local.group_mask;
+                                                                if ((_e2365 & 4278190080u) == 0u) {
+                                                                    let _e2369 = local.len;
+                                                                    if (_e2369 == 0u) {
+                                                                        phi_2607_ = false;
                                                                     } else {
-                                                                        let _e2371 = local.len;
-                                                                        local.len = (_e2371 - 1u);
-                                                                        let _e2374 = local.len;
-                                                                        if (_e2374 < 32u) {
+                                                                        let _e2373 = local.len;
+                                                                        local.len = (_e2373 - 1u);
+                                                                        let _e2376 = local.len;
+                                                                        if (_e2376 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2379 = local.first[(0u + _e2374)];
-                                                                        local.group = _e2379;
-                                                                        let _e2382 = local.len;
-                                                                        if (_e2382 < 32u) {
+                                                                        let _e2381 = local.first[(0u + _e2376)];
+                                                                        local.group = _e2381;
+                                                                        let _e2384 = local.len;
+                                                                        if (_e2384 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2387 = local.mask[(0u + _e2382)];
-                                                                        local.group_mask = _e2387;
-                                                                        phi_2605_ = true;
+                                                                        let _e2389 = local.mask[(0u + _e2384)];
+                                                                        local.group_mask = _e2389;
+                                                                        phi_2607_ = true;
                                                                     }
-                                                                    let _e2390 = phi_2605_;
-                                                                    phi_2606_ = _e2390;
+                                                                    let _e2392 = phi_2607_;
+                                                                    phi_2608_ = _e2392;
                                                                 } else {
-                                                                    phi_2606_ = true;
+                                                                    phi_2608_ = true;
                                                                 }
-                                                                let _e2392 = phi_2606_;
-                                                                if _e2392 {
-                                                                    let _e2394 = local.group_mask;
-                                                                    let _e2400 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2394)), 32u, (_e2394 == 0u)));
-                                                                    let _e2404 = local.group_mask;
-                                                                    let _e2418 = local.group_mask;
-                                                                    local.group_mask = (_e2418 & ~((1u << bitcast<u32>((_e2400 & 31u)))));
-                                                                    let _e2421 = local.group;
-                                                                    phi_2637_ = (_e2421 + countOneBits(((_e2404 & ~((4294967295u << bitcast<u32>((((_e2400 - 24u) ^ _e1296) & 31u))))) & 255u)));
+                                                                let _e2394 = phi_2608_;
+                                                                if _e2394 {
+                                                                    let _e2396 = local.group_mask;
+                                                                    let _e2402 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2396)), 32u, (_e2396 == 0u)));
+                                                                    let _e2406 = local.group_mask;
+                                                                    let _e2420 = local.group_mask;
+                                                                    local.group_mask = (_e2420 & ~((1u << bitcast<u32>((_e2402 & 31u)))));
+                                                                    let _e2423 = local.group;
+                                                                    phi_2639_ = (_e2423 + countOneBits(((_e2406 & ~((4294967295u << bitcast<u32>((((_e2402 - 24u) ^ _e1298) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_2637_ = 4294967295u;
+                                                                    phi_2639_ = 4294967295u;
                                                                 }
-                                                                let _e2424 = phi_2637_;
-                                                                phi_2638_ = _e2424;
+                                                                let _e2426 = phi_2639_;
+                                                                phi_2640_ = _e2426;
                                                             } else {
-                                                                phi_2638_ = u32();
+                                                                phi_2640_ = u32();
                                                             }
-                                                            let _e2426 = phi_2638_;
-                                                            phi_1631_ = _e2426;
-                                                            let _e2892 = local_12;
-                                                            phi_1634_ = _e2892;
-                                                            let _e2895 = local_13;
-                                                            phi_2639_ = _e2895;
-                                                            phi_2640_ = false;
+                                                            let _e2428 = phi_2640_;
+                                                            phi_1633_ = _e2428;
+                                                            let _e2894 = local_12;
+                                                            phi_1636_ = _e2894;
+                                                            let _e2897 = local_13;
+                                                            phi_2641_ = _e2897;
+                                                            phi_2642_ = false;
                                                         } else {
-                                                            phi_1631_ = u32();
-                                                            phi_1634_ = bool();
-                                                            phi_2639_ = false;
-                                                            phi_2640_ = true;
+                                                            phi_1633_ = u32();
+                                                            phi_1636_ = bool();
+                                                            phi_2641_ = false;
+                                                            phi_2642_ = true;
                                                         }
-                                                        let _e2428 = phi_1631_;
-                                                        let _e2430 = phi_1634_;
-                                                        let _e2432 = phi_2639_;
-                                                        let _e2434 = phi_2640_;
-                                                        local_9 = _e2434;
+                                                        let _e2430 = phi_1633_;
+                                                        let _e2432 = phi_1636_;
+                                                        let _e2434 = phi_2641_;
+                                                        let _e2436 = phi_2642_;
+                                                        local_9 = _e2436;
                                                         continue;
                                                         continuing {
-                                                            phi_1630_ = _e2428;
-                                                            phi_1633_ = _e2430;
-                                                            break if !(_e2432);
+                                                            phi_1632_ = _e2430;
+                                                            phi_1635_ = _e2432;
+                                                            break if !(_e2434);
                                                         }
                                                     }
-                                                    let _e2437 = local_9;
-                                                    if _e2437 {
-                                                        phi_2644_ = false;
-                                                    } else {
-                                                        phi_2644_ = true;
-                                                    }
-                                                    let _e2439 = phi_2644_;
+                                                    let _e2439 = local_9;
                                                     if _e2439 {
-                                                        phi_2648_ = true;
+                                                        phi_2646_ = false;
                                                     } else {
-                                                        let _e2901 = local_14;
-                                                        phi_2648_ = _e2901;
+                                                        phi_2646_ = true;
                                                     }
-                                                    let _e2441 = phi_2648_;
-                                                    phi_2649_ = _e2441;
+                                                    let _e2441 = phi_2646_;
+                                                    if _e2441 {
+                                                        phi_2650_ = true;
+                                                    } else {
+                                                        let _e2903 = local_14;
+                                                        phi_2650_ = _e2903;
+                                                    }
+                                                    let _e2443 = phi_2650_;
+                                                    phi_2651_ = _e2443;
                                                 }
-                                                let _e2443 = phi_2649_;
-                                                phi_2650_ = _e2443;
-                                                phi_2651_ = _e1118;
+                                                let _e2445 = phi_2651_;
+                                                phi_2652_ = _e2445;
+                                                phi_2653_ = _e1120;
                                             } else {
-                                                phi_2650_ = bool();
-                                                phi_2651_ = true;
+                                                phi_2652_ = bool();
+                                                phi_2653_ = true;
                                             }
-                                            let _e2445 = phi_2650_;
-                                            let _e2447 = phi_2651_;
-                                            if _e2447 {
-                                                phi_2655_ = _e913;
-                                            } else {
-                                                phi_2655_ = _e2445;
-                                            }
-                                            let _e2449 = phi_2655_;
+                                            let _e2447 = phi_2652_;
+                                            let _e2449 = phi_2653_;
                                             if _e2449 {
-                                                phi_2659_ = false;
+                                                phi_2657_ = _e915;
                                             } else {
-                                                phi_2659_ = true;
+                                                phi_2657_ = _e2447;
                                             }
-                                            let _e2451 = phi_2659_;
-                                            phi_2660_ = _e2449;
-                                            phi_2661_ = _e2451;
+                                            let _e2451 = phi_2657_;
+                                            if _e2451 {
+                                                phi_2661_ = false;
+                                            } else {
+                                                phi_2661_ = true;
+                                            }
+                                            let _e2453 = phi_2661_;
+                                            phi_2662_ = _e2451;
+                                            phi_2663_ = _e2453;
                                         } else {
-                                            phi_2660_ = _e913;
-                                            phi_2661_ = true;
+                                            phi_2662_ = _e915;
+                                            phi_2663_ = true;
                                         }
-                                        let _e2453 = phi_2660_;
-                                        let _e2455 = phi_2661_;
-                                        phi_2662_ = _e2453;
-                                        phi_2663_ = _e2455;
+                                        let _e2455 = phi_2662_;
+                                        let _e2457 = phi_2663_;
+                                        phi_2664_ = _e2455;
+                                        phi_2665_ = _e2457;
                                     } else {
-                                        phi_2662_ = _e913;
-                                        phi_2663_ = true;
+                                        phi_2664_ = _e915;
+                                        phi_2665_ = true;
                                     }
-                                    let _e2457 = phi_2662_;
-                                    let _e2459 = phi_2663_;
-                                    phi_2664_ = _e2457;
-                                    phi_2665_ = _e2459;
+                                    let _e2459 = phi_2664_;
+                                    let _e2461 = phi_2665_;
+                                    phi_2666_ = _e2459;
+                                    phi_2667_ = _e2461;
                                 } else {
-                                    phi_2664_ = _e913;
-                                    phi_2665_ = true;
+                                    phi_2666_ = _e915;
+                                    phi_2667_ = true;
                                 }
-                                let _e2461 = phi_2664_;
-                                let _e2463 = phi_2665_;
-                                if _e2463 {
+                                let _e2463 = phi_2666_;
+                                let _e2465 = phi_2667_;
+                                if _e2465 {
                                 }
-                                phi_1016_ = (_e911 & (_e911 - 1u));
-                                phi_1019_ = _e2461;
-                                phi_2669_ = _e2463;
+                                phi_1018_ = (_e913 & (_e913 - 1u));
+                                phi_1021_ = _e2463;
+                                phi_2671_ = _e2465;
                             }
-                            let _e2465 = phi_1016_;
-                            let _e2467 = phi_1019_;
-                            let _e2469 = phi_2669_;
+                            let _e2467 = phi_1018_;
+                            let _e2469 = phi_1021_;
+                            let _e2471 = phi_2671_;
                             continue;
                             continuing {
-                                phi_1015_ = _e2465;
-                                phi_1018_ = _e2467;
-                                break if !(_e2469);
+                                phi_1017_ = _e2467;
+                                phi_1020_ = _e2469;
+                                break if !(_e2471);
                             }
                         }
-                        let _e2472 = local_10;
-                        if _e2472 {
-                            let _e2474 = local_1.group_mask;
-                            if ((_e2474 & 4278190080u) == 0u) {
-                                let _e2478 = local_1.len;
-                                if (_e2478 == 0u) {
-                                    phi_2711_ = false;
+                        let _e2474 = local_10;
+                        if _e2474 {
+                            let _e2476 = local_1.group_mask;
+                            if ((_e2476 & 4278190080u) == 0u) {
+                                let _e2480 = local_1.len;
+                                if (_e2480 == 0u) {
+                                    phi_2713_ = false;
                                 } else {
-                                    let _e2482 = local_1.len;
-                                    local_1.len = (_e2482 - 1u);
-                                    let _e2485 = local_1.len;
-                                    if (_e2485 < 32u) {
+                                    let _e2484 = local_1.len;
+                                    local_1.len = (_e2484 - 1u);
+                                    let _e2487 = local_1.len;
+                                    if (_e2487 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2490 = local_1.first[(0u + _e2485)];
-                                    local_1.group = _e2490;
-                                    let _e2493 = local_1.len;
-                                    if (_e2493 < 32u) {
+                                    let _e2492 = local_1.first[(0u + _e2487)];
+                                    local_1.group = _e2492;
+                                    let _e2495 = local_1.len;
+                                    if (_e2495 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2498 = local_1.mask[(0u + _e2493)];
-                                    local_1.group_mask = _e2498;
-                                    phi_2711_ = true;
+                                    let _e2500 = local_1.mask[(0u + _e2495)];
+                                    local_1.group_mask = _e2500;
+                                    phi_2713_ = true;
                                 }
-                                let _e2501 = phi_2711_;
-                                phi_2712_ = _e2501;
+                                let _e2503 = phi_2713_;
+                                phi_2714_ = _e2503;
                             } else {
-                                phi_2712_ = true;
+                                phi_2714_ = true;
                             }
-                            let _e2503 = phi_2712_;
-                            if _e2503 {
-                                let _e2505 = local_1.group_mask;
-                                let _e2511 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2505)), 32u, (_e2505 == 0u)));
-                                let _e2515 = local_1.group_mask;
-                                let _e2529 = local_1.group_mask;
-                                local_1.group_mask = (_e2529 & ~((1u << bitcast<u32>((_e2511 & 31u)))));
-                                let _e2532 = local_1.group;
-                                phi_2743_ = (_e2532 + countOneBits(((_e2515 & ~((4294967295u << bitcast<u32>((((_e2511 - 24u) ^ _e335) & 31u))))) & 255u)));
+                            let _e2505 = phi_2714_;
+                            if _e2505 {
+                                let _e2507 = local_1.group_mask;
+                                let _e2513 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2507)), 32u, (_e2507 == 0u)));
+                                let _e2517 = local_1.group_mask;
+                                let _e2531 = local_1.group_mask;
+                                local_1.group_mask = (_e2531 & ~((1u << bitcast<u32>((_e2513 & 31u)))));
+                                let _e2534 = local_1.group;
+                                phi_2745_ = (_e2534 + countOneBits(((_e2517 & ~((4294967295u << bitcast<u32>((((_e2513 - 24u) ^ _e337) & 31u))))) & 255u)));
                             } else {
-                                phi_2743_ = 4294967295u;
+                                phi_2745_ = 4294967295u;
                             }
-                            let _e2535 = phi_2743_;
-                            phi_2744_ = _e2535;
+                            let _e2537 = phi_2745_;
+                            phi_2746_ = _e2537;
                         } else {
-                            phi_2744_ = u32();
+                            phi_2746_ = u32();
                         }
-                        let _e2537 = phi_2744_;
-                        phi_684_ = _e2537;
-                        let _e2924 = local_15;
-                        phi_687_ = _e2924;
-                        let _e2927 = local_16;
-                        phi_2745_ = _e2927;
-                        phi_2746_ = false;
+                        let _e2539 = phi_2746_;
+                        phi_686_ = _e2539;
+                        let _e2926 = local_15;
+                        phi_689_ = _e2926;
+                        let _e2929 = local_16;
+                        phi_2747_ = _e2929;
+                        phi_2748_ = false;
                     } else {
-                        phi_684_ = u32();
-                        phi_687_ = bool();
-                        phi_2745_ = false;
-                        phi_2746_ = true;
+                        phi_686_ = u32();
+                        phi_689_ = bool();
+                        phi_2747_ = false;
+                        phi_2748_ = true;
                     }
-                    let _e2539 = phi_684_;
-                    let _e2541 = phi_687_;
-                    let _e2543 = phi_2745_;
-                    let _e2545 = phi_2746_;
-                    local_11 = _e2545;
+                    let _e2541 = phi_686_;
+                    let _e2543 = phi_689_;
+                    let _e2545 = phi_2747_;
+                    let _e2547 = phi_2748_;
+                    local_11 = _e2547;
                     continue;
                     continuing {
-                        phi_683_ = _e2539;
-                        phi_686_ = _e2541;
-                        break if !(_e2543);
+                        phi_685_ = _e2541;
+                        phi_688_ = _e2543;
+                        break if !(_e2545);
                     }
                 }
-                let _e2548 = local_11;
-                if _e2548 {
-                    phi_2750_ = false;
-                } else {
-                    phi_2750_ = true;
-                }
-                let _e2550 = phi_2750_;
+                let _e2550 = local_11;
                 if _e2550 {
+                    phi_2752_ = false;
+                } else {
+                    phi_2752_ = true;
                 }
-                phi_2754_ = _e2550;
+                let _e2552 = phi_2752_;
+                if _e2552 {
+                }
+                phi_2756_ = _e2552;
             }
-            let _e2552 = phi_2754_;
-            phi_2755_ = _e187;
-            phi_2756_ = _e2552;
+            let _e2554 = phi_2756_;
+            phi_2757_ = _e189;
+            phi_2758_ = _e2554;
         } else {
-            phi_2755_ = true;
-            phi_2756_ = false;
+            phi_2757_ = true;
+            phi_2758_ = false;
         }
-        let _e2554 = phi_2755_;
-        let _e2556 = phi_2756_;
-        if _e2554 {
-            phi_2760_ = false;
-            phi_2761_ = true;
+        let _e2556 = phi_2757_;
+        let _e2558 = phi_2758_;
+        if _e2556 {
+            phi_2762_ = false;
+            phi_2763_ = true;
         } else {
-            phi_2760_ = true;
-            phi_2761_ = _e2556;
+            phi_2762_ = true;
+            phi_2763_ = _e2558;
         }
-        let _e2558 = phi_2760_;
-        let _e2560 = phi_2761_;
-        if _e2560 {
-            phi_2765_ = _e2558;
-        } else {
-            phi_2765_ = false;
-        }
-        let _e2562 = phi_2765_;
+        let _e2560 = phi_2762_;
+        let _e2562 = phi_2763_;
         if _e2562 {
-            phi_2769_ = 0f;
+            phi_2767_ = _e2560;
         } else {
-            phi_2769_ = 1f;
+            phi_2767_ = false;
         }
-        let _e2564 = phi_2769_;
-        if (_e91 < _e69) {
+        let _e2564 = phi_2767_;
+        if _e2564 {
+            phi_2771_ = 0f;
         } else {
-            return;
+            phi_2771_ = 1f;
         }
-        visibility.member[(0u + _e91)] = _e2564;
-        let _e2570 = p.member.light.number;
-        let _e2571 = (_e2570 * 3u);
-        let _e2572 = (_e2571 / 32u);
-        let _e2573 = (_e2571 % 32u);
-        let _e2575 = p.member.light.mask_words;
-        if (_e91 < _e69) {
+        let _e2566 = phi_2771_;
+        if (_e93 < _e70) {
         } else {
             return;
         }
-        let _e2579 = visibility.member[(0u + _e91)];
-        let _e2581 = ((_e91 * _e2575) + _e2572);
-        if (_e2573 > 29u) {
-            let _e2583 = (_e2581 + 1u);
-            if (_e2583 < _e75) {
+        visibility.member[(0u + _e93)] = _e2566;
+        let _e2572 = p.member.light.number;
+        let _e2573 = (_e2572 * 3u);
+        let _e2574 = (_e2573 / 32u);
+        let _e2575 = (_e2573 % 32u);
+        let _e2577 = p.member.light.mask_words;
+        if (_e93 < _e70) {
+        } else {
+            return;
+        }
+        let _e2581 = visibility.member[(0u + _e93)];
+        let _e2583 = ((_e93 * _e2577) + _e2574);
+        if (_e2575 > 29u) {
+            let _e2585 = (_e2583 + 1u);
+            if (_e2585 < _e76) {
             } else {
                 return;
             }
-            let _e2587 = bits.member[(0u + _e2583)];
-            phi_2810_ = _e2587;
+            let _e2589 = bits.member[(0u + _e2585)];
+            phi_2812_ = _e2589;
         } else {
-            phi_2810_ = 0u;
+            phi_2812_ = 0u;
         }
-        let _e2589 = phi_2810_;
-        if (_e2581 < _e75) {
-        } else {
-            return;
-        }
-        let _e2593 = bits.member[(0u + _e2581)];
-        let _e2596 = (_e2593 >> bitcast<u32>((_e2573 & 31u)));
-        if (_e2573 > 29u) {
-            phi_2829_ = (_e2596 | (_e2589 << bitcast<u32>(((32u - _e2573) & 31u))));
-        } else {
-            phi_2829_ = _e2596;
-        }
-        let _e2604 = phi_2829_;
-        if ((_e2604 & 2u) == 0u) {
-            phi_2837_ = (_e2604 & 1u);
-        } else {
-            phi_2837_ = (_e2604 & 7u);
-        }
-        let _e2610 = phi_2837_;
-        if ((_e2610 & 1u) != 0u) {
-            phi_2845_ = (2u | 1u);
-        } else {
-            phi_2845_ = 2u;
-        }
-        let _e2616 = phi_2845_;
-        if (_e2579 < 0.5f) {
-            phi_2850_ = (_e2616 | 4u);
-        } else {
-            phi_2850_ = _e2616;
-        }
-        let _e2619 = phi_2850_;
-        let _e2621 = ((_e91 * _e2575) + _e2572);
-        if (_e2621 < _e75) {
+        let _e2591 = phi_2812_;
+        if (_e2583 < _e76) {
         } else {
             return;
         }
-        let _e2625 = bits.member[(0u + _e2621)];
-        if (_e2621 < _e75) {
+        let _e2595 = bits.member[(0u + _e2583)];
+        let _e2598 = (_e2595 >> bitcast<u32>((_e2575 & 31u)));
+        if (_e2575 > 29u) {
+            phi_2831_ = (_e2598 | (_e2591 << bitcast<u32>(((32u - _e2575) & 31u))));
+        } else {
+            phi_2831_ = _e2598;
+        }
+        let _e2606 = phi_2831_;
+        if ((_e2606 & 2u) == 0u) {
+            phi_2839_ = (_e2606 & 1u);
+        } else {
+            phi_2839_ = (_e2606 & 7u);
+        }
+        let _e2612 = phi_2839_;
+        if ((_e2612 & 1u) != 0u) {
+            phi_2847_ = (2u | 1u);
+        } else {
+            phi_2847_ = 2u;
+        }
+        let _e2618 = phi_2847_;
+        if (_e2581 < 0.5f) {
+            phi_2852_ = (_e2618 | 4u);
+        } else {
+            phi_2852_ = _e2618;
+        }
+        let _e2621 = phi_2852_;
+        let _e2623 = ((_e93 * _e2577) + _e2574);
+        if (_e2623 < _e76) {
         } else {
             return;
         }
-        bits.member[(0u + _e2621)] = ((_e2625 & ~((7u << bitcast<u32>((_e2573 & 31u))))) | (_e2619 << bitcast<u32>((_e2573 & 31u))));
-        if (_e2573 > 29u) {
-            let _e2639 = (_e2621 + 1u);
-            if (_e2639 < _e75) {
+        let _e2627 = bits.member[(0u + _e2623)];
+        if (_e2623 < _e76) {
+        } else {
+            return;
+        }
+        bits.member[(0u + _e2623)] = ((_e2627 & ~((7u << bitcast<u32>((_e2575 & 31u))))) | (_e2621 << bitcast<u32>((_e2575 & 31u))));
+        if (_e2575 > 29u) {
+            let _e2641 = (_e2623 + 1u);
+            if (_e2641 < _e76) {
             } else {
                 return;
             }
-            let _e2643 = bits.member[(0u + _e2639)];
-            let _e2644 = (32u - _e2573);
-            let _e2654 = (_e2621 + 1u);
-            if (_e2654 < _e75) {
+            let _e2645 = bits.member[(0u + _e2641)];
+            let _e2646 = (32u - _e2575);
+            let _e2656 = (_e2623 + 1u);
+            if (_e2656 < _e76) {
             } else {
                 return;
             }
-            bits.member[(0u + _e2654)] = ((_e2643 & ~((7u >> bitcast<u32>((_e2644 & 31u))))) | (_e2619 >> bitcast<u32>((_e2644 & 31u))));
+            bits.member[(0u + _e2656)] = ((_e2645 & ~((7u >> bitcast<u32>((_e2646 & 31u))))) | (_e2621 >> bitcast<u32>((_e2646 & 31u))));
         }
     }
     return;

@@ -604,204 +604,203 @@ fn function_() {
     var local_1: lt_bvh_traverse_Stack;
     var local_2: texture_TextureView;
     var local_3: array<u32, 32>;
-    var phi_725_: f32;
-    var phi_758_: bool;
+    var phi_726_: f32;
     var phi_759_: bool;
     var phi_760_: bool;
     var phi_761_: bool;
-    var phi_765_: bool;
-    var phi_778_: bool;
+    var phi_762_: bool;
+    var phi_766_: bool;
     var phi_779_: bool;
     var phi_780_: bool;
     var phi_781_: bool;
-    var phi_785_: bool;
-    var phi_798_: bool;
+    var phi_782_: bool;
+    var phi_786_: bool;
     var phi_799_: bool;
     var phi_800_: bool;
-    var phi_804_: bool;
+    var phi_801_: bool;
     var phi_805_: bool;
     var phi_806_: bool;
     var phi_807_: bool;
     var phi_808_: bool;
-    var phi_812_: bool;
-    var phi_835_: bool;
+    var phi_809_: bool;
+    var phi_813_: bool;
     var phi_836_: bool;
     var phi_837_: bool;
     var phi_838_: bool;
     var phi_839_: bool;
     var phi_840_: bool;
-    var phi_844_: bool;
-    var phi_857_: bool;
+    var phi_841_: bool;
+    var phi_845_: bool;
     var phi_858_: bool;
     var phi_859_: bool;
-    var phi_863_: bool;
-    var phi_880_: bool;
+    var phi_860_: bool;
+    var phi_864_: bool;
     var phi_881_: bool;
     var phi_882_: bool;
     var phi_883_: bool;
     var phi_884_: bool;
     var phi_885_: bool;
     var phi_886_: bool;
-    var phi_890_: bool;
-    var phi_910_: bool;
+    var phi_887_: bool;
+    var phi_891_: bool;
     var phi_911_: bool;
-    var phi_919_: u32;
-    var phi_920_: f32;
-    var phi_921_: u32;
-    var phi_922_: f32;
-    var phi_927_: f32;
-    var phi_938_: u32;
-    var phi_948_: u32;
-    var phi_954_: u32;
+    var phi_912_: bool;
+    var phi_920_: u32;
+    var phi_921_: f32;
+    var phi_922_: u32;
+    var phi_923_: f32;
+    var phi_928_: f32;
+    var phi_939_: u32;
+    var phi_949_: u32;
     var phi_955_: u32;
     var phi_956_: u32;
-    var phi_967_: vec3<f32>;
+    var phi_957_: u32;
     var phi_968_: vec3<f32>;
-    var phi_990_: vec3<f32>;
+    var phi_969_: vec3<f32>;
     var phi_991_: vec3<f32>;
-    var phi_1013_: u0028_lt_bvh_LightPoint_u0020_u32_u0029_;
-    var phi_1088_: f32;
-    var phi_1095_: f32;
-    var phi_1102_: f32;
-    var phi_1109_: f32;
-    var phi_1116_: f32;
-    var phi_1123_: f32;
-    var phi_1140_: f32;
-    var phi_1145_: f32;
-    var phi_1150_: f32;
-    var phi_1155_: f32;
-    var phi_1160_: f32;
-    var phi_1182_: bool;
+    var phi_992_: vec3<f32>;
+    var phi_1014_: u0028_lt_bvh_LightPoint_u0020_u32_u0029_;
+    var phi_1089_: f32;
+    var phi_1096_: f32;
+    var phi_1103_: f32;
+    var phi_1110_: f32;
+    var phi_1117_: f32;
+    var phi_1124_: f32;
+    var phi_1141_: f32;
+    var phi_1146_: f32;
+    var phi_1151_: f32;
+    var phi_1156_: f32;
+    var phi_1161_: f32;
     var phi_1183_: bool;
-    var phi_1191_: u32;
+    var phi_1184_: bool;
     var phi_1192_: u32;
-    var phi_1203_: vec3<f32>;
+    var phi_1193_: u32;
     var phi_1204_: vec3<f32>;
-    var phi_1216_: u32;
-    var phi_1219_: u32;
-    var phi_1224_: u32;
-    var phi_1226_: u32;
-    var phi_1228_: u32;
-    var phi_1230_: u32;
-    var phi_1302_: f32;
-    var phi_1303_: f32;
-    var phi_1317_: u32;
-    var phi_1340_: f32;
-    var phi_1341_: f32;
-    var phi_1355_: u32;
-    var phi_1377_: f32;
-    var phi_1378_: f32;
-    var phi_1392_: u32;
-    var phi_1415_: f32;
-    var phi_1416_: f32;
-    var phi_1430_: u32;
-    var phi_1622_: u32;
-    var phi_1623_: u32;
-    var phi_1628_: u32;
-    var phi_1629_: u32;
-    var phi_1630_: u32;
-    var phi_1227_: u32;
-    var phi_1229_: u32;
-    var phi_1631_: u32;
-    var phi_1649_: u32;
-    var phi_1650_: u32;
+    var phi_1205_: vec3<f32>;
     var phi_1217_: u32;
     var phi_1220_: u32;
-    var phi_1659_: bool;
+    var phi_1225_: u32;
+    var phi_1227_: u32;
+    var phi_1229_: u32;
+    var phi_1231_: u32;
+    var phi_1303_: f32;
+    var phi_1304_: f32;
+    var phi_1318_: u32;
+    var phi_1341_: f32;
+    var phi_1342_: f32;
+    var phi_1356_: u32;
+    var phi_1378_: f32;
+    var phi_1379_: f32;
+    var phi_1393_: u32;
+    var phi_1416_: f32;
+    var phi_1417_: f32;
+    var phi_1431_: u32;
+    var phi_1623_: u32;
+    var phi_1624_: u32;
+    var phi_1629_: u32;
+    var phi_1630_: u32;
+    var phi_1631_: u32;
+    var phi_1228_: u32;
+    var phi_1230_: u32;
+    var phi_1632_: u32;
+    var phi_1650_: u32;
+    var phi_1651_: u32;
+    var phi_1218_: u32;
+    var phi_1221_: u32;
     var phi_1660_: bool;
     var phi_1661_: bool;
+    var phi_1662_: bool;
     var local_4: bool;
     var local_5: u32;
-    var phi_1670_: u32;
+    var phi_1671_: u32;
     var local_6: u32;
-    var phi_1705_: u32;
     var phi_1706_: u32;
-    var phi_1712_: u32;
-    var phi_1740_: vec3<f32>;
+    var phi_1707_: u32;
+    var phi_1713_: u32;
     var phi_1741_: vec3<f32>;
-    var phi_1770_: vec3<f32>;
+    var phi_1742_: vec3<f32>;
     var phi_1771_: vec3<f32>;
-    var phi_1800_: vec3<f32>;
+    var phi_1772_: vec3<f32>;
     var phi_1801_: vec3<f32>;
-    var phi_1819_: bool;
+    var phi_1802_: vec3<f32>;
     var phi_1820_: bool;
-    var phi_1824_: f32;
+    var phi_1821_: bool;
     var phi_1825_: f32;
     var phi_1826_: f32;
     var phi_1827_: f32;
-    var phi_1835_: f32;
-    var phi_1845_: bool;
+    var phi_1828_: f32;
+    var phi_1836_: f32;
     var phi_1846_: bool;
-    var phi_1850_: f32;
+    var phi_1847_: bool;
     var phi_1851_: f32;
     var phi_1852_: f32;
     var phi_1853_: f32;
-    var phi_1861_: f32;
-    var phi_1871_: bool;
+    var phi_1854_: f32;
+    var phi_1862_: f32;
     var phi_1872_: bool;
-    var phi_1876_: f32;
+    var phi_1873_: bool;
     var phi_1877_: f32;
     var phi_1878_: f32;
     var phi_1879_: f32;
-    var phi_1887_: f32;
-    var phi_1902_: f32;
-    var phi_1903_: bool;
-    var phi_1904_: f32;
-    var phi_1905_: bool;
-    var phi_1906_: f32;
-    var phi_1907_: bool;
-    var phi_1925_: f32;
-    var phi_1926_: bool;
+    var phi_1880_: f32;
+    var phi_1888_: f32;
+    var phi_1903_: f32;
+    var phi_1904_: bool;
+    var phi_1905_: f32;
+    var phi_1906_: bool;
+    var phi_1907_: f32;
+    var phi_1908_: bool;
+    var phi_1926_: f32;
     var phi_1927_: bool;
-    var phi_1928_: f32;
-    var phi_1929_: bool;
+    var phi_1928_: bool;
+    var phi_1929_: f32;
     var phi_1930_: bool;
-    var phi_1934_: bool;
-    var phi_1935_: f32;
-    var phi_1936_: bool;
-    var phi_1964_: vec3<f32>;
+    var phi_1931_: bool;
+    var phi_1935_: bool;
+    var phi_1936_: f32;
+    var phi_1937_: bool;
     var phi_1965_: vec3<f32>;
-    var phi_1990_: vec3<f32>;
+    var phi_1966_: vec3<f32>;
     var phi_1991_: vec3<f32>;
-    var phi_2016_: vec3<f32>;
+    var phi_1992_: vec3<f32>;
     var phi_2017_: vec3<f32>;
-    var phi_2073_: f32;
-    var phi_2082_: f32;
-    var phi_2091_: f32;
-    var phi_2100_: f32;
-    var phi_2107_: f32;
-    var phi_2114_: f32;
-    var phi_2127_: f32;
-    var phi_2136_: f32;
-    var phi_2145_: f32;
-    var phi_2154_: f32;
-    var phi_2161_: f32;
-    var phi_2168_: f32;
-    var phi_2185_: f32;
-    var phi_2190_: f32;
-    var phi_2195_: f32;
-    var phi_2203_: f32;
-    var phi_2208_: f32;
-    var phi_2213_: f32;
-    var phi_2225_: f32;
-    var phi_2230_: f32;
-    var phi_2235_: f32;
-    var phi_2240_: f32;
-    var phi_2245_: lt_bvh_triangle_Intersection;
-    var phi_2246_: bool;
-    var phi_2247_: lt_bvh_triangle_Intersection;
-    var phi_2248_: bool;
-    var phi_2252_: lt_bvh_triangle_Intersection;
-    var phi_2253_: bool;
-    var phi_2254_: lt_bvh_triangle_Intersection;
-    var phi_2255_: bool;
+    var phi_2018_: vec3<f32>;
+    var phi_2074_: f32;
+    var phi_2083_: f32;
+    var phi_2092_: f32;
+    var phi_2101_: f32;
+    var phi_2108_: f32;
+    var phi_2115_: f32;
+    var phi_2128_: f32;
+    var phi_2137_: f32;
+    var phi_2146_: f32;
+    var phi_2155_: f32;
+    var phi_2162_: f32;
+    var phi_2169_: f32;
+    var phi_2186_: f32;
+    var phi_2191_: f32;
+    var phi_2196_: f32;
+    var phi_2204_: f32;
+    var phi_2209_: f32;
+    var phi_2214_: f32;
+    var phi_2226_: f32;
+    var phi_2231_: f32;
+    var phi_2236_: f32;
+    var phi_2241_: f32;
+    var phi_2246_: lt_bvh_triangle_Intersection;
+    var phi_2247_: bool;
+    var phi_2248_: lt_bvh_triangle_Intersection;
+    var phi_2249_: bool;
+    var phi_2253_: lt_bvh_triangle_Intersection;
+    var phi_2254_: bool;
+    var phi_2255_: lt_bvh_triangle_Intersection;
     var phi_2256_: bool;
-    var phi_2260_: bool;
-    var phi_2264_: lt_bvh_triangle_Intersection;
-    var phi_2478_: f32;
-    var phi_2481_: bool;
+    var phi_2257_: bool;
+    var phi_2261_: bool;
+    var phi_2265_: lt_bvh_triangle_Intersection;
+    var phi_2479_: f32;
     var phi_2482_: bool;
-    var phi_2486_: bool;
+    var phi_2483_: bool;
     var phi_2487_: bool;
     var phi_2488_: bool;
     var phi_2489_: bool;
@@ -815,183 +814,183 @@ fn function_() {
     var phi_2497_: bool;
     var phi_2498_: bool;
     var phi_2499_: bool;
-    var phi_2503_: bool;
+    var phi_2500_: bool;
     var phi_2504_: bool;
     var phi_2505_: bool;
-    var phi_2513_: bool;
+    var phi_2506_: bool;
     var phi_2514_: bool;
     var phi_2515_: bool;
     var phi_2516_: bool;
     var phi_2517_: bool;
+    var phi_2518_: bool;
     var local_7: bool;
-    var phi_2521_: bool;
     var phi_2522_: bool;
     var phi_2523_: bool;
     var phi_2524_: bool;
     var phi_2525_: bool;
+    var phi_2526_: bool;
     var local_8: u32;
-    var phi_2533_: bool;
     var phi_2534_: bool;
     var phi_2535_: bool;
     var phi_2536_: bool;
+    var phi_2537_: bool;
     var local_9: bool;
-    var phi_2540_: bool;
-    var phi_2544_: bool;
-    var phi_2548_: bool;
+    var phi_2541_: bool;
+    var phi_2545_: bool;
     var phi_2549_: bool;
-    var phi_2565_: bool;
+    var phi_2550_: bool;
     var phi_2566_: bool;
     var phi_2567_: bool;
     var phi_2568_: bool;
-    var phi_2572_: bool;
-    var phi_2585_: bool;
+    var phi_2569_: bool;
+    var phi_2573_: bool;
     var phi_2586_: bool;
     var phi_2587_: bool;
     var phi_2588_: bool;
-    var phi_2592_: bool;
-    var phi_2605_: bool;
+    var phi_2589_: bool;
+    var phi_2593_: bool;
     var phi_2606_: bool;
     var phi_2607_: bool;
-    var phi_2611_: bool;
+    var phi_2608_: bool;
     var phi_2612_: bool;
     var phi_2613_: bool;
     var phi_2614_: bool;
     var phi_2615_: bool;
-    var phi_2619_: bool;
-    var phi_2689_: f32;
-    var phi_2696_: f32;
-    var phi_2703_: f32;
-    var phi_2710_: f32;
-    var phi_2717_: f32;
-    var phi_2724_: f32;
-    var phi_2741_: f32;
-    var phi_2746_: f32;
-    var phi_2751_: f32;
-    var phi_2756_: f32;
-    var phi_2761_: f32;
-    var phi_2787_: bool;
+    var phi_2616_: bool;
+    var phi_2620_: bool;
+    var phi_2690_: f32;
+    var phi_2697_: f32;
+    var phi_2704_: f32;
+    var phi_2711_: f32;
+    var phi_2718_: f32;
+    var phi_2725_: f32;
+    var phi_2742_: f32;
+    var phi_2747_: f32;
+    var phi_2752_: f32;
+    var phi_2757_: f32;
+    var phi_2762_: f32;
     var phi_2788_: bool;
-    var phi_2796_: u32;
+    var phi_2789_: bool;
     var phi_2797_: u32;
-    var phi_2808_: vec3<f32>;
+    var phi_2798_: u32;
     var phi_2809_: vec3<f32>;
-    var phi_2822_: u32;
-    var phi_2827_: u32;
-    var phi_2832_: u32;
-    var phi_2946_: bool;
+    var phi_2810_: vec3<f32>;
+    var phi_2823_: u32;
+    var phi_2828_: u32;
+    var phi_2833_: u32;
     var phi_2947_: bool;
-    var phi_2978_: u32;
-    var phi_2980_: u32;
-    var phi_2983_: bool;
-    var phi_3063_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_3090_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_3117_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_3123_: u32;
-    var phi_3126_: u32;
-    var phi_3140_: u32;
-    var phi_3150_: u32;
-    var phi_3160_: u32;
-    var phi_3178_: u32;
-    var phi_3188_: u32;
-    var phi_3198_: u32;
-    var phi_3234_: u32;
-    var phi_3247_: u32;
-    var phi_3252_: u32;
-    var phi_3253_: u32;
-    var phi_3254_: u32;
+    var phi_2948_: bool;
+    var phi_2979_: u32;
+    var phi_2981_: u32;
+    var phi_2984_: bool;
+    var phi_3064_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_3091_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_3118_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_3124_: u32;
     var phi_3127_: u32;
+    var phi_3141_: u32;
+    var phi_3151_: u32;
+    var phi_3161_: u32;
+    var phi_3179_: u32;
+    var phi_3189_: u32;
+    var phi_3199_: u32;
+    var phi_3235_: u32;
+    var phi_3248_: u32;
+    var phi_3253_: u32;
+    var phi_3254_: u32;
+    var phi_3255_: u32;
+    var phi_3125_: u32;
+    var phi_3128_: u32;
     var local_10: u32;
     var local_11: u32;
     var local_12: u32;
-    var phi_3312_: u32;
-    var phi_3315_: bool;
-    var phi_3359_: vec3<f32>;
+    var phi_3313_: u32;
+    var phi_3316_: bool;
     var phi_3360_: vec3<f32>;
-    var phi_3389_: vec3<f32>;
+    var phi_3361_: vec3<f32>;
     var phi_3390_: vec3<f32>;
-    var phi_3419_: vec3<f32>;
+    var phi_3391_: vec3<f32>;
     var phi_3420_: vec3<f32>;
-    var phi_3438_: bool;
+    var phi_3421_: vec3<f32>;
     var phi_3439_: bool;
-    var phi_3443_: f32;
+    var phi_3440_: bool;
     var phi_3444_: f32;
     var phi_3445_: f32;
     var phi_3446_: f32;
-    var phi_3454_: f32;
-    var phi_3464_: bool;
+    var phi_3447_: f32;
+    var phi_3455_: f32;
     var phi_3465_: bool;
-    var phi_3469_: f32;
+    var phi_3466_: bool;
     var phi_3470_: f32;
     var phi_3471_: f32;
     var phi_3472_: f32;
-    var phi_3480_: f32;
-    var phi_3490_: bool;
+    var phi_3473_: f32;
+    var phi_3481_: f32;
     var phi_3491_: bool;
-    var phi_3495_: f32;
+    var phi_3492_: bool;
     var phi_3496_: f32;
     var phi_3497_: f32;
     var phi_3498_: f32;
-    var phi_3506_: f32;
-    var phi_3521_: f32;
-    var phi_3522_: bool;
-    var phi_3523_: f32;
-    var phi_3524_: bool;
-    var phi_3525_: f32;
-    var phi_3526_: bool;
-    var phi_3544_: f32;
-    var phi_3545_: bool;
+    var phi_3499_: f32;
+    var phi_3507_: f32;
+    var phi_3522_: f32;
+    var phi_3523_: bool;
+    var phi_3524_: f32;
+    var phi_3525_: bool;
+    var phi_3526_: f32;
+    var phi_3527_: bool;
+    var phi_3545_: f32;
     var phi_3546_: bool;
-    var phi_3547_: f32;
-    var phi_3548_: bool;
+    var phi_3547_: bool;
+    var phi_3548_: f32;
     var phi_3549_: bool;
-    var phi_3553_: bool;
-    var phi_3554_: f32;
-    var phi_3555_: bool;
-    var phi_3583_: vec3<f32>;
+    var phi_3550_: bool;
+    var phi_3554_: bool;
+    var phi_3555_: f32;
+    var phi_3556_: bool;
     var phi_3584_: vec3<f32>;
-    var phi_3609_: vec3<f32>;
+    var phi_3585_: vec3<f32>;
     var phi_3610_: vec3<f32>;
-    var phi_3635_: vec3<f32>;
+    var phi_3611_: vec3<f32>;
     var phi_3636_: vec3<f32>;
-    var phi_3692_: f32;
-    var phi_3701_: f32;
-    var phi_3710_: f32;
-    var phi_3719_: f32;
-    var phi_3726_: f32;
-    var phi_3733_: f32;
-    var phi_3746_: f32;
-    var phi_3755_: f32;
-    var phi_3764_: f32;
-    var phi_3773_: f32;
-    var phi_3780_: f32;
-    var phi_3787_: f32;
-    var phi_3804_: f32;
-    var phi_3809_: f32;
-    var phi_3814_: f32;
-    var phi_3822_: f32;
-    var phi_3827_: f32;
-    var phi_3832_: f32;
-    var phi_3844_: f32;
-    var phi_3849_: f32;
-    var phi_3854_: f32;
-    var phi_3859_: f32;
-    var phi_3864_: lt_bvh_triangle_Intersection;
-    var phi_3865_: bool;
-    var phi_3866_: lt_bvh_triangle_Intersection;
-    var phi_3867_: bool;
-    var phi_3871_: lt_bvh_triangle_Intersection;
-    var phi_3872_: bool;
-    var phi_3873_: lt_bvh_triangle_Intersection;
-    var phi_3874_: bool;
+    var phi_3637_: vec3<f32>;
+    var phi_3693_: f32;
+    var phi_3702_: f32;
+    var phi_3711_: f32;
+    var phi_3720_: f32;
+    var phi_3727_: f32;
+    var phi_3734_: f32;
+    var phi_3747_: f32;
+    var phi_3756_: f32;
+    var phi_3765_: f32;
+    var phi_3774_: f32;
+    var phi_3781_: f32;
+    var phi_3788_: f32;
+    var phi_3805_: f32;
+    var phi_3810_: f32;
+    var phi_3815_: f32;
+    var phi_3823_: f32;
+    var phi_3828_: f32;
+    var phi_3833_: f32;
+    var phi_3845_: f32;
+    var phi_3850_: f32;
+    var phi_3855_: f32;
+    var phi_3860_: f32;
+    var phi_3865_: lt_bvh_triangle_Intersection;
+    var phi_3866_: bool;
+    var phi_3867_: lt_bvh_triangle_Intersection;
+    var phi_3868_: bool;
+    var phi_3872_: lt_bvh_triangle_Intersection;
+    var phi_3873_: bool;
+    var phi_3874_: lt_bvh_triangle_Intersection;
     var phi_3875_: bool;
-    var phi_3879_: bool;
-    var phi_3883_: lt_bvh_triangle_Intersection;
-    var phi_4097_: f32;
-    var phi_4100_: bool;
+    var phi_3876_: bool;
+    var phi_3880_: bool;
+    var phi_3884_: lt_bvh_triangle_Intersection;
+    var phi_4098_: f32;
     var phi_4101_: bool;
     var phi_4102_: bool;
-    var phi_4106_: bool;
+    var phi_4103_: bool;
     var phi_4107_: bool;
     var phi_4108_: bool;
     var phi_4109_: bool;
@@ -1001,35 +1000,36 @@ fn function_() {
     var phi_4113_: bool;
     var phi_4114_: bool;
     var phi_4115_: bool;
-    var phi_3313_: u32;
-    var phi_3316_: bool;
-    var phi_4119_: bool;
+    var phi_4116_: bool;
+    var phi_3314_: u32;
+    var phi_3317_: bool;
     var phi_4120_: bool;
+    var phi_4121_: bool;
     var local_13: bool;
-    var phi_4162_: bool;
     var phi_4163_: bool;
-    var phi_4194_: u32;
+    var phi_4164_: bool;
     var phi_4195_: u32;
-    var phi_2981_: u32;
-    var phi_2984_: bool;
-    var phi_4196_: bool;
+    var phi_4196_: u32;
+    var phi_2982_: u32;
+    var phi_2985_: bool;
     var phi_4197_: bool;
     var phi_4198_: bool;
+    var phi_4199_: bool;
     var local_14: bool;
-    var phi_4202_: bool;
-    var phi_4206_: bool;
+    var phi_4203_: bool;
     var phi_4207_: bool;
     var phi_4208_: bool;
     var phi_4209_: bool;
-    var phi_4213_: bool;
+    var phi_4210_: bool;
     var phi_4214_: bool;
     var phi_4215_: bool;
-    var phi_4219_: f32;
-    var phi_4260_: u32;
-    var phi_4279_: u32;
-    var phi_4287_: u32;
-    var phi_4295_: u32;
-    var phi_4300_: u32;
+    var phi_4216_: bool;
+    var phi_4220_: f32;
+    var phi_4261_: u32;
+    var phi_4280_: u32;
+    var phi_4288_: u32;
+    var phi_4296_: u32;
+    var phi_4301_: u32;
     var local_15: u32;
     var local_16: u32;
     var local_17: u32;
@@ -1067,2826 +1067,2827 @@ fn function_() {
             return;
         }
         let _e128 = list.member[(0u + _e124)];
-        let _e129 = space.member;
-        if (_e128 < arrayLength((&samples.member))) {
+        let _e129 = (_e128 & 2147483647u);
+        let _e130 = space.member;
+        if (_e129 < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e135 = samples.member[(0u + _e128)].position;
-        let _e137 = samples.member[(0u + _e128)].normal;
-        let _e139 = samples.member[(0u + _e128)].magnitude;
-        let _e141 = ((8f / 8388608f) * _e139);
-        let _e143 = (_e137.x * _e141);
-        let _e145 = (_e137.y * _e141);
-        let _e147 = (_e137.z * _e141);
-        let _e149 = (_e135.x + _e143);
-        let _e151 = (_e135.y + _e145);
-        let _e153 = (_e135.z + _e147);
-        let _e157 = p.member.light.place;
-        if (_e157.w == 0f) {
-            phi_725_ = 300000000000000000000000000000000000000f;
+        let _e136 = samples.member[(0u + _e129)].position;
+        let _e138 = samples.member[(0u + _e129)].normal;
+        let _e140 = samples.member[(0u + _e129)].magnitude;
+        let _e142 = ((8f / 8388608f) * _e140);
+        let _e144 = (_e138.x * _e142);
+        let _e146 = (_e138.y * _e142);
+        let _e148 = (_e138.z * _e142);
+        let _e150 = (_e136.x + _e144);
+        let _e152 = (_e136.y + _e146);
+        let _e154 = (_e136.z + _e148);
+        let _e158 = p.member.light.place;
+        if (_e158.w == 0f) {
+            phi_726_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_725_ = 1f;
+            phi_726_ = 1f;
         }
-        let _e161 = phi_725_;
-        let _e169 = (_e157.x - (_e149 * _e157.w));
-        let _e170 = (_e157.y - (_e151 * _e157.w));
-        let _e171 = (_e157.z - (_e153 * _e157.w));
-        let _e172 = vec3<f32>(_e169, _e170, _e171);
-        let _e173 = abs(_e169);
+        let _e162 = phi_726_;
+        let _e170 = (_e158.x - (_e150 * _e158.w));
+        let _e171 = (_e158.y - (_e152 * _e158.w));
+        let _e172 = (_e158.z - (_e154 * _e158.w));
+        let _e173 = vec3<f32>(_e170, _e171, _e172);
         let _e174 = abs(_e170);
         let _e175 = abs(_e171);
-        if (abs(_e149) < 1000000000000000f) {
-            if (abs(_e151) < 1000000000000000f) {
-                phi_758_ = (abs(_e153) < 1000000000000000f);
-                phi_759_ = false;
+        let _e176 = abs(_e172);
+        if (abs(_e150) < 1000000000000000f) {
+            if (abs(_e152) < 1000000000000000f) {
+                phi_759_ = (abs(_e154) < 1000000000000000f);
+                phi_760_ = false;
             } else {
-                phi_758_ = bool();
-                phi_759_ = true;
+                phi_759_ = bool();
+                phi_760_ = true;
             }
-            let _e183 = phi_758_;
-            let _e185 = phi_759_;
-            phi_760_ = _e183;
-            phi_761_ = _e185;
+            let _e184 = phi_759_;
+            let _e186 = phi_760_;
+            phi_761_ = _e184;
+            phi_762_ = _e186;
         } else {
-            phi_760_ = bool();
-            phi_761_ = true;
+            phi_761_ = bool();
+            phi_762_ = true;
         }
-        let _e187 = phi_760_;
-        let _e189 = phi_761_;
-        if _e189 {
-            phi_765_ = false;
+        let _e188 = phi_761_;
+        let _e190 = phi_762_;
+        if _e190 {
+            phi_766_ = false;
         } else {
-            phi_765_ = _e187;
+            phi_766_ = _e188;
         }
-        let _e191 = phi_765_;
-        if _e191 {
-            if (_e173 < 1000000000000000f) {
-                if (_e174 < 1000000000000000f) {
-                    phi_778_ = (_e175 < 1000000000000000f);
-                    phi_779_ = false;
+        let _e192 = phi_766_;
+        if _e192 {
+            if (_e174 < 1000000000000000f) {
+                if (_e175 < 1000000000000000f) {
+                    phi_779_ = (_e176 < 1000000000000000f);
+                    phi_780_ = false;
                 } else {
-                    phi_778_ = bool();
-                    phi_779_ = true;
+                    phi_779_ = bool();
+                    phi_780_ = true;
                 }
-                let _e196 = phi_778_;
-                let _e198 = phi_779_;
-                phi_780_ = _e196;
-                phi_781_ = _e198;
+                let _e197 = phi_779_;
+                let _e199 = phi_780_;
+                phi_781_ = _e197;
+                phi_782_ = _e199;
             } else {
-                phi_780_ = bool();
-                phi_781_ = true;
+                phi_781_ = bool();
+                phi_782_ = true;
             }
-            let _e200 = phi_780_;
-            let _e202 = phi_781_;
-            if _e202 {
-                phi_785_ = false;
+            let _e201 = phi_781_;
+            let _e203 = phi_782_;
+            if _e203 {
+                phi_786_ = false;
             } else {
-                phi_785_ = _e200;
+                phi_786_ = _e201;
             }
-            let _e204 = phi_785_;
-            if _e204 {
-                if (_e173 > 0f) {
-                    phi_799_ = bool();
-                    phi_800_ = true;
+            let _e205 = phi_786_;
+            if _e205 {
+                if (_e174 > 0f) {
+                    phi_800_ = bool();
+                    phi_801_ = true;
                 } else {
-                    let _e206 = (_e174 > 0f);
-                    if _e206 {
-                        phi_798_ = bool();
+                    let _e207 = (_e175 > 0f);
+                    if _e207 {
+                        phi_799_ = bool();
                     } else {
-                        phi_798_ = (_e175 > 0f);
+                        phi_799_ = (_e176 > 0f);
                     }
-                    let _e209 = phi_798_;
-                    phi_799_ = _e209;
-                    phi_800_ = _e206;
+                    let _e210 = phi_799_;
+                    phi_800_ = _e210;
+                    phi_801_ = _e207;
                 }
-                let _e211 = phi_799_;
-                let _e213 = phi_800_;
-                if _e213 {
-                    phi_804_ = true;
+                let _e212 = phi_800_;
+                let _e214 = phi_801_;
+                if _e214 {
+                    phi_805_ = true;
                 } else {
-                    phi_804_ = _e211;
+                    phi_805_ = _e212;
                 }
-                let _e215 = phi_804_;
-                phi_805_ = _e215;
-                phi_806_ = false;
+                let _e216 = phi_805_;
+                phi_806_ = _e216;
+                phi_807_ = false;
             } else {
-                phi_805_ = bool();
-                phi_806_ = true;
+                phi_806_ = bool();
+                phi_807_ = true;
             }
-            let _e217 = phi_805_;
-            let _e219 = phi_806_;
-            phi_807_ = _e217;
-            phi_808_ = _e219;
+            let _e218 = phi_806_;
+            let _e220 = phi_807_;
+            phi_808_ = _e218;
+            phi_809_ = _e220;
         } else {
-            phi_807_ = bool();
-            phi_808_ = true;
+            phi_808_ = bool();
+            phi_809_ = true;
         }
-        let _e221 = phi_807_;
-        let _e223 = phi_808_;
-        if _e223 {
-            phi_812_ = false;
+        let _e222 = phi_808_;
+        let _e224 = phi_809_;
+        if _e224 {
+            phi_813_ = false;
         } else {
-            phi_812_ = _e221;
+            phi_813_ = _e222;
         }
-        let _e225 = phi_812_;
-        if _e225 {
-            if (_e129.low.x <= _e149) {
-                if (_e149 <= _e129.high.x) {
-                    if (_e129.low.y <= _e151) {
-                        phi_835_ = (_e151 <= _e129.high.y);
-                        phi_836_ = false;
+        let _e226 = phi_813_;
+        if _e226 {
+            if (_e130.low.x <= _e150) {
+                if (_e150 <= _e130.high.x) {
+                    if (_e130.low.y <= _e152) {
+                        phi_836_ = (_e152 <= _e130.high.y);
+                        phi_837_ = false;
                     } else {
-                        phi_835_ = bool();
-                        phi_836_ = true;
+                        phi_836_ = bool();
+                        phi_837_ = true;
                     }
-                    let _e243 = phi_835_;
-                    let _e245 = phi_836_;
-                    phi_837_ = _e243;
-                    phi_838_ = _e245;
+                    let _e244 = phi_836_;
+                    let _e246 = phi_837_;
+                    phi_838_ = _e244;
+                    phi_839_ = _e246;
                 } else {
-                    phi_837_ = bool();
-                    phi_838_ = true;
+                    phi_838_ = bool();
+                    phi_839_ = true;
                 }
-                let _e247 = phi_837_;
-                let _e249 = phi_838_;
-                phi_839_ = _e247;
-                phi_840_ = _e249;
+                let _e248 = phi_838_;
+                let _e250 = phi_839_;
+                phi_840_ = _e248;
+                phi_841_ = _e250;
             } else {
-                phi_839_ = bool();
-                phi_840_ = true;
+                phi_840_ = bool();
+                phi_841_ = true;
             }
-            let _e251 = phi_839_;
-            let _e253 = phi_840_;
-            if _e253 {
-                phi_844_ = false;
+            let _e252 = phi_840_;
+            let _e254 = phi_841_;
+            if _e254 {
+                phi_845_ = false;
             } else {
-                phi_844_ = _e251;
+                phi_845_ = _e252;
             }
-            let _e255 = phi_844_;
-            if (abs(_e169) > 0.000000000000000000000000000001f) {
-                phi_858_ = bool();
-                phi_859_ = true;
+            let _e256 = phi_845_;
+            if (abs(_e170) > 0.000000000000000000000000000001f) {
+                phi_859_ = bool();
+                phi_860_ = true;
             } else {
-                let _e260 = (abs(_e170) > 0.000000000000000000000000000001f);
-                if _e260 {
-                    phi_857_ = bool();
+                let _e261 = (abs(_e171) > 0.000000000000000000000000000001f);
+                if _e261 {
+                    phi_858_ = bool();
                 } else {
-                    phi_857_ = (abs(_e171) > 0.000000000000000000000000000001f);
+                    phi_858_ = (abs(_e172) > 0.000000000000000000000000000001f);
                 }
-                let _e263 = phi_857_;
-                phi_858_ = _e263;
-                phi_859_ = _e260;
+                let _e264 = phi_858_;
+                phi_859_ = _e264;
+                phi_860_ = _e261;
             }
-            let _e265 = phi_858_;
-            let _e267 = phi_859_;
-            if _e267 {
-                phi_863_ = true;
+            let _e266 = phi_859_;
+            let _e268 = phi_860_;
+            if _e268 {
+                phi_864_ = true;
             } else {
-                phi_863_ = _e265;
+                phi_864_ = _e266;
             }
-            let _e269 = phi_863_;
-            if _e255 {
-                if (_e129.low.z <= _e153) {
-                    if (_e153 <= _e129.high.z) {
-                        if (_e129.is_parallel == 0u) {
-                            phi_880_ = _e269;
+            let _e270 = phi_864_;
+            if _e256 {
+                if (_e130.low.z <= _e154) {
+                    if (_e154 <= _e130.high.z) {
+                        if (_e130.is_parallel == 0u) {
+                            phi_881_ = _e270;
                         } else {
-                            phi_880_ = true;
+                            phi_881_ = true;
                         }
-                        let _e275 = phi_880_;
-                        phi_881_ = _e275;
-                        phi_882_ = false;
+                        let _e276 = phi_881_;
+                        phi_882_ = _e276;
+                        phi_883_ = false;
                     } else {
-                        phi_881_ = bool();
-                        phi_882_ = true;
+                        phi_882_ = bool();
+                        phi_883_ = true;
                     }
-                    let _e277 = phi_881_;
-                    let _e279 = phi_882_;
-                    phi_883_ = _e277;
-                    phi_884_ = _e279;
+                    let _e278 = phi_882_;
+                    let _e280 = phi_883_;
+                    phi_884_ = _e278;
+                    phi_885_ = _e280;
                 } else {
-                    phi_883_ = bool();
-                    phi_884_ = true;
+                    phi_884_ = bool();
+                    phi_885_ = true;
                 }
-                let _e281 = phi_883_;
-                let _e283 = phi_884_;
-                phi_885_ = _e281;
-                phi_886_ = _e283;
+                let _e282 = phi_884_;
+                let _e284 = phi_885_;
+                phi_886_ = _e282;
+                phi_887_ = _e284;
             } else {
-                phi_885_ = bool();
-                phi_886_ = true;
+                phi_886_ = bool();
+                phi_887_ = true;
             }
-            let _e285 = phi_885_;
-            let _e287 = phi_886_;
-            if _e287 {
-                phi_890_ = false;
+            let _e286 = phi_886_;
+            let _e288 = phi_887_;
+            if _e288 {
+                phi_891_ = false;
             } else {
-                phi_890_ = _e285;
+                phi_891_ = _e286;
             }
-            let _e289 = phi_890_;
-            if _e289 {
-                if (_e129.is_parallel == 0u) {
-                    let _e292 = abs(_e169);
+            let _e290 = phi_891_;
+            if _e290 {
+                if (_e130.is_parallel == 0u) {
                     let _e293 = abs(_e170);
                     let _e294 = abs(_e171);
-                    if (_e292 >= _e293) {
-                        if (_e292 >= _e294) {
-                            phi_910_ = false;
+                    let _e295 = abs(_e172);
+                    if (_e293 >= _e294) {
+                        if (_e293 >= _e295) {
+                            phi_911_ = false;
                         } else {
-                            phi_910_ = true;
+                            phi_911_ = true;
                         }
-                        let _e298 = phi_910_;
-                        phi_911_ = _e298;
+                        let _e299 = phi_911_;
+                        phi_912_ = _e299;
                     } else {
-                        phi_911_ = true;
+                        phi_912_ = true;
                     }
-                    let _e300 = phi_911_;
-                    if _e300 {
-                        if (_e293 >= _e294) {
-                            phi_919_ = 1u;
-                            phi_920_ = _e170;
+                    let _e301 = phi_912_;
+                    if _e301 {
+                        if (_e294 >= _e295) {
+                            phi_920_ = 1u;
+                            phi_921_ = _e171;
                         } else {
-                            phi_919_ = 2u;
-                            phi_920_ = _e171;
+                            phi_920_ = 2u;
+                            phi_921_ = _e172;
                         }
-                        let _e303 = phi_919_;
-                        let _e305 = phi_920_;
-                        phi_921_ = _e303;
-                        phi_922_ = _e305;
+                        let _e304 = phi_920_;
+                        let _e306 = phi_921_;
+                        phi_922_ = _e304;
+                        phi_923_ = _e306;
                     } else {
-                        phi_921_ = 0u;
-                        phi_922_ = _e169;
+                        phi_922_ = 0u;
+                        phi_923_ = _e170;
                     }
-                    let _e307 = phi_921_;
-                    let _e309 = phi_922_;
-                    if (_e309 < 0f) {
-                        phi_927_ = -1f;
+                    let _e308 = phi_922_;
+                    let _e310 = phi_923_;
+                    if (_e310 < 0f) {
+                        phi_928_ = -1f;
                     } else {
-                        phi_927_ = 1f;
+                        phi_928_ = 1f;
                     }
-                    let _e312 = phi_927_;
-                    let _e313 = (_e312 < 0f);
-                    if (_e307 == 0u) {
-                        if _e313 {
-                            phi_938_ = _e129.roots.y;
+                    let _e313 = phi_928_;
+                    let _e314 = (_e313 < 0f);
+                    if (_e308 == 0u) {
+                        if _e314 {
+                            phi_939_ = _e130.roots.y;
                         } else {
-                            phi_938_ = _e129.roots.x;
+                            phi_939_ = _e130.roots.x;
                         }
-                        let _e320 = phi_938_;
-                        phi_956_ = _e320;
+                        let _e321 = phi_939_;
+                        phi_957_ = _e321;
                     } else {
-                        if (_e307 == 1u) {
-                            if _e313 {
-                                phi_948_ = _e129.roots.w;
+                        if (_e308 == 1u) {
+                            if _e314 {
+                                phi_949_ = _e130.roots.w;
                             } else {
-                                phi_948_ = _e129.roots.z;
+                                phi_949_ = _e130.roots.z;
                             }
-                            let _e327 = phi_948_;
-                            phi_955_ = _e327;
+                            let _e328 = phi_949_;
+                            phi_956_ = _e328;
                         } else {
-                            if _e313 {
-                                phi_954_ = _e129.roots_z.y;
+                            if _e314 {
+                                phi_955_ = _e130.roots_z.y;
                             } else {
-                                phi_954_ = _e129.roots_z.x;
+                                phi_955_ = _e130.roots_z.x;
                             }
-                            let _e333 = phi_954_;
-                            phi_955_ = _e333;
+                            let _e334 = phi_955_;
+                            phi_956_ = _e334;
                         }
-                        let _e335 = phi_955_;
-                        phi_956_ = _e335;
+                        let _e336 = phi_956_;
+                        phi_957_ = _e336;
                     }
-                    let _e337 = phi_956_;
-                    if (_e307 == 0u) {
-                        phi_968_ = vec3<f32>(_e170, _e171, _e169);
+                    let _e338 = phi_957_;
+                    if (_e308 == 0u) {
+                        phi_969_ = vec3<f32>(_e171, _e172, _e170);
                     } else {
-                        if (_e307 == 1u) {
-                            phi_967_ = vec3<f32>(_e171, _e169, _e170);
+                        if (_e308 == 1u) {
+                            phi_968_ = vec3<f32>(_e172, _e170, _e171);
                         } else {
-                            phi_967_ = _e172;
+                            phi_968_ = _e173;
                         }
-                        let _e343 = phi_967_;
-                        phi_968_ = _e343;
+                        let _e344 = phi_968_;
+                        phi_969_ = _e344;
                     }
-                    let _e345 = phi_968_;
-                    phi_1013_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm((_e345.x / _e345.z), (_e345.y / _e345.z), (_e312 / _e345.z)), _e337);
+                    let _e346 = phi_969_;
+                    phi_1014_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm((_e346.x / _e346.z), (_e346.y / _e346.z), (_e313 / _e346.z)), _e338);
                 } else {
-                    if (_e129.axis == 0u) {
-                        phi_991_ = vec3<f32>(_e151, _e153, _e149);
+                    if (_e130.axis == 0u) {
+                        phi_992_ = vec3<f32>(_e152, _e154, _e150);
                     } else {
-                        if (_e129.axis == 1u) {
-                            phi_990_ = vec3<f32>(_e153, _e149, _e151);
+                        if (_e130.axis == 1u) {
+                            phi_991_ = vec3<f32>(_e154, _e150, _e152);
                         } else {
-                            phi_990_ = (_e135 + vec3<f32>(_e143, _e145, _e147));
+                            phi_991_ = (_e136 + vec3<f32>(_e144, _e146, _e148));
                         }
-                        let _e362 = phi_990_;
-                        phi_991_ = _e362;
+                        let _e363 = phi_991_;
+                        phi_992_ = _e363;
                     }
-                    let _e364 = phi_991_;
-                    let _e379 = (_e364.z - _e129.middle.z);
-                    phi_1013_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm(((_e364.x - _e129.middle.x) - (_e129.shear.x * _e379)), ((_e364.y - _e129.middle.y) - (_e129.shear.y * _e379)), (_e129.sign * _e379)), _e129.roots.x);
+                    let _e365 = phi_992_;
+                    let _e380 = (_e365.z - _e130.middle.z);
+                    phi_1014_ = u0028_lt_bvh_LightPoint_u0020_u32_u0029_(lt_math_Evsm(((_e365.x - _e130.middle.x) - (_e130.shear.x * _e380)), ((_e365.y - _e130.middle.y) - (_e130.shear.y * _e380)), (_e130.sign * _e380)), _e130.roots.x);
                 }
-                let _e390 = phi_1013_;
-                if (_e390.unnamed_1 == 4294967295u) {
-                    phi_2549_ = false;
+                let _e391 = phi_1014_;
+                if (_e391.unnamed_1 == 4294967295u) {
+                    phi_2550_ = false;
                 } else {
                     if (0u < _e90) {
                     } else {
                         return;
                     }
-                    let _e407 = nodes.member[0u].frame[0u];
-                    let _e411 = nodes.member[0u].frame[1u];
-                    let _e415 = nodes.member[0u].frame[2u];
-                    let _e419 = nodes.member[0u].frame[0u];
-                    let _e423 = nodes.member[0u].frame[1u];
-                    let _e427 = nodes.member[0u].frame[2u];
-                    let _e431 = nodes.member[0u].frame[3u];
-                    let _e465 = core_intrinsics_maximum_number_nsz_f32_(abs(_e169), abs(_e170));
-                    let _e466 = core_intrinsics_maximum_number_nsz_f32_(_e465, abs(_e171));
-                    let _e467 = (_e466 * 0.0000000000009094947f);
-                    if (abs(_e169) < _e467) {
-                        phi_1088_ = _e467;
+                    let _e408 = nodes.member[0u].frame[0u];
+                    let _e412 = nodes.member[0u].frame[1u];
+                    let _e416 = nodes.member[0u].frame[2u];
+                    let _e420 = nodes.member[0u].frame[0u];
+                    let _e424 = nodes.member[0u].frame[1u];
+                    let _e428 = nodes.member[0u].frame[2u];
+                    let _e432 = nodes.member[0u].frame[3u];
+                    let _e466 = core_intrinsics_maximum_number_nsz_f32_(abs(_e170), abs(_e171));
+                    let _e467 = core_intrinsics_maximum_number_nsz_f32_(_e466, abs(_e172));
+                    let _e468 = (_e467 * 0.0000000000009094947f);
+                    if (abs(_e170) < _e468) {
+                        phi_1089_ = _e468;
                     } else {
-                        phi_1088_ = abs(_e169);
+                        phi_1089_ = abs(_e170);
                     }
-                    let _e472 = phi_1088_;
-                    if (_e169 < 0f) {
-                        phi_1095_ = (-1f / _e472);
-                    } else {
-                        phi_1095_ = (1f / _e472);
-                    }
-                    let _e477 = phi_1095_;
-                    if (abs(_e170) < _e467) {
-                        phi_1102_ = _e467;
-                    } else {
-                        phi_1102_ = abs(_e170);
-                    }
-                    let _e482 = phi_1102_;
+                    let _e473 = phi_1089_;
                     if (_e170 < 0f) {
-                        phi_1109_ = (-1f / _e482);
+                        phi_1096_ = (-1f / _e473);
                     } else {
-                        phi_1109_ = (1f / _e482);
+                        phi_1096_ = (1f / _e473);
                     }
-                    let _e487 = phi_1109_;
-                    if (abs(_e171) < _e467) {
-                        phi_1116_ = _e467;
+                    let _e478 = phi_1096_;
+                    if (abs(_e171) < _e468) {
+                        phi_1103_ = _e468;
                     } else {
-                        phi_1116_ = abs(_e171);
+                        phi_1103_ = abs(_e171);
                     }
-                    let _e492 = phi_1116_;
+                    let _e483 = phi_1103_;
                     if (_e171 < 0f) {
-                        phi_1123_ = (-1f / _e492);
+                        phi_1110_ = (-1f / _e483);
                     } else {
-                        phi_1123_ = (1f / _e492);
+                        phi_1110_ = (1f / _e483);
                     }
-                    let _e497 = phi_1123_;
-                    let _e501 = abs((bitcast<f32>(_e407) - _e149));
-                    let _e502 = abs((bitcast<f32>(_e411) - _e151));
-                    let _e503 = abs((bitcast<f32>(_e415) - _e153));
-                    let _e507 = abs(((bitcast<f32>(_e419) + (bitcast<f32>((((_e431 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e149));
-                    let _e508 = abs(((bitcast<f32>(_e423) + (bitcast<f32>((((_e431 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151));
-                    let _e509 = abs(((bitcast<f32>(_e427) + (bitcast<f32>((((_e431 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e153));
-                    if (_e501 > _e507) {
-                        phi_1140_ = _e501;
+                    let _e488 = phi_1110_;
+                    if (abs(_e172) < _e468) {
+                        phi_1117_ = _e468;
                     } else {
-                        phi_1140_ = _e507;
+                        phi_1117_ = abs(_e172);
                     }
-                    let _e512 = phi_1140_;
+                    let _e493 = phi_1117_;
+                    if (_e172 < 0f) {
+                        phi_1124_ = (-1f / _e493);
+                    } else {
+                        phi_1124_ = (1f / _e493);
+                    }
+                    let _e498 = phi_1124_;
+                    let _e502 = abs((bitcast<f32>(_e408) - _e150));
+                    let _e503 = abs((bitcast<f32>(_e412) - _e152));
+                    let _e504 = abs((bitcast<f32>(_e416) - _e154));
+                    let _e508 = abs(((bitcast<f32>(_e420) + (bitcast<f32>((((_e432 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150));
+                    let _e509 = abs(((bitcast<f32>(_e424) + (bitcast<f32>((((_e432 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e152));
+                    let _e510 = abs(((bitcast<f32>(_e428) + (bitcast<f32>((((_e432 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e154));
                     if (_e502 > _e508) {
-                        phi_1145_ = _e502;
+                        phi_1141_ = _e502;
                     } else {
-                        phi_1145_ = _e508;
+                        phi_1141_ = _e508;
                     }
-                    let _e515 = phi_1145_;
+                    let _e513 = phi_1141_;
                     if (_e503 > _e509) {
-                        phi_1150_ = _e503;
+                        phi_1146_ = _e503;
                     } else {
-                        phi_1150_ = _e509;
+                        phi_1146_ = _e509;
                     }
-                    let _e518 = phi_1150_;
-                    if (_e512 > _e515) {
-                        phi_1155_ = _e512;
+                    let _e516 = phi_1146_;
+                    if (_e504 > _e510) {
+                        phi_1151_ = _e504;
                     } else {
-                        phi_1155_ = _e515;
+                        phi_1151_ = _e510;
                     }
-                    let _e521 = phi_1155_;
-                    if (_e521 > _e518) {
-                        phi_1160_ = _e521;
+                    let _e519 = phi_1151_;
+                    if (_e513 > _e516) {
+                        phi_1156_ = _e513;
                     } else {
-                        phi_1160_ = _e518;
+                        phi_1156_ = _e516;
                     }
-                    let _e524 = phi_1160_;
-                    let _e531 = (_e524 * 0.0000009536743f);
-                    let _e532 = (abs(_e477) * _e531);
-                    let _e533 = (abs(_e487) * _e531);
-                    let _e534 = (abs(_e497) * _e531);
-                    let _e535 = abs(_e169);
+                    let _e522 = phi_1156_;
+                    if (_e522 > _e519) {
+                        phi_1161_ = _e522;
+                    } else {
+                        phi_1161_ = _e519;
+                    }
+                    let _e525 = phi_1161_;
+                    let _e532 = (_e525 * 0.0000009536743f);
+                    let _e533 = (abs(_e478) * _e532);
+                    let _e534 = (abs(_e488) * _e532);
+                    let _e535 = (abs(_e498) * _e532);
                     let _e536 = abs(_e170);
                     let _e537 = abs(_e171);
-                    if (_e535 >= _e536) {
-                        if (_e535 >= _e537) {
-                            phi_1182_ = false;
+                    let _e538 = abs(_e172);
+                    if (_e536 >= _e537) {
+                        if (_e536 >= _e538) {
+                            phi_1183_ = false;
                         } else {
-                            phi_1182_ = true;
+                            phi_1183_ = true;
                         }
-                        let _e541 = phi_1182_;
-                        phi_1183_ = _e541;
+                        let _e542 = phi_1183_;
+                        phi_1184_ = _e542;
                     } else {
-                        phi_1183_ = true;
+                        phi_1184_ = true;
                     }
-                    let _e543 = phi_1183_;
-                    if _e543 {
-                        if (_e536 >= _e537) {
-                            phi_1191_ = 1u;
+                    let _e544 = phi_1184_;
+                    if _e544 {
+                        if (_e537 >= _e538) {
+                            phi_1192_ = 1u;
                         } else {
-                            phi_1191_ = 2u;
+                            phi_1192_ = 2u;
                         }
-                        let _e546 = phi_1191_;
-                        phi_1192_ = _e546;
+                        let _e547 = phi_1192_;
+                        phi_1193_ = _e547;
                     } else {
-                        phi_1192_ = 0u;
+                        phi_1193_ = 0u;
                     }
-                    let _e548 = phi_1192_;
-                    if (_e548 == 0u) {
-                        phi_1204_ = vec3<f32>(_e170, _e171, _e169);
+                    let _e549 = phi_1193_;
+                    if (_e549 == 0u) {
+                        phi_1205_ = vec3<f32>(_e171, _e172, _e170);
                     } else {
-                        if (_e548 == 1u) {
-                            phi_1203_ = vec3<f32>(_e171, _e169, _e170);
+                        if (_e549 == 1u) {
+                            phi_1204_ = vec3<f32>(_e172, _e170, _e171);
                         } else {
-                            phi_1203_ = _e172;
+                            phi_1204_ = _e173;
                         }
-                        let _e554 = phi_1203_;
-                        phi_1204_ = _e554;
+                        let _e555 = phi_1204_;
+                        phi_1205_ = _e555;
                     }
-                    let _e556 = phi_1204_;
-                    let _e559 = (_e556.x / _e556.z);
-                    let _e562 = (_e556.y / _e556.z);
+                    let _e557 = phi_1205_;
+                    let _e560 = (_e557.x / _e557.z);
+                    let _e563 = (_e557.y / _e557.z);
                     local_3 = array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                    phi_1216_ = ((_e390.unnamed_1 << bitcast<u32>(8i)) | 1u);
-                    phi_1219_ = 0u;
+                    phi_1217_ = ((_e391.unnamed_1 << bitcast<u32>(8i)) | 1u);
+                    phi_1220_ = 0u;
                     loop {
-                        let _e569 = phi_1216_;
-                        let _e571 = phi_1219_;
-                        phi_1224_ = _e569;
-                        phi_1226_ = 0u;
-                        phi_1228_ = 0u;
-                        phi_1230_ = _e571;
+                        let _e570 = phi_1217_;
+                        let _e572 = phi_1220_;
+                        phi_1225_ = _e570;
+                        phi_1227_ = 0u;
+                        phi_1229_ = 0u;
+                        phi_1231_ = _e572;
                         loop {
-                            let _e573 = phi_1224_;
-                            let _e575 = phi_1226_;
-                            let _e577 = phi_1228_;
-                            let _e579 = phi_1230_;
-                            let _e586 = (((_e573 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e573), 32u, (_e573 == 0u))) * 5u);
-                            if (_e586 < _e105) {
+                            let _e574 = phi_1225_;
+                            let _e576 = phi_1227_;
+                            let _e578 = phi_1229_;
+                            let _e580 = phi_1231_;
+                            let _e587 = (((_e574 >> bitcast<u32>(8i)) + select(firstTrailingBit(_e574), 32u, (_e574 == 0u))) * 5u);
+                            if (_e587 < _e105) {
                             } else {
                                 return;
                             }
-                            let _e590 = rows.member[(0u + _e586)];
-                            let _e591 = (_e586 + 1u);
-                            if (_e591 < _e105) {
+                            let _e591 = rows.member[(0u + _e587)];
+                            let _e592 = (_e587 + 1u);
+                            if (_e592 < _e105) {
                             } else {
                                 return;
                             }
-                            let _e595 = rows.member[(0u + _e591)];
-                            let _e596 = (_e586 + 2u);
-                            if (_e596 < _e105) {
+                            let _e596 = rows.member[(0u + _e592)];
+                            let _e597 = (_e587 + 2u);
+                            if (_e597 < _e105) {
                             } else {
                                 return;
                             }
-                            let _e600 = rows.member[(0u + _e596)];
-                            let _e601 = (_e586 + 3u);
-                            if (_e601 < _e105) {
+                            let _e601 = rows.member[(0u + _e597)];
+                            let _e602 = (_e587 + 3u);
+                            if (_e602 < _e105) {
                             } else {
                                 return;
                             }
-                            let _e605 = rows.member[(0u + _e601)];
-                            let _e606 = (_e586 + 4u);
-                            if (_e606 < _e105) {
+                            let _e606 = rows.member[(0u + _e602)];
+                            let _e607 = (_e587 + 4u);
+                            if (_e607 < _e105) {
                             } else {
                                 return;
                             }
-                            let _e610 = rows.member[(0u + _e606)];
-                            let _e611 = lt_bvh_Node(_e590, _e595, _e600, _e605, _e610);
-                            let _e613 = (_e573 & (_e573 - 1u));
-                            let _e625 = (_e390.unnamed.positive_exponent - bitcast<f32>(_e611.frame.x));
-                            let _e628 = bitcast<f32>((((_e611.z.z >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                            if (_e625 > 0f) {
-                                if (_e625 < (255f * _e628)) {
-                                    phi_1302_ = (_e625 / _e628);
+                            let _e611 = rows.member[(0u + _e607)];
+                            let _e612 = lt_bvh_Node(_e591, _e596, _e601, _e606, _e611);
+                            let _e614 = (_e574 & (_e574 - 1u));
+                            let _e626 = (_e391.unnamed.positive_exponent - bitcast<f32>(_e612.frame.x));
+                            let _e629 = bitcast<f32>((((_e612.z.z >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                            if (_e626 > 0f) {
+                                if (_e626 < (255f * _e629)) {
+                                    phi_1303_ = (_e626 / _e629);
                                 } else {
-                                    phi_1302_ = 255f;
+                                    phi_1303_ = 255f;
                                 }
-                                let _e634 = phi_1302_;
-                                phi_1303_ = _e634;
+                                let _e635 = phi_1303_;
+                                phi_1304_ = _e635;
                             } else {
-                                phi_1303_ = 0f;
+                                phi_1304_ = 0f;
                             }
-                            let _e636 = phi_1303_;
-                            let _e643 = select(select(u32(_e636), 0u, (_e636 < bitcast<f32>(0u))), 4294967295u, (_e636 > bitcast<f32>(1333788671u)));
-                            if (f32(_e643) < _e636) {
-                                phi_1317_ = (_e643 + 1u);
+                            let _e637 = phi_1304_;
+                            let _e644 = select(select(u32(_e637), 0u, (_e637 < bitcast<f32>(0u))), 4294967295u, (_e637 > bitcast<f32>(1333788671u)));
+                            if (f32(_e644) < _e637) {
+                                phi_1318_ = (_e644 + 1u);
                             } else {
-                                phi_1317_ = _e643;
+                                phi_1318_ = _e644;
                             }
-                            let _e648 = phi_1317_;
-                            let _e649 = (_e643 * 16843009u);
-                            let _e650 = (_e648 * 16843009u);
-                            let _e660 = (_e390.unnamed.negative_exponent - bitcast<f32>(_e611.frame.y));
-                            let _e663 = bitcast<f32>((((_e611.z.z >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                            if (_e660 > 0f) {
-                                if (_e660 < (255f * _e663)) {
-                                    phi_1340_ = (_e660 / _e663);
+                            let _e649 = phi_1318_;
+                            let _e650 = (_e644 * 16843009u);
+                            let _e651 = (_e649 * 16843009u);
+                            let _e661 = (_e391.unnamed.negative_exponent - bitcast<f32>(_e612.frame.y));
+                            let _e664 = bitcast<f32>((((_e612.z.z >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                            if (_e661 > 0f) {
+                                if (_e661 < (255f * _e664)) {
+                                    phi_1341_ = (_e661 / _e664);
                                 } else {
-                                    phi_1340_ = 255f;
+                                    phi_1341_ = 255f;
                                 }
-                                let _e669 = phi_1340_;
-                                phi_1341_ = _e669;
+                                let _e670 = phi_1341_;
+                                phi_1342_ = _e670;
                             } else {
-                                phi_1341_ = 0f;
+                                phi_1342_ = 0f;
                             }
-                            let _e671 = phi_1341_;
-                            let _e678 = select(select(u32(_e671), 0u, (_e671 < bitcast<f32>(0u))), 4294967295u, (_e671 > bitcast<f32>(1333788671u)));
-                            if (f32(_e678) < _e671) {
-                                phi_1355_ = (_e678 + 1u);
+                            let _e672 = phi_1342_;
+                            let _e679 = select(select(u32(_e672), 0u, (_e672 < bitcast<f32>(0u))), 4294967295u, (_e672 > bitcast<f32>(1333788671u)));
+                            if (f32(_e679) < _e672) {
+                                phi_1356_ = (_e679 + 1u);
                             } else {
-                                phi_1355_ = _e678;
+                                phi_1356_ = _e679;
                             }
-                            let _e683 = phi_1355_;
-                            let _e684 = (_e678 * 16843009u);
-                            let _e685 = (_e683 * 16843009u);
-                            let _e694 = (((_e129.diagonal.x * _e390.unnamed.positive_exponent) + (_e129.diagonal.y * _e390.unnamed.negative_exponent)) - bitcast<f32>(_e611.frame.z));
-                            let _e697 = bitcast<f32>((((_e611.z.z >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                            if (_e694 > 0f) {
-                                if (_e694 < (255f * _e697)) {
-                                    phi_1377_ = (_e694 / _e697);
+                            let _e684 = phi_1356_;
+                            let _e685 = (_e679 * 16843009u);
+                            let _e686 = (_e684 * 16843009u);
+                            let _e695 = (((_e130.diagonal.x * _e391.unnamed.positive_exponent) + (_e130.diagonal.y * _e391.unnamed.negative_exponent)) - bitcast<f32>(_e612.frame.z));
+                            let _e698 = bitcast<f32>((((_e612.z.z >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                            if (_e695 > 0f) {
+                                if (_e695 < (255f * _e698)) {
+                                    phi_1378_ = (_e695 / _e698);
                                 } else {
-                                    phi_1377_ = 255f;
+                                    phi_1378_ = 255f;
                                 }
-                                let _e703 = phi_1377_;
-                                phi_1378_ = _e703;
+                                let _e704 = phi_1378_;
+                                phi_1379_ = _e704;
                             } else {
-                                phi_1378_ = 0f;
+                                phi_1379_ = 0f;
                             }
-                            let _e705 = phi_1378_;
-                            let _e712 = select(select(u32(_e705), 0u, (_e705 < bitcast<f32>(0u))), 4294967295u, (_e705 > bitcast<f32>(1333788671u)));
-                            if (f32(_e712) < _e705) {
-                                phi_1392_ = (_e712 + 1u);
+                            let _e706 = phi_1379_;
+                            let _e713 = select(select(u32(_e706), 0u, (_e706 < bitcast<f32>(0u))), 4294967295u, (_e706 > bitcast<f32>(1333788671u)));
+                            if (f32(_e713) < _e706) {
+                                phi_1393_ = (_e713 + 1u);
                             } else {
-                                phi_1392_ = _e712;
+                                phi_1393_ = _e713;
                             }
-                            let _e717 = phi_1392_;
-                            let _e718 = (_e712 * 16843009u);
-                            let _e719 = (_e717 * 16843009u);
-                            let _e729 = (_e390.unnamed.min_variance - bitcast<f32>(_e611.frame.w));
-                            let _e732 = bitcast<f32>((((_e611.z.z >> bitcast<u32>(((3u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
-                            if (_e729 > 0f) {
-                                if (_e729 < (255f * _e732)) {
-                                    phi_1415_ = (_e729 / _e732);
+                            let _e718 = phi_1393_;
+                            let _e719 = (_e713 * 16843009u);
+                            let _e720 = (_e718 * 16843009u);
+                            let _e730 = (_e391.unnamed.min_variance - bitcast<f32>(_e612.frame.w));
+                            let _e733 = bitcast<f32>((((_e612.z.z >> bitcast<u32>(((3u * 8u) & 31u))) & 255u) << bitcast<u32>(23i)));
+                            if (_e730 > 0f) {
+                                if (_e730 < (255f * _e733)) {
+                                    phi_1416_ = (_e730 / _e733);
                                 } else {
-                                    phi_1415_ = 255f;
+                                    phi_1416_ = 255f;
                                 }
-                                let _e738 = phi_1415_;
-                                phi_1416_ = _e738;
+                                let _e739 = phi_1416_;
+                                phi_1417_ = _e739;
                             } else {
-                                phi_1416_ = 0f;
+                                phi_1417_ = 0f;
                             }
-                            let _e740 = phi_1416_;
-                            let _e747 = select(select(u32(_e740), 0u, (_e740 < bitcast<f32>(0u))), 4294967295u, (_e740 > bitcast<f32>(1333788671u)));
-                            if (f32(_e747) < _e740) {
-                                phi_1430_ = (_e747 + 1u);
+                            let _e741 = phi_1417_;
+                            let _e748 = select(select(u32(_e741), 0u, (_e741 < bitcast<f32>(0u))), 4294967295u, (_e741 > bitcast<f32>(1333788671u)));
+                            if (f32(_e748) < _e741) {
+                                phi_1431_ = (_e748 + 1u);
                             } else {
-                                phi_1430_ = _e747;
+                                phi_1431_ = _e748;
                             }
-                            let _e752 = phi_1430_;
-                            let _e753 = (_e752 * 16843009u);
-                            let _e934 = (((((((((((_e649 & ~(_e611.links.x)) | (~((_e611.links.x ^ _e649)) & ((_e649 | 2155905152u) - (_e611.links.x & 2139062143u)))) & ((_e611.links.z & ~(_e650)) | (~((_e650 ^ _e611.links.z)) & ((_e611.links.z | 2155905152u) - (_e650 & 2139062143u))))) & (((_e684 & ~(_e611.x.x)) | (~((_e611.x.x ^ _e684)) & ((_e684 | 2155905152u) - (_e611.x.x & 2139062143u)))) & ((_e611.x.z & ~(_e685)) | (~((_e685 ^ _e611.x.z)) & ((_e611.x.z | 2155905152u) - (_e685 & 2139062143u)))))) & (((_e718 & ~(_e611.y.x)) | (~((_e611.y.x ^ _e718)) & ((_e718 | 2155905152u) - (_e611.y.x & 2139062143u)))) & ((_e611.y.z & ~(_e719)) | (~((_e719 ^ _e611.y.z)) & ((_e611.y.z | 2155905152u) - (_e719 & 2139062143u)))))) & ((_e611.z.x & ~(_e753)) | (~((_e753 ^ _e611.z.x)) & ((_e611.z.x | 2155905152u) - (_e753 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e649 & ~(_e611.links.y)) | (~((_e611.links.y ^ _e649)) & ((_e649 | 2155905152u) - (_e611.links.y & 2139062143u)))) & ((_e611.links.w & ~(_e650)) | (~((_e650 ^ _e611.links.w)) & ((_e611.links.w | 2155905152u) - (_e650 & 2139062143u))))) & (((_e684 & ~(_e611.x.y)) | (~((_e611.x.y ^ _e684)) & ((_e684 | 2155905152u) - (_e611.x.y & 2139062143u)))) & ((_e611.x.w & ~(_e685)) | (~((_e685 ^ _e611.x.w)) & ((_e611.x.w | 2155905152u) - (_e685 & 2139062143u)))))) & (((_e718 & ~(_e611.y.y)) | (~((_e611.y.y ^ _e718)) & ((_e718 | 2155905152u) - (_e611.y.y & 2139062143u)))) & ((_e611.y.w & ~(_e719)) | (~((_e719 ^ _e611.y.w)) & ((_e611.y.w | 2155905152u) - (_e719 & 2139062143u)))))) & ((_e611.z.y & ~(_e753)) | (~((_e753 ^ _e611.z.y)) & ((_e611.z.y | 2155905152u) - (_e753 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
-                            if ((_e611.z.w & 2147483648u) != 0u) {
-                                phi_1630_ = _e613;
-                                phi_1227_ = (_e611.z.w & 2147483647u);
-                                phi_1229_ = _e934;
-                                phi_1631_ = _e579;
+                            let _e753 = phi_1431_;
+                            let _e754 = (_e753 * 16843009u);
+                            let _e935 = (((((((((((_e650 & ~(_e612.links.x)) | (~((_e612.links.x ^ _e650)) & ((_e650 | 2155905152u) - (_e612.links.x & 2139062143u)))) & ((_e612.links.z & ~(_e651)) | (~((_e651 ^ _e612.links.z)) & ((_e612.links.z | 2155905152u) - (_e651 & 2139062143u))))) & (((_e685 & ~(_e612.x.x)) | (~((_e612.x.x ^ _e685)) & ((_e685 | 2155905152u) - (_e612.x.x & 2139062143u)))) & ((_e612.x.z & ~(_e686)) | (~((_e686 ^ _e612.x.z)) & ((_e612.x.z | 2155905152u) - (_e686 & 2139062143u)))))) & (((_e719 & ~(_e612.y.x)) | (~((_e612.y.x ^ _e719)) & ((_e719 | 2155905152u) - (_e612.y.x & 2139062143u)))) & ((_e612.y.z & ~(_e720)) | (~((_e720 ^ _e612.y.z)) & ((_e612.y.z | 2155905152u) - (_e720 & 2139062143u)))))) & ((_e612.z.x & ~(_e754)) | (~((_e754 ^ _e612.z.x)) & ((_e612.z.x | 2155905152u) - (_e754 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) | (((((((((((_e650 & ~(_e612.links.y)) | (~((_e612.links.y ^ _e650)) & ((_e650 | 2155905152u) - (_e612.links.y & 2139062143u)))) & ((_e612.links.w & ~(_e651)) | (~((_e651 ^ _e612.links.w)) & ((_e612.links.w | 2155905152u) - (_e651 & 2139062143u))))) & (((_e685 & ~(_e612.x.y)) | (~((_e612.x.y ^ _e685)) & ((_e685 | 2155905152u) - (_e612.x.y & 2139062143u)))) & ((_e612.x.w & ~(_e686)) | (~((_e686 ^ _e612.x.w)) & ((_e612.x.w | 2155905152u) - (_e686 & 2139062143u)))))) & (((_e719 & ~(_e612.y.y)) | (~((_e612.y.y ^ _e719)) & ((_e719 | 2155905152u) - (_e612.y.y & 2139062143u)))) & ((_e612.y.w & ~(_e720)) | (~((_e720 ^ _e612.y.w)) & ((_e612.y.w | 2155905152u) - (_e720 & 2139062143u)))))) & ((_e612.z.y & ~(_e754)) | (~((_e754 ^ _e612.z.y)) & ((_e612.z.y | 2155905152u) - (_e754 & 2139062143u))))) & 2155905152u) >> bitcast<u32>(7i)) * 16909320u) >> bitcast<u32>(24i)) << bitcast<u32>(4i)));
+                            if ((_e612.z.w & 2147483648u) != 0u) {
+                                phi_1631_ = _e614;
+                                phi_1228_ = (_e612.z.w & 2147483647u);
+                                phi_1230_ = _e935;
+                                phi_1632_ = _e580;
                             } else {
-                                if (_e934 == 0u) {
-                                    phi_1628_ = _e613;
-                                    phi_1629_ = _e579;
+                                if (_e935 == 0u) {
+                                    phi_1629_ = _e614;
+                                    phi_1630_ = _e580;
                                 } else {
-                                    if ((_e613 & 255u) == 0u) {
-                                        phi_1623_ = _e579;
+                                    if ((_e614 & 255u) == 0u) {
+                                        phi_1624_ = _e580;
                                     } else {
-                                        if (_e579 < 32u) {
-                                            if (_e579 < 32u) {
+                                        if (_e580 < 32u) {
+                                            if (_e580 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            local_3[(0u + _e579)] = _e613;
-                                            phi_1622_ = (_e579 + 1u);
+                                            local_3[(0u + _e580)] = _e614;
+                                            phi_1623_ = (_e580 + 1u);
                                         } else {
-                                            phi_1622_ = _e579;
+                                            phi_1623_ = _e580;
                                         }
-                                        let _e951 = phi_1622_;
-                                        phi_1623_ = _e951;
+                                        let _e952 = phi_1623_;
+                                        phi_1624_ = _e952;
                                     }
-                                    let _e953 = phi_1623_;
-                                    phi_1628_ = (((_e611.z.w & 2147483647u) << bitcast<u32>(8i)) | _e934);
-                                    phi_1629_ = _e953;
+                                    let _e954 = phi_1624_;
+                                    phi_1629_ = (((_e612.z.w & 2147483647u) << bitcast<u32>(8i)) | _e935);
+                                    phi_1630_ = _e954;
                                 }
-                                let _e961 = phi_1628_;
-                                let _e963 = phi_1629_;
-                                phi_1630_ = _e961;
-                                phi_1227_ = _e575;
-                                phi_1229_ = _e577;
-                                phi_1631_ = _e963;
+                                let _e962 = phi_1629_;
+                                let _e964 = phi_1630_;
+                                phi_1631_ = _e962;
+                                phi_1228_ = _e576;
+                                phi_1230_ = _e578;
+                                phi_1632_ = _e964;
                             }
-                            let _e965 = phi_1630_;
-                            let _e967 = phi_1227_;
-                            let _e969 = phi_1229_;
-                            let _e971 = phi_1631_;
-                            local_5 = _e969;
-                            local_17 = _e969;
-                            local_6 = _e967;
-                            if ((_e965 & 255u) == 0u) {
-                                if (_e971 > 0u) {
-                                    let _e975 = (_e971 - 1u);
-                                    if (_e975 < 32u) {
+                            let _e966 = phi_1631_;
+                            let _e968 = phi_1228_;
+                            let _e970 = phi_1230_;
+                            let _e972 = phi_1632_;
+                            local_5 = _e970;
+                            local_17 = _e970;
+                            local_6 = _e968;
+                            if ((_e966 & 255u) == 0u) {
+                                if (_e972 > 0u) {
+                                    let _e976 = (_e972 - 1u);
+                                    if (_e976 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e979 = local_3[(0u + _e975)];
-                                    phi_1649_ = _e979;
-                                    phi_1650_ = _e975;
+                                    let _e980 = local_3[(0u + _e976)];
+                                    phi_1650_ = _e980;
+                                    phi_1651_ = _e976;
                                 } else {
-                                    phi_1649_ = 0u;
-                                    phi_1650_ = _e971;
+                                    phi_1650_ = 0u;
+                                    phi_1651_ = _e972;
                                 }
-                                let _e981 = phi_1649_;
-                                let _e983 = phi_1650_;
-                                phi_1217_ = _e981;
-                                phi_1220_ = _e983;
+                                let _e982 = phi_1650_;
+                                let _e984 = phi_1651_;
+                                phi_1218_ = _e982;
+                                phi_1221_ = _e984;
                             } else {
-                                phi_1217_ = _e965;
-                                phi_1220_ = _e971;
+                                phi_1218_ = _e966;
+                                phi_1221_ = _e972;
                             }
-                            let _e985 = phi_1217_;
-                            let _e987 = phi_1220_;
-                            local_15 = _e985;
-                            local_16 = _e987;
-                            local_8 = _e985;
-                            if (_e969 == 0u) {
-                                let _e989 = (_e985 == 0u);
-                                if _e989 {
-                                    phi_1659_ = false;
+                            let _e986 = phi_1218_;
+                            let _e988 = phi_1221_;
+                            local_15 = _e986;
+                            local_16 = _e988;
+                            local_8 = _e986;
+                            if (_e970 == 0u) {
+                                let _e990 = (_e986 == 0u);
+                                if _e990 {
+                                    phi_1660_ = false;
                                 } else {
-                                    phi_1659_ = true;
+                                    phi_1660_ = true;
                                 }
-                                let _e991 = phi_1659_;
-                                phi_1660_ = _e991;
-                                phi_1661_ = _e989;
+                                let _e992 = phi_1660_;
+                                phi_1661_ = _e992;
+                                phi_1662_ = _e990;
                             } else {
-                                phi_1660_ = false;
                                 phi_1661_ = false;
+                                phi_1662_ = false;
                             }
-                            let _e993 = phi_1660_;
-                            let _e995 = phi_1661_;
-                            local_4 = _e995;
+                            let _e994 = phi_1661_;
+                            let _e996 = phi_1662_;
+                            local_4 = _e996;
                             continue;
                             continuing {
-                                phi_1224_ = _e985;
-                                phi_1226_ = _e967;
-                                phi_1228_ = _e969;
-                                phi_1230_ = _e987;
-                                break if !(_e993);
+                                phi_1225_ = _e986;
+                                phi_1227_ = _e968;
+                                phi_1229_ = _e970;
+                                phi_1231_ = _e988;
+                                break if !(_e994);
                             }
                         }
-                        let _e998 = local_4;
-                        if _e998 {
+                        let _e999 = local_4;
+                        if _e999 {
                         }
-                        let _e1000 = local_5;
-                        if (_e1000 == 0u) {
-                            phi_2523_ = true;
-                            phi_2524_ = false;
+                        let _e1001 = local_5;
+                        if (_e1001 == 0u) {
+                            phi_2524_ = true;
                             phi_2525_ = false;
+                            phi_2526_ = false;
                         } else {
-                            let _e3560 = local_17;
-                            phi_1670_ = _e3560;
+                            let _e3561 = local_17;
+                            phi_1671_ = _e3561;
                             loop {
-                                let _e1003 = phi_1670_;
-                                let _e1006 = select(firstTrailingBit(_e1003), 32u, (_e1003 == 0u));
-                                let _e1010 = local_6;
-                                let _e1011 = (_e1010 + (_e1006 >> bitcast<u32>(2i)));
-                                if (_e1011 < _e105) {
+                                let _e1004 = phi_1671_;
+                                let _e1007 = select(firstTrailingBit(_e1004), 32u, (_e1004 == 0u));
+                                let _e1011 = local_6;
+                                let _e1012 = (_e1011 + (_e1007 >> bitcast<u32>(2i)));
+                                if (_e1012 < _e105) {
                                 } else {
                                     return;
                                 }
-                                let _e1016 = rows.member[(0u + _e1011)][0u];
-                                let _e1020 = rows.member[(0u + _e1011)][1u];
-                                let _e1024 = rows.member[(0u + _e1011)][2u];
-                                let _e1028 = rows.member[(0u + _e1011)][3u];
-                                if ((_e1006 & 2u) == 0u) {
-                                    phi_1705_ = _e1020;
-                                    phi_1706_ = _e1016;
+                                let _e1017 = rows.member[(0u + _e1012)][0u];
+                                let _e1021 = rows.member[(0u + _e1012)][1u];
+                                let _e1025 = rows.member[(0u + _e1012)][2u];
+                                let _e1029 = rows.member[(0u + _e1012)][3u];
+                                if ((_e1007 & 2u) == 0u) {
+                                    phi_1706_ = _e1021;
+                                    phi_1707_ = _e1017;
                                 } else {
-                                    phi_1705_ = _e1028;
-                                    phi_1706_ = _e1024;
+                                    phi_1706_ = _e1029;
+                                    phi_1707_ = _e1025;
                                 }
-                                let _e1032 = phi_1705_;
-                                let _e1034 = phi_1706_;
-                                if ((_e1006 & 1u) == 0u) {
-                                    phi_1712_ = _e1034;
+                                let _e1033 = phi_1706_;
+                                let _e1035 = phi_1707_;
+                                if ((_e1007 & 1u) == 0u) {
+                                    phi_1713_ = _e1035;
                                 } else {
-                                    phi_1712_ = _e1032;
+                                    phi_1713_ = _e1033;
                                 }
-                                let _e1038 = phi_1712_;
-                                let _e1040 = (_e1003 & (_e1003 - 1u));
-                                if (_e1038 < _e93) {
+                                let _e1039 = phi_1713_;
+                                let _e1041 = (_e1004 & (_e1004 - 1u));
+                                if (_e1039 < _e93) {
                                 } else {
                                     return;
                                 }
-                                let _e1045 = triangles.member[(0u + _e1038)].v0_;
-                                let _e1047 = (_e1045.x - _e149);
-                                let _e1049 = (_e1045.y - _e151);
-                                let _e1051 = (_e1045.z - _e153);
-                                if (_e548 == 0u) {
-                                    phi_1741_ = vec3<f32>(_e1049, _e1051, _e1047);
+                                let _e1046 = triangles.member[(0u + _e1039)].v0_;
+                                let _e1048 = (_e1046.x - _e150);
+                                let _e1050 = (_e1046.y - _e152);
+                                let _e1052 = (_e1046.z - _e154);
+                                if (_e549 == 0u) {
+                                    phi_1742_ = vec3<f32>(_e1050, _e1052, _e1048);
                                 } else {
-                                    if (_e548 == 1u) {
-                                        phi_1740_ = vec3<f32>(_e1051, _e1047, _e1049);
+                                    if (_e549 == 1u) {
+                                        phi_1741_ = vec3<f32>(_e1052, _e1048, _e1050);
                                     } else {
-                                        phi_1740_ = (_e1045 - vec3<f32>(_e149, _e151, _e153));
+                                        phi_1741_ = (_e1046 - vec3<f32>(_e150, _e152, _e154));
                                     }
-                                    let _e1059 = phi_1740_;
-                                    phi_1741_ = _e1059;
+                                    let _e1060 = phi_1741_;
+                                    phi_1742_ = _e1060;
                                 }
-                                let _e1061 = phi_1741_;
-                                let _e1065 = (_e1061.x - (_e559 * _e1061.z));
-                                let _e1069 = (_e1061.y - (_e562 * _e1061.z));
-                                let _e1071 = triangles.member[(0u + _e1038)].v1_;
-                                let _e1073 = (_e1071.x - _e149);
-                                let _e1075 = (_e1071.y - _e151);
-                                let _e1077 = (_e1071.z - _e153);
-                                if (_e548 == 0u) {
-                                    phi_1771_ = vec3<f32>(_e1075, _e1077, _e1073);
+                                let _e1062 = phi_1742_;
+                                let _e1066 = (_e1062.x - (_e560 * _e1062.z));
+                                let _e1070 = (_e1062.y - (_e563 * _e1062.z));
+                                let _e1072 = triangles.member[(0u + _e1039)].v1_;
+                                let _e1074 = (_e1072.x - _e150);
+                                let _e1076 = (_e1072.y - _e152);
+                                let _e1078 = (_e1072.z - _e154);
+                                if (_e549 == 0u) {
+                                    phi_1772_ = vec3<f32>(_e1076, _e1078, _e1074);
                                 } else {
-                                    if (_e548 == 1u) {
-                                        phi_1770_ = vec3<f32>(_e1077, _e1073, _e1075);
+                                    if (_e549 == 1u) {
+                                        phi_1771_ = vec3<f32>(_e1078, _e1074, _e1076);
                                     } else {
-                                        phi_1770_ = (_e1071 - vec3<f32>(_e149, _e151, _e153));
+                                        phi_1771_ = (_e1072 - vec3<f32>(_e150, _e152, _e154));
                                     }
-                                    let _e1085 = phi_1770_;
-                                    phi_1771_ = _e1085;
+                                    let _e1086 = phi_1771_;
+                                    phi_1772_ = _e1086;
                                 }
-                                let _e1087 = phi_1771_;
-                                let _e1091 = (_e1087.x - (_e559 * _e1087.z));
-                                let _e1095 = (_e1087.y - (_e562 * _e1087.z));
-                                let _e1097 = triangles.member[(0u + _e1038)].v2_;
-                                let _e1099 = (_e1097.x - _e149);
-                                let _e1101 = (_e1097.y - _e151);
-                                let _e1103 = (_e1097.z - _e153);
-                                if (_e548 == 0u) {
-                                    phi_1801_ = vec3<f32>(_e1101, _e1103, _e1099);
+                                let _e1088 = phi_1772_;
+                                let _e1092 = (_e1088.x - (_e560 * _e1088.z));
+                                let _e1096 = (_e1088.y - (_e563 * _e1088.z));
+                                let _e1098 = triangles.member[(0u + _e1039)].v2_;
+                                let _e1100 = (_e1098.x - _e150);
+                                let _e1102 = (_e1098.y - _e152);
+                                let _e1104 = (_e1098.z - _e154);
+                                if (_e549 == 0u) {
+                                    phi_1802_ = vec3<f32>(_e1102, _e1104, _e1100);
                                 } else {
-                                    if (_e548 == 1u) {
-                                        phi_1800_ = vec3<f32>(_e1103, _e1099, _e1101);
+                                    if (_e549 == 1u) {
+                                        phi_1801_ = vec3<f32>(_e1104, _e1100, _e1102);
                                     } else {
-                                        phi_1800_ = (_e1097 - vec3<f32>(_e149, _e151, _e153));
+                                        phi_1801_ = (_e1098 - vec3<f32>(_e150, _e152, _e154));
                                     }
-                                    let _e1111 = phi_1800_;
-                                    phi_1801_ = _e1111;
+                                    let _e1112 = phi_1801_;
+                                    phi_1802_ = _e1112;
                                 }
-                                let _e1113 = phi_1801_;
-                                let _e1117 = (_e1113.x - (_e559 * _e1113.z));
-                                let _e1121 = (_e1113.y - (_e562 * _e1113.z));
-                                if (_e1091 < _e1117) {
-                                    phi_1820_ = true;
+                                let _e1114 = phi_1802_;
+                                let _e1118 = (_e1114.x - (_e560 * _e1114.z));
+                                let _e1122 = (_e1114.y - (_e563 * _e1114.z));
+                                if (_e1092 < _e1118) {
+                                    phi_1821_ = true;
                                 } else {
-                                    if (_e1091 == _e1117) {
-                                        phi_1819_ = (_e1095 < _e1121);
+                                    if (_e1092 == _e1118) {
+                                        phi_1820_ = (_e1096 < _e1122);
                                     } else {
-                                        phi_1819_ = false;
+                                        phi_1820_ = false;
                                     }
-                                    let _e1126 = phi_1819_;
-                                    phi_1820_ = _e1126;
+                                    let _e1127 = phi_1820_;
+                                    phi_1821_ = _e1127;
                                 }
-                                let _e1128 = phi_1820_;
-                                if _e1128 {
-                                    phi_1824_ = _e1121;
-                                    phi_1825_ = _e1117;
-                                    phi_1826_ = _e1095;
-                                    phi_1827_ = _e1091;
+                                let _e1129 = phi_1821_;
+                                if _e1129 {
+                                    phi_1825_ = _e1122;
+                                    phi_1826_ = _e1118;
+                                    phi_1827_ = _e1096;
+                                    phi_1828_ = _e1092;
                                 } else {
-                                    phi_1824_ = _e1095;
-                                    phi_1825_ = _e1091;
-                                    phi_1826_ = _e1121;
-                                    phi_1827_ = _e1117;
+                                    phi_1825_ = _e1096;
+                                    phi_1826_ = _e1092;
+                                    phi_1827_ = _e1122;
+                                    phi_1828_ = _e1118;
                                 }
-                                let _e1130 = phi_1824_;
-                                let _e1132 = phi_1825_;
-                                let _e1134 = phi_1826_;
-                                let _e1136 = phi_1827_;
-                                let _e1139 = ((_e1136 * _e1130) - (_e1134 * _e1132));
-                                if _e1128 {
-                                    phi_1835_ = -(_e1139);
+                                let _e1131 = phi_1825_;
+                                let _e1133 = phi_1826_;
+                                let _e1135 = phi_1827_;
+                                let _e1137 = phi_1828_;
+                                let _e1140 = ((_e1137 * _e1131) - (_e1135 * _e1133));
+                                if _e1129 {
+                                    phi_1836_ = -(_e1140);
                                 } else {
-                                    phi_1835_ = _e1139;
+                                    phi_1836_ = _e1140;
                                 }
-                                let _e1142 = phi_1835_;
-                                if (_e1117 < _e1065) {
-                                    phi_1846_ = true;
+                                let _e1143 = phi_1836_;
+                                if (_e1118 < _e1066) {
+                                    phi_1847_ = true;
                                 } else {
-                                    if (_e1117 == _e1065) {
-                                        phi_1845_ = (_e1121 < _e1069);
+                                    if (_e1118 == _e1066) {
+                                        phi_1846_ = (_e1122 < _e1070);
                                     } else {
-                                        phi_1845_ = false;
+                                        phi_1846_ = false;
                                     }
-                                    let _e1147 = phi_1845_;
-                                    phi_1846_ = _e1147;
+                                    let _e1148 = phi_1846_;
+                                    phi_1847_ = _e1148;
                                 }
-                                let _e1149 = phi_1846_;
-                                if _e1149 {
-                                    phi_1850_ = _e1069;
-                                    phi_1851_ = _e1065;
-                                    phi_1852_ = _e1121;
-                                    phi_1853_ = _e1117;
+                                let _e1150 = phi_1847_;
+                                if _e1150 {
+                                    phi_1851_ = _e1070;
+                                    phi_1852_ = _e1066;
+                                    phi_1853_ = _e1122;
+                                    phi_1854_ = _e1118;
                                 } else {
-                                    phi_1850_ = _e1121;
-                                    phi_1851_ = _e1117;
-                                    phi_1852_ = _e1069;
-                                    phi_1853_ = _e1065;
+                                    phi_1851_ = _e1122;
+                                    phi_1852_ = _e1118;
+                                    phi_1853_ = _e1070;
+                                    phi_1854_ = _e1066;
                                 }
-                                let _e1151 = phi_1850_;
-                                let _e1153 = phi_1851_;
-                                let _e1155 = phi_1852_;
-                                let _e1157 = phi_1853_;
-                                let _e1160 = ((_e1157 * _e1151) - (_e1155 * _e1153));
-                                if _e1149 {
-                                    phi_1861_ = -(_e1160);
+                                let _e1152 = phi_1851_;
+                                let _e1154 = phi_1852_;
+                                let _e1156 = phi_1853_;
+                                let _e1158 = phi_1854_;
+                                let _e1161 = ((_e1158 * _e1152) - (_e1156 * _e1154));
+                                if _e1150 {
+                                    phi_1862_ = -(_e1161);
                                 } else {
-                                    phi_1861_ = _e1160;
+                                    phi_1862_ = _e1161;
                                 }
-                                let _e1163 = phi_1861_;
-                                if (_e1065 < _e1091) {
-                                    phi_1872_ = true;
+                                let _e1164 = phi_1862_;
+                                if (_e1066 < _e1092) {
+                                    phi_1873_ = true;
                                 } else {
-                                    if (_e1065 == _e1091) {
-                                        phi_1871_ = (_e1069 < _e1095);
+                                    if (_e1066 == _e1092) {
+                                        phi_1872_ = (_e1070 < _e1096);
                                     } else {
-                                        phi_1871_ = false;
+                                        phi_1872_ = false;
                                     }
-                                    let _e1168 = phi_1871_;
-                                    phi_1872_ = _e1168;
+                                    let _e1169 = phi_1872_;
+                                    phi_1873_ = _e1169;
                                 }
-                                let _e1170 = phi_1872_;
-                                if _e1170 {
-                                    phi_1876_ = _e1095;
-                                    phi_1877_ = _e1091;
-                                    phi_1878_ = _e1069;
-                                    phi_1879_ = _e1065;
+                                let _e1171 = phi_1873_;
+                                if _e1171 {
+                                    phi_1877_ = _e1096;
+                                    phi_1878_ = _e1092;
+                                    phi_1879_ = _e1070;
+                                    phi_1880_ = _e1066;
                                 } else {
-                                    phi_1876_ = _e1069;
-                                    phi_1877_ = _e1065;
-                                    phi_1878_ = _e1095;
-                                    phi_1879_ = _e1091;
+                                    phi_1877_ = _e1070;
+                                    phi_1878_ = _e1066;
+                                    phi_1879_ = _e1096;
+                                    phi_1880_ = _e1092;
                                 }
-                                let _e1172 = phi_1876_;
-                                let _e1174 = phi_1877_;
-                                let _e1176 = phi_1878_;
-                                let _e1178 = phi_1879_;
-                                let _e1181 = ((_e1178 * _e1172) - (_e1176 * _e1174));
-                                if _e1170 {
-                                    phi_1887_ = -(_e1181);
+                                let _e1173 = phi_1877_;
+                                let _e1175 = phi_1878_;
+                                let _e1177 = phi_1879_;
+                                let _e1179 = phi_1880_;
+                                let _e1182 = ((_e1179 * _e1173) - (_e1177 * _e1175));
+                                if _e1171 {
+                                    phi_1888_ = -(_e1182);
                                 } else {
-                                    phi_1887_ = _e1181;
+                                    phi_1888_ = _e1182;
                                 }
-                                let _e1184 = phi_1887_;
-                                if (_e1142 >= 0f) {
-                                    if (_e1163 >= 0f) {
-                                        if (_e1184 >= 0f) {
-                                            phi_1902_ = ((_e1142 + _e1163) + _e1184);
-                                            phi_1903_ = false;
+                                let _e1185 = phi_1888_;
+                                if (_e1143 >= 0f) {
+                                    if (_e1164 >= 0f) {
+                                        if (_e1185 >= 0f) {
+                                            phi_1903_ = ((_e1143 + _e1164) + _e1185);
+                                            phi_1904_ = false;
                                         } else {
-                                            phi_1902_ = f32();
-                                            phi_1903_ = true;
+                                            phi_1903_ = f32();
+                                            phi_1904_ = true;
                                         }
-                                        let _e1191 = phi_1902_;
-                                        let _e1193 = phi_1903_;
-                                        phi_1904_ = _e1191;
-                                        phi_1905_ = _e1193;
+                                        let _e1192 = phi_1903_;
+                                        let _e1194 = phi_1904_;
+                                        phi_1905_ = _e1192;
+                                        phi_1906_ = _e1194;
                                     } else {
-                                        phi_1904_ = f32();
-                                        phi_1905_ = true;
+                                        phi_1905_ = f32();
+                                        phi_1906_ = true;
                                     }
-                                    let _e1195 = phi_1904_;
-                                    let _e1197 = phi_1905_;
-                                    phi_1906_ = _e1195;
-                                    phi_1907_ = _e1197;
+                                    let _e1196 = phi_1905_;
+                                    let _e1198 = phi_1906_;
+                                    phi_1907_ = _e1196;
+                                    phi_1908_ = _e1198;
                                 } else {
-                                    phi_1906_ = f32();
-                                    phi_1907_ = true;
+                                    phi_1907_ = f32();
+                                    phi_1908_ = true;
                                 }
-                                let _e1199 = phi_1906_;
-                                let _e1201 = phi_1907_;
-                                if _e1201 {
-                                    if (_e1142 <= 0f) {
-                                        if (_e1163 <= 0f) {
-                                            let _e1204 = (_e1184 <= 0f);
-                                            if _e1204 {
+                                let _e1200 = phi_1907_;
+                                let _e1202 = phi_1908_;
+                                if _e1202 {
+                                    if (_e1143 <= 0f) {
+                                        if (_e1164 <= 0f) {
+                                            let _e1205 = (_e1185 <= 0f);
+                                            if _e1205 {
                                             }
-                                            phi_1925_ = ((_e1142 + _e1163) + _e1184);
-                                            phi_1926_ = false;
-                                            phi_1927_ = _e1204;
-                                        } else {
-                                            phi_1925_ = f32();
-                                            phi_1926_ = true;
+                                            phi_1926_ = ((_e1143 + _e1164) + _e1185);
                                             phi_1927_ = false;
+                                            phi_1928_ = _e1205;
+                                        } else {
+                                            phi_1926_ = f32();
+                                            phi_1927_ = true;
+                                            phi_1928_ = false;
                                         }
-                                        let _e1208 = phi_1925_;
-                                        let _e1210 = phi_1926_;
-                                        let _e1212 = phi_1927_;
-                                        phi_1928_ = _e1208;
-                                        phi_1929_ = _e1210;
-                                        phi_1930_ = _e1212;
+                                        let _e1209 = phi_1926_;
+                                        let _e1211 = phi_1927_;
+                                        let _e1213 = phi_1928_;
+                                        phi_1929_ = _e1209;
+                                        phi_1930_ = _e1211;
+                                        phi_1931_ = _e1213;
                                     } else {
-                                        phi_1928_ = f32();
-                                        phi_1929_ = true;
-                                        phi_1930_ = false;
+                                        phi_1929_ = f32();
+                                        phi_1930_ = true;
+                                        phi_1931_ = false;
                                     }
-                                    let _e1214 = phi_1928_;
-                                    let _e1216 = phi_1929_;
-                                    let _e1218 = phi_1930_;
-                                    if _e1216 {
-                                        phi_1934_ = false;
+                                    let _e1215 = phi_1929_;
+                                    let _e1217 = phi_1930_;
+                                    let _e1219 = phi_1931_;
+                                    if _e1217 {
+                                        phi_1935_ = false;
                                     } else {
-                                        phi_1934_ = _e1218;
+                                        phi_1935_ = _e1219;
                                     }
-                                    let _e1220 = phi_1934_;
-                                    phi_1935_ = _e1214;
-                                    phi_1936_ = _e1220;
+                                    let _e1221 = phi_1935_;
+                                    phi_1936_ = _e1215;
+                                    phi_1937_ = _e1221;
                                 } else {
-                                    phi_1935_ = _e1199;
-                                    phi_1936_ = true;
+                                    phi_1936_ = _e1200;
+                                    phi_1937_ = true;
                                 }
-                                let _e1222 = phi_1935_;
-                                let _e1224 = phi_1936_;
-                                if _e1224 {
-                                    let _e1225 = (_e1222 == 0f);
-                                    if _e1225 {
-                                        phi_2252_ = lt_bvh_triangle_Intersection();
-                                        phi_2253_ = false;
+                                let _e1223 = phi_1936_;
+                                let _e1225 = phi_1937_;
+                                if _e1225 {
+                                    let _e1226 = (_e1223 == 0f);
+                                    if _e1226 {
+                                        phi_2253_ = lt_bvh_triangle_Intersection();
+                                        phi_2254_ = false;
                                     } else {
-                                        let _e1227 = triangles.member[(0u + _e1038)].v0_;
-                                        let _e1229 = (_e1227.x - _e149);
-                                        let _e1231 = (_e1227.y - _e151);
-                                        let _e1233 = (_e1227.z - _e153);
-                                        if (_e548 == 0u) {
-                                            phi_1965_ = vec3<f32>(_e1231, _e1233, _e1229);
+                                        let _e1228 = triangles.member[(0u + _e1039)].v0_;
+                                        let _e1230 = (_e1228.x - _e150);
+                                        let _e1232 = (_e1228.y - _e152);
+                                        let _e1234 = (_e1228.z - _e154);
+                                        if (_e549 == 0u) {
+                                            phi_1966_ = vec3<f32>(_e1232, _e1234, _e1230);
                                         } else {
-                                            if (_e548 == 1u) {
-                                                phi_1964_ = vec3<f32>(_e1233, _e1229, _e1231);
+                                            if (_e549 == 1u) {
+                                                phi_1965_ = vec3<f32>(_e1234, _e1230, _e1232);
                                             } else {
-                                                phi_1964_ = (_e1227 - vec3<f32>(_e149, _e151, _e153));
+                                                phi_1965_ = (_e1228 - vec3<f32>(_e150, _e152, _e154));
                                             }
-                                            let _e1241 = phi_1964_;
-                                            phi_1965_ = _e1241;
+                                            let _e1242 = phi_1965_;
+                                            phi_1966_ = _e1242;
                                         }
-                                        let _e1243 = phi_1965_;
-                                        let _e1245 = triangles.member[(0u + _e1038)].v1_;
-                                        let _e1247 = triangles.member[(0u + _e1038)].v0_;
-                                        let _e1250 = (_e1245.x - _e1247.x);
-                                        let _e1253 = (_e1245.y - _e1247.y);
-                                        let _e1256 = (_e1245.z - _e1247.z);
-                                        if (_e548 == 0u) {
-                                            phi_1991_ = vec3<f32>(_e1253, _e1256, _e1250);
+                                        let _e1244 = phi_1966_;
+                                        let _e1246 = triangles.member[(0u + _e1039)].v1_;
+                                        let _e1248 = triangles.member[(0u + _e1039)].v0_;
+                                        let _e1251 = (_e1246.x - _e1248.x);
+                                        let _e1254 = (_e1246.y - _e1248.y);
+                                        let _e1257 = (_e1246.z - _e1248.z);
+                                        if (_e549 == 0u) {
+                                            phi_1992_ = vec3<f32>(_e1254, _e1257, _e1251);
                                         } else {
-                                            if (_e548 == 1u) {
-                                                phi_1990_ = vec3<f32>(_e1256, _e1250, _e1253);
+                                            if (_e549 == 1u) {
+                                                phi_1991_ = vec3<f32>(_e1257, _e1251, _e1254);
                                             } else {
-                                                phi_1990_ = (_e1245 - _e1247);
+                                                phi_1991_ = (_e1246 - _e1248);
                                             }
-                                            let _e1263 = phi_1990_;
-                                            phi_1991_ = _e1263;
+                                            let _e1264 = phi_1991_;
+                                            phi_1992_ = _e1264;
                                         }
-                                        let _e1265 = phi_1991_;
-                                        let _e1267 = triangles.member[(0u + _e1038)].v2_;
-                                        let _e1269 = triangles.member[(0u + _e1038)].v0_;
-                                        let _e1272 = (_e1267.x - _e1269.x);
-                                        let _e1275 = (_e1267.y - _e1269.y);
-                                        let _e1278 = (_e1267.z - _e1269.z);
-                                        if (_e548 == 0u) {
-                                            phi_2017_ = vec3<f32>(_e1275, _e1278, _e1272);
+                                        let _e1266 = phi_1992_;
+                                        let _e1268 = triangles.member[(0u + _e1039)].v2_;
+                                        let _e1270 = triangles.member[(0u + _e1039)].v0_;
+                                        let _e1273 = (_e1268.x - _e1270.x);
+                                        let _e1276 = (_e1268.y - _e1270.y);
+                                        let _e1279 = (_e1268.z - _e1270.z);
+                                        if (_e549 == 0u) {
+                                            phi_2018_ = vec3<f32>(_e1276, _e1279, _e1273);
                                         } else {
-                                            if (_e548 == 1u) {
-                                                phi_2016_ = vec3<f32>(_e1278, _e1272, _e1275);
+                                            if (_e549 == 1u) {
+                                                phi_2017_ = vec3<f32>(_e1279, _e1273, _e1276);
                                             } else {
-                                                phi_2016_ = (_e1267 - _e1269);
+                                                phi_2017_ = (_e1268 - _e1270);
                                             }
-                                            let _e1285 = phi_2016_;
-                                            phi_2017_ = _e1285;
+                                            let _e1286 = phi_2017_;
+                                            phi_2018_ = _e1286;
                                         }
-                                        let _e1287 = phi_2017_;
-                                        let _e1294 = ((_e1265.y * _e1287.z) - (_e1265.z * _e1287.y));
-                                        let _e1301 = ((_e1265.z * _e1287.x) - (_e1265.x * _e1287.z));
-                                        let _e1308 = ((_e1265.x * _e1287.y) - (_e1265.y * _e1287.x));
-                                        let _e1322 = (((1f / _e556.z) * (((_e1294 * _e1243.x) + (_e1301 * _e1243.y)) + (_e1308 * _e1243.z))) / (((_e1294 * _e559) + (_e1301 * _e562)) + _e1308));
-                                        if (_e1322 > 0f) {
-                                            if (_e1322 < _e161) {
-                                                let _e1326 = triangles.member[(0u + _e1038)].v0_;
-                                                let _e1328 = triangles.member[(0u + _e1038)].v1_;
-                                                if (_e1326.x < _e1328.x) {
-                                                    phi_2073_ = _e1326.x;
+                                        let _e1288 = phi_2018_;
+                                        let _e1295 = ((_e1266.y * _e1288.z) - (_e1266.z * _e1288.y));
+                                        let _e1302 = ((_e1266.z * _e1288.x) - (_e1266.x * _e1288.z));
+                                        let _e1309 = ((_e1266.x * _e1288.y) - (_e1266.y * _e1288.x));
+                                        let _e1323 = (((1f / _e557.z) * (((_e1295 * _e1244.x) + (_e1302 * _e1244.y)) + (_e1309 * _e1244.z))) / (((_e1295 * _e560) + (_e1302 * _e563)) + _e1309));
+                                        if (_e1323 > 0f) {
+                                            if (_e1323 < _e162) {
+                                                let _e1327 = triangles.member[(0u + _e1039)].v0_;
+                                                let _e1329 = triangles.member[(0u + _e1039)].v1_;
+                                                if (_e1327.x < _e1329.x) {
+                                                    phi_2074_ = _e1327.x;
                                                 } else {
-                                                    phi_2073_ = _e1328.x;
+                                                    phi_2074_ = _e1329.x;
                                                 }
-                                                let _e1335 = phi_2073_;
-                                                if (_e1326.y < _e1328.y) {
-                                                    phi_2082_ = _e1326.y;
+                                                let _e1336 = phi_2074_;
+                                                if (_e1327.y < _e1329.y) {
+                                                    phi_2083_ = _e1327.y;
                                                 } else {
-                                                    phi_2082_ = _e1328.y;
+                                                    phi_2083_ = _e1329.y;
                                                 }
-                                                let _e1342 = phi_2082_;
-                                                if (_e1326.z < _e1328.z) {
-                                                    phi_2091_ = _e1326.z;
+                                                let _e1343 = phi_2083_;
+                                                if (_e1327.z < _e1329.z) {
+                                                    phi_2092_ = _e1327.z;
                                                 } else {
-                                                    phi_2091_ = _e1328.z;
+                                                    phi_2092_ = _e1329.z;
                                                 }
-                                                let _e1349 = phi_2091_;
-                                                let _e1351 = triangles.member[(0u + _e1038)].v2_;
-                                                if (_e1335 < _e1351.x) {
-                                                    phi_2100_ = _e1335;
+                                                let _e1350 = phi_2092_;
+                                                let _e1352 = triangles.member[(0u + _e1039)].v2_;
+                                                if (_e1336 < _e1352.x) {
+                                                    phi_2101_ = _e1336;
                                                 } else {
-                                                    phi_2100_ = _e1351.x;
+                                                    phi_2101_ = _e1352.x;
                                                 }
-                                                let _e1356 = phi_2100_;
-                                                if (_e1342 < _e1351.y) {
-                                                    phi_2107_ = _e1342;
+                                                let _e1357 = phi_2101_;
+                                                if (_e1343 < _e1352.y) {
+                                                    phi_2108_ = _e1343;
                                                 } else {
-                                                    phi_2107_ = _e1351.y;
+                                                    phi_2108_ = _e1352.y;
                                                 }
-                                                let _e1361 = phi_2107_;
-                                                if (_e1349 < _e1351.z) {
-                                                    phi_2114_ = _e1349;
+                                                let _e1362 = phi_2108_;
+                                                if (_e1350 < _e1352.z) {
+                                                    phi_2115_ = _e1350;
                                                 } else {
-                                                    phi_2114_ = _e1351.z;
+                                                    phi_2115_ = _e1352.z;
                                                 }
-                                                let _e1366 = phi_2114_;
-                                                let _e1368 = triangles.member[(0u + _e1038)].v0_;
-                                                let _e1370 = triangles.member[(0u + _e1038)].v1_;
-                                                if (_e1368.x > _e1370.x) {
-                                                    phi_2127_ = _e1368.x;
+                                                let _e1367 = phi_2115_;
+                                                let _e1369 = triangles.member[(0u + _e1039)].v0_;
+                                                let _e1371 = triangles.member[(0u + _e1039)].v1_;
+                                                if (_e1369.x > _e1371.x) {
+                                                    phi_2128_ = _e1369.x;
                                                 } else {
-                                                    phi_2127_ = _e1370.x;
+                                                    phi_2128_ = _e1371.x;
                                                 }
-                                                let _e1377 = phi_2127_;
-                                                if (_e1368.y > _e1370.y) {
-                                                    phi_2136_ = _e1368.y;
+                                                let _e1378 = phi_2128_;
+                                                if (_e1369.y > _e1371.y) {
+                                                    phi_2137_ = _e1369.y;
                                                 } else {
-                                                    phi_2136_ = _e1370.y;
+                                                    phi_2137_ = _e1371.y;
                                                 }
-                                                let _e1384 = phi_2136_;
-                                                if (_e1368.z > _e1370.z) {
-                                                    phi_2145_ = _e1368.z;
+                                                let _e1385 = phi_2137_;
+                                                if (_e1369.z > _e1371.z) {
+                                                    phi_2146_ = _e1369.z;
                                                 } else {
-                                                    phi_2145_ = _e1370.z;
+                                                    phi_2146_ = _e1371.z;
                                                 }
-                                                let _e1391 = phi_2145_;
-                                                let _e1393 = triangles.member[(0u + _e1038)].v2_;
-                                                if (_e1377 > _e1393.x) {
-                                                    phi_2154_ = _e1377;
+                                                let _e1392 = phi_2146_;
+                                                let _e1394 = triangles.member[(0u + _e1039)].v2_;
+                                                if (_e1378 > _e1394.x) {
+                                                    phi_2155_ = _e1378;
                                                 } else {
-                                                    phi_2154_ = _e1393.x;
+                                                    phi_2155_ = _e1394.x;
                                                 }
-                                                let _e1398 = phi_2154_;
-                                                if (_e1384 > _e1393.y) {
-                                                    phi_2161_ = _e1384;
+                                                let _e1399 = phi_2155_;
+                                                if (_e1385 > _e1394.y) {
+                                                    phi_2162_ = _e1385;
                                                 } else {
-                                                    phi_2161_ = _e1393.y;
+                                                    phi_2162_ = _e1394.y;
                                                 }
-                                                let _e1403 = phi_2161_;
-                                                if (_e1391 > _e1393.z) {
-                                                    phi_2168_ = _e1391;
+                                                let _e1404 = phi_2162_;
+                                                if (_e1392 > _e1394.z) {
+                                                    phi_2169_ = _e1392;
                                                 } else {
-                                                    phi_2168_ = _e1393.z;
+                                                    phi_2169_ = _e1394.z;
                                                 }
-                                                let _e1408 = phi_2168_;
-                                                let _e1412 = ((_e1356 - _e149) * _e477);
-                                                let _e1413 = ((_e1361 - _e151) * _e487);
-                                                let _e1414 = ((_e1366 - _e153) * _e497);
-                                                let _e1418 = ((_e1398 - _e149) * _e477);
-                                                let _e1419 = ((_e1403 - _e151) * _e487);
-                                                let _e1420 = ((_e1408 - _e153) * _e497);
-                                                if (_e1412 < _e1418) {
-                                                    phi_2185_ = _e1412;
-                                                } else {
-                                                    phi_2185_ = _e1418;
-                                                }
-                                                let _e1423 = phi_2185_;
+                                                let _e1409 = phi_2169_;
+                                                let _e1413 = ((_e1357 - _e150) * _e478);
+                                                let _e1414 = ((_e1362 - _e152) * _e488);
+                                                let _e1415 = ((_e1367 - _e154) * _e498);
+                                                let _e1419 = ((_e1399 - _e150) * _e478);
+                                                let _e1420 = ((_e1404 - _e152) * _e488);
+                                                let _e1421 = ((_e1409 - _e154) * _e498);
                                                 if (_e1413 < _e1419) {
-                                                    phi_2190_ = _e1413;
+                                                    phi_2186_ = _e1413;
                                                 } else {
-                                                    phi_2190_ = _e1419;
+                                                    phi_2186_ = _e1419;
                                                 }
-                                                let _e1426 = phi_2190_;
+                                                let _e1424 = phi_2186_;
                                                 if (_e1414 < _e1420) {
-                                                    phi_2195_ = _e1414;
+                                                    phi_2191_ = _e1414;
                                                 } else {
-                                                    phi_2195_ = _e1420;
+                                                    phi_2191_ = _e1420;
                                                 }
-                                                let _e1429 = phi_2195_;
-                                                if (_e1412 > _e1418) {
-                                                    phi_2203_ = _e1412;
+                                                let _e1427 = phi_2191_;
+                                                if (_e1415 < _e1421) {
+                                                    phi_2196_ = _e1415;
                                                 } else {
-                                                    phi_2203_ = _e1418;
+                                                    phi_2196_ = _e1421;
                                                 }
-                                                let _e1435 = phi_2203_;
+                                                let _e1430 = phi_2196_;
                                                 if (_e1413 > _e1419) {
-                                                    phi_2208_ = _e1413;
+                                                    phi_2204_ = _e1413;
                                                 } else {
-                                                    phi_2208_ = _e1419;
+                                                    phi_2204_ = _e1419;
                                                 }
-                                                let _e1438 = phi_2208_;
+                                                let _e1436 = phi_2204_;
                                                 if (_e1414 > _e1420) {
-                                                    phi_2213_ = _e1414;
+                                                    phi_2209_ = _e1414;
                                                 } else {
-                                                    phi_2213_ = _e1420;
+                                                    phi_2209_ = _e1420;
                                                 }
-                                                let _e1441 = phi_2213_;
-                                                let _e1445 = core_intrinsics_maximum_number_nsz_f32_((_e1423 - _e532), (_e1426 - _e533));
-                                                let _e1446 = core_intrinsics_maximum_number_nsz_f32_(_e1445, (_e1429 - _e534));
-                                                let _e1447 = core_intrinsics_minimum_number_nsz_f32_((_e1435 + _e532), (_e1438 + _e533));
-                                                let _e1448 = core_intrinsics_minimum_number_nsz_f32_(_e1447, (_e1441 + _e534));
-                                                if (_e1446 > -300000000000000000000000000000000000000f) {
-                                                    phi_2225_ = _e1446;
+                                                let _e1439 = phi_2209_;
+                                                if (_e1415 > _e1421) {
+                                                    phi_2214_ = _e1415;
                                                 } else {
-                                                    phi_2225_ = -300000000000000000000000000000000000000f;
+                                                    phi_2214_ = _e1421;
                                                 }
-                                                let _e1451 = phi_2225_;
-                                                if (_e1448 < 300000000000000000000000000000000000000f) {
-                                                    phi_2230_ = _e1448;
+                                                let _e1442 = phi_2214_;
+                                                let _e1446 = core_intrinsics_maximum_number_nsz_f32_((_e1424 - _e533), (_e1427 - _e534));
+                                                let _e1447 = core_intrinsics_maximum_number_nsz_f32_(_e1446, (_e1430 - _e535));
+                                                let _e1448 = core_intrinsics_minimum_number_nsz_f32_((_e1436 + _e533), (_e1439 + _e534));
+                                                let _e1449 = core_intrinsics_minimum_number_nsz_f32_(_e1448, (_e1442 + _e535));
+                                                if (_e1447 > -300000000000000000000000000000000000000f) {
+                                                    phi_2226_ = _e1447;
                                                 } else {
-                                                    phi_2230_ = 300000000000000000000000000000000000000f;
+                                                    phi_2226_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1454 = phi_2230_;
-                                                if (_e1322 < _e1451) {
-                                                    phi_2235_ = _e1451;
+                                                let _e1452 = phi_2226_;
+                                                if (_e1449 < 300000000000000000000000000000000000000f) {
+                                                    phi_2231_ = _e1449;
                                                 } else {
-                                                    phi_2235_ = _e1322;
+                                                    phi_2231_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1457 = phi_2235_;
-                                                if (_e1457 > _e1454) {
-                                                    phi_2240_ = _e1454;
+                                                let _e1455 = phi_2231_;
+                                                if (_e1323 < _e1452) {
+                                                    phi_2236_ = _e1452;
                                                 } else {
-                                                    phi_2240_ = _e1457;
+                                                    phi_2236_ = _e1323;
                                                 }
-                                                let _e1460 = phi_2240_;
-                                                phi_2245_ = lt_bvh_triangle_Intersection(_e1460, (_e1163 / _e1222), (_e1184 / _e1222), (_e1451 <= _e1454));
-                                                phi_2246_ = false;
+                                                let _e1458 = phi_2236_;
+                                                if (_e1458 > _e1455) {
+                                                    phi_2241_ = _e1455;
+                                                } else {
+                                                    phi_2241_ = _e1458;
+                                                }
+                                                let _e1461 = phi_2241_;
+                                                phi_2246_ = lt_bvh_triangle_Intersection(_e1461, (_e1164 / _e1223), (_e1185 / _e1223), (_e1452 <= _e1455));
+                                                phi_2247_ = false;
                                             } else {
-                                                phi_2245_ = lt_bvh_triangle_Intersection();
-                                                phi_2246_ = true;
+                                                phi_2246_ = lt_bvh_triangle_Intersection();
+                                                phi_2247_ = true;
                                             }
-                                            let _e1466 = phi_2245_;
-                                            let _e1468 = phi_2246_;
-                                            phi_2247_ = _e1466;
-                                            phi_2248_ = _e1468;
+                                            let _e1467 = phi_2246_;
+                                            let _e1469 = phi_2247_;
+                                            phi_2248_ = _e1467;
+                                            phi_2249_ = _e1469;
                                         } else {
-                                            phi_2247_ = lt_bvh_triangle_Intersection();
-                                            phi_2248_ = true;
+                                            phi_2248_ = lt_bvh_triangle_Intersection();
+                                            phi_2249_ = true;
                                         }
-                                        let _e1470 = phi_2247_;
-                                        let _e1472 = phi_2248_;
-                                        if _e1472 {
+                                        let _e1471 = phi_2248_;
+                                        let _e1473 = phi_2249_;
+                                        if _e1473 {
                                         }
-                                        phi_2252_ = _e1470;
-                                        phi_2253_ = _e1472;
+                                        phi_2253_ = _e1471;
+                                        phi_2254_ = _e1473;
                                     }
-                                    let _e1474 = phi_2252_;
-                                    let _e1476 = phi_2253_;
-                                    phi_2254_ = _e1474;
-                                    phi_2255_ = _e1225;
-                                    phi_2256_ = _e1476;
+                                    let _e1475 = phi_2253_;
+                                    let _e1477 = phi_2254_;
+                                    phi_2255_ = _e1475;
+                                    phi_2256_ = _e1226;
+                                    phi_2257_ = _e1477;
                                 } else {
-                                    phi_2254_ = lt_bvh_triangle_Intersection();
-                                    phi_2255_ = true;
-                                    phi_2256_ = false;
+                                    phi_2255_ = lt_bvh_triangle_Intersection();
+                                    phi_2256_ = true;
+                                    phi_2257_ = false;
                                 }
-                                let _e1478 = phi_2254_;
-                                let _e1480 = phi_2255_;
-                                let _e1482 = phi_2256_;
-                                if _e1480 {
-                                    phi_2260_ = true;
+                                let _e1479 = phi_2255_;
+                                let _e1481 = phi_2256_;
+                                let _e1483 = phi_2257_;
+                                if _e1481 {
+                                    phi_2261_ = true;
                                 } else {
-                                    phi_2260_ = _e1482;
+                                    phi_2261_ = _e1483;
                                 }
-                                let _e1484 = phi_2260_;
-                                if _e1484 {
-                                    phi_2264_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1485 = phi_2261_;
+                                if _e1485 {
+                                    phi_2265_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2264_ = _e1478;
+                                    phi_2265_ = _e1479;
                                 }
-                                let _e1486 = phi_2264_;
-                                if _e1486.is_hit {
-                                    if (_e1486.t > 0f) {
-                                        if (_e1486.t < _e161) {
-                                            let _e1493 = triangles.member[(0u + _e1038)].i0_;
-                                            let _e1495 = ((_e1493 & 2147483648u) == 0u);
-                                            if _e1495 {
-                                                phi_2487_ = false;
+                                let _e1487 = phi_2265_;
+                                if _e1487.is_hit {
+                                    if (_e1487.t > 0f) {
+                                        if (_e1487.t < _e162) {
+                                            let _e1494 = triangles.member[(0u + _e1039)].i0_;
+                                            let _e1496 = ((_e1494 & 2147483648u) == 0u);
+                                            if _e1496 {
                                                 phi_2488_ = false;
+                                                phi_2489_ = false;
                                             } else {
-                                                if (_e1038 < _e93) {
+                                                if (_e1039 < _e93) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1502 = triangles.member[(0u + _e1038)].i0_;
-                                                let _e1503 = (_e1502 & 2147483647u);
-                                                let _e1505 = triangles.member[(0u + _e1038)].i1_;
-                                                let _e1507 = triangles.member[(0u + _e1038)].i2_;
-                                                if (_e1503 < _e109) {
+                                                let _e1503 = triangles.member[(0u + _e1039)].i0_;
+                                                let _e1504 = (_e1503 & 2147483647u);
+                                                let _e1506 = triangles.member[(0u + _e1039)].i1_;
+                                                let _e1508 = triangles.member[(0u + _e1039)].i2_;
+                                                if (_e1504 < _e109) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1511 = vertices.member[(0u + _e1503)];
-                                                if (_e1505 < _e109) {
+                                                let _e1512 = vertices.member[(0u + _e1504)];
+                                                if (_e1506 < _e109) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1515 = vertices.member[(0u + _e1505)];
-                                                if (_e1507 < _e109) {
+                                                let _e1516 = vertices.member[(0u + _e1506)];
+                                                if (_e1508 < _e109) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1519 = vertices.member[(0u + _e1507)];
-                                                let _e1520 = array<abi_Vertex, 3>(_e1511, _e1515, _e1519);
-                                                if (_e1520[0].material < _e112) {
+                                                let _e1520 = vertices.member[(0u + _e1508)];
+                                                let _e1521 = array<abi_Vertex, 3>(_e1512, _e1516, _e1520);
+                                                if (_e1521[0].material < _e112) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1526 = materials.member[(0u + _e1520[0].material)];
-                                                if ((_e1526.flags & 1u) == 1u) {
-                                                    let _e1531 = ((1f - _e1486.u) - _e1486.v);
-                                                    if (_e1526.cutoff <= 0f) {
-                                                        phi_2481_ = true;
+                                                let _e1527 = materials.member[(0u + _e1521[0].material)];
+                                                if ((_e1527.flags & 1u) == 1u) {
+                                                    let _e1532 = ((1f - _e1487.u) - _e1487.v);
+                                                    if (_e1527.cutoff <= 0f) {
+                                                        phi_2482_ = true;
                                                     } else {
-                                                        let _e1558 = (_e1526.base_color.w * ((((f32((_e1520[0].color >> bitcast<u32>(24i))) * _e1531) + (f32((_e1520[1].color >> bitcast<u32>(24i))) * _e1486.u)) + (f32((_e1520[2].color >> bitcast<u32>(24i))) * _e1486.v)) * (1f / 255f)));
-                                                        if (_e1526.alpha_size == 0u) {
-                                                            phi_2478_ = _e1558;
+                                                        let _e1559 = (_e1527.base_color.w * ((((f32((_e1521[0].color >> bitcast<u32>(24i))) * _e1532) + (f32((_e1521[1].color >> bitcast<u32>(24i))) * _e1487.u)) + (f32((_e1521[2].color >> bitcast<u32>(24i))) * _e1487.v)) * (1f / 255f)));
+                                                        if (_e1527.alpha_size == 0u) {
+                                                            phi_2479_ = _e1559;
                                                         } else {
-                                                            local_2.offset = _e1526.alpha_offset;
-                                                            local_2.size = _e1526.alpha_size;
-                                                            local_2.flags = _e1526.flags;
-                                                            let _e1589 = _lt_shaders_texture_TextureView_quad((&local_2), (((_e1520[0].u * _e1531) + (_e1520[1].u * _e1486.u)) + (_e1520[2].u * _e1486.v)), (((_e1520[0].v * _e1531) + (_e1520[1].v * _e1486.u)) + (_e1520[2].v * _e1486.v)));
-                                                            let _e1593 = (_e1589.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1593 < _e115) {
+                                                            local_2.offset = _e1527.alpha_offset;
+                                                            local_2.size = _e1527.alpha_size;
+                                                            local_2.flags = _e1527.flags;
+                                                            let _e1590 = _lt_shaders_texture_TextureView_quad((&local_2), (((_e1521[0].u * _e1532) + (_e1521[1].u * _e1487.u)) + (_e1521[2].u * _e1487.v)), (((_e1521[0].v * _e1532) + (_e1521[1].v * _e1487.u)) + (_e1521[2].v * _e1487.v)));
+                                                            let _e1594 = (_e1590.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1594 < _e115) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1597 = alpha_texels.member[(0u + _e1593)];
-                                                            let _e1613 = (_e1589.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1613 < _e115) {
+                                                            let _e1598 = alpha_texels.member[(0u + _e1594)];
+                                                            let _e1614 = (_e1590.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1614 < _e115) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1617 = alpha_texels.member[(0u + _e1613)];
-                                                            let _e1634 = (_e1589.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1634 < _e115) {
+                                                            let _e1618 = alpha_texels.member[(0u + _e1614)];
+                                                            let _e1635 = (_e1590.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1635 < _e115) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1638 = alpha_texels.member[(0u + _e1634)];
-                                                            let _e1655 = (_e1589.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1655 < _e115) {
+                                                            let _e1639 = alpha_texels.member[(0u + _e1635)];
+                                                            let _e1656 = (_e1590.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1656 < _e115) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1659 = alpha_texels.member[(0u + _e1655)];
-                                                            phi_2478_ = (_e1558 * (((((f32(((_e1597 >> bitcast<u32>((((_e1589.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1589.weights.x) + ((f32(((_e1617 >> bitcast<u32>((((_e1589.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1589.weights.y)) + ((f32(((_e1638 >> bitcast<u32>((((_e1589.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1589.weights.z)) + ((f32(((_e1659 >> bitcast<u32>((((_e1589.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1589.weights.w)));
+                                                            let _e1660 = alpha_texels.member[(0u + _e1656)];
+                                                            phi_2479_ = (_e1559 * (((((f32(((_e1598 >> bitcast<u32>((((_e1590.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1590.weights.x) + ((f32(((_e1618 >> bitcast<u32>((((_e1590.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1590.weights.y)) + ((f32(((_e1639 >> bitcast<u32>((((_e1590.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1590.weights.z)) + ((f32(((_e1660 >> bitcast<u32>((((_e1590.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1590.weights.w)));
                                                         }
-                                                        let _e1675 = phi_2478_;
-                                                        phi_2481_ = (_e1675 >= _e1526.cutoff);
+                                                        let _e1676 = phi_2479_;
+                                                        phi_2482_ = (_e1676 >= _e1527.cutoff);
                                                     }
-                                                    let _e1679 = phi_2481_;
-                                                    phi_2482_ = _e1679;
+                                                    let _e1680 = phi_2482_;
+                                                    phi_2483_ = _e1680;
                                                 } else {
-                                                    phi_2482_ = false;
+                                                    phi_2483_ = false;
                                                 }
-                                                let _e1681 = phi_2482_;
-                                                if _e1681 {
-                                                    phi_2486_ = false;
+                                                let _e1682 = phi_2483_;
+                                                if _e1682 {
+                                                    phi_2487_ = false;
                                                 } else {
-                                                    phi_2486_ = true;
+                                                    phi_2487_ = true;
                                                 }
-                                                let _e1683 = phi_2486_;
-                                                phi_2487_ = _e1683;
-                                                phi_2488_ = _e1681;
+                                                let _e1684 = phi_2487_;
+                                                phi_2488_ = _e1684;
+                                                phi_2489_ = _e1682;
                                             }
-                                            let _e1685 = phi_2487_;
-                                            let _e1687 = phi_2488_;
-                                            phi_2489_ = _e1685;
-                                            phi_2490_ = _e1495;
-                                            phi_2491_ = _e1687;
+                                            let _e1686 = phi_2488_;
+                                            let _e1688 = phi_2489_;
+                                            phi_2490_ = _e1686;
+                                            phi_2491_ = _e1496;
+                                            phi_2492_ = _e1688;
                                         } else {
-                                            phi_2489_ = true;
-                                            phi_2490_ = false;
+                                            phi_2490_ = true;
                                             phi_2491_ = false;
+                                            phi_2492_ = false;
                                         }
-                                        let _e1689 = phi_2489_;
-                                        let _e1691 = phi_2490_;
-                                        let _e1693 = phi_2491_;
-                                        phi_2492_ = false;
-                                        phi_2493_ = _e1689;
-                                        phi_2494_ = _e1691;
-                                        phi_2495_ = _e1693;
-                                    } else {
-                                        phi_2492_ = true;
+                                        let _e1690 = phi_2490_;
+                                        let _e1692 = phi_2491_;
+                                        let _e1694 = phi_2492_;
                                         phi_2493_ = false;
+                                        phi_2494_ = _e1690;
+                                        phi_2495_ = _e1692;
+                                        phi_2496_ = _e1694;
+                                    } else {
+                                        phi_2493_ = true;
                                         phi_2494_ = false;
                                         phi_2495_ = false;
+                                        phi_2496_ = false;
                                     }
-                                    let _e1695 = phi_2492_;
-                                    let _e1697 = phi_2493_;
-                                    let _e1699 = phi_2494_;
-                                    let _e1701 = phi_2495_;
-                                    phi_2496_ = _e1695;
-                                    phi_2497_ = _e1697;
-                                    phi_2498_ = _e1699;
-                                    phi_2499_ = _e1701;
+                                    let _e1696 = phi_2493_;
+                                    let _e1698 = phi_2494_;
+                                    let _e1700 = phi_2495_;
+                                    let _e1702 = phi_2496_;
+                                    phi_2497_ = _e1696;
+                                    phi_2498_ = _e1698;
+                                    phi_2499_ = _e1700;
+                                    phi_2500_ = _e1702;
                                 } else {
-                                    phi_2496_ = true;
-                                    phi_2497_ = false;
+                                    phi_2497_ = true;
                                     phi_2498_ = false;
                                     phi_2499_ = false;
+                                    phi_2500_ = false;
                                 }
-                                let _e1703 = phi_2496_;
-                                let _e1705 = phi_2497_;
-                                let _e1707 = phi_2498_;
-                                let _e1709 = phi_2499_;
-                                if _e1703 {
-                                    phi_2503_ = true;
-                                    phi_2504_ = false;
+                                let _e1704 = phi_2497_;
+                                let _e1706 = phi_2498_;
+                                let _e1708 = phi_2499_;
+                                let _e1710 = phi_2500_;
+                                if _e1704 {
+                                    phi_2504_ = true;
                                     phi_2505_ = false;
+                                    phi_2506_ = false;
                                 } else {
-                                    phi_2503_ = _e1705;
-                                    phi_2504_ = _e1707;
-                                    phi_2505_ = _e1709;
+                                    phi_2504_ = _e1706;
+                                    phi_2505_ = _e1708;
+                                    phi_2506_ = _e1710;
                                 }
-                                let _e1711 = phi_2503_;
-                                let _e1713 = phi_2504_;
-                                let _e1715 = phi_2505_;
-                                if _e1711 {
-                                    let _e1716 = (_e1040 == 0u);
-                                    if _e1716 {
-                                        phi_2513_ = false;
+                                let _e1712 = phi_2504_;
+                                let _e1714 = phi_2505_;
+                                let _e1716 = phi_2506_;
+                                if _e1712 {
+                                    let _e1717 = (_e1041 == 0u);
+                                    if _e1717 {
+                                        phi_2514_ = false;
                                     } else {
-                                        phi_2513_ = true;
+                                        phi_2514_ = true;
                                     }
-                                    let _e1718 = phi_2513_;
-                                    phi_2514_ = _e1718;
-                                    phi_2515_ = _e1716;
-                                    phi_2516_ = false;
+                                    let _e1719 = phi_2514_;
+                                    phi_2515_ = _e1719;
+                                    phi_2516_ = _e1717;
                                     phi_2517_ = false;
+                                    phi_2518_ = false;
                                 } else {
-                                    phi_2514_ = false;
                                     phi_2515_ = false;
-                                    phi_2516_ = _e1713;
-                                    phi_2517_ = _e1715;
+                                    phi_2516_ = false;
+                                    phi_2517_ = _e1714;
+                                    phi_2518_ = _e1716;
                                 }
-                                let _e1720 = phi_2514_;
-                                let _e1722 = phi_2515_;
-                                let _e1724 = phi_2516_;
-                                let _e1726 = phi_2517_;
-                                local_7 = _e1722;
-                                local_18 = _e1724;
-                                local_19 = _e1726;
-                                local_20 = _e1722;
+                                let _e1721 = phi_2515_;
+                                let _e1723 = phi_2516_;
+                                let _e1725 = phi_2517_;
+                                let _e1727 = phi_2518_;
+                                local_7 = _e1723;
+                                local_18 = _e1725;
+                                local_19 = _e1727;
+                                local_20 = _e1723;
                                 continue;
                                 continuing {
-                                    phi_1670_ = _e1040;
-                                    break if !(_e1720);
+                                    phi_1671_ = _e1041;
+                                    break if !(_e1721);
                                 }
                             }
-                            let _e1729 = local_7;
-                            if _e1729 {
-                                phi_2521_ = false;
+                            let _e1730 = local_7;
+                            if _e1730 {
                                 phi_2522_ = false;
+                                phi_2523_ = false;
                             } else {
-                                let _e3674 = local_18;
-                                phi_2521_ = _e3674;
-                                let _e3677 = local_19;
-                                phi_2522_ = _e3677;
+                                let _e3675 = local_18;
+                                phi_2522_ = _e3675;
+                                let _e3678 = local_19;
+                                phi_2523_ = _e3678;
                             }
-                            let _e1731 = phi_2521_;
-                            let _e1733 = phi_2522_;
-                            let _e3680 = local_20;
-                            phi_2523_ = _e3680;
-                            phi_2524_ = _e1731;
-                            phi_2525_ = _e1733;
+                            let _e1732 = phi_2522_;
+                            let _e1734 = phi_2523_;
+                            let _e3681 = local_20;
+                            phi_2524_ = _e3681;
+                            phi_2525_ = _e1732;
+                            phi_2526_ = _e1734;
                         }
-                        let _e1735 = phi_2523_;
-                        let _e1737 = phi_2524_;
-                        let _e1739 = phi_2525_;
-                        if _e1735 {
-                            let _e1741 = local_8;
-                            if (_e1741 == 0u) {
-                                phi_2533_ = false;
+                        let _e1736 = phi_2524_;
+                        let _e1738 = phi_2525_;
+                        let _e1740 = phi_2526_;
+                        if _e1736 {
+                            let _e1742 = local_8;
+                            if (_e1742 == 0u) {
+                                phi_2534_ = false;
                             } else {
-                                phi_2533_ = true;
+                                phi_2534_ = true;
                             }
-                            let _e1744 = phi_2533_;
-                            phi_2534_ = _e1744;
-                            phi_2535_ = false;
+                            let _e1745 = phi_2534_;
+                            phi_2535_ = _e1745;
                             phi_2536_ = false;
+                            phi_2537_ = false;
                         } else {
-                            phi_2534_ = false;
-                            phi_2535_ = _e1737;
-                            phi_2536_ = _e1739;
+                            phi_2535_ = false;
+                            phi_2536_ = _e1738;
+                            phi_2537_ = _e1740;
                         }
-                        let _e1746 = phi_2534_;
-                        let _e1748 = phi_2535_;
-                        let _e1750 = phi_2536_;
-                        local_9 = _e1748;
-                        local_21 = _e1750;
-                        local_22 = _e1748;
+                        let _e1747 = phi_2535_;
+                        let _e1749 = phi_2536_;
+                        let _e1751 = phi_2537_;
+                        local_9 = _e1749;
+                        local_21 = _e1751;
+                        local_22 = _e1749;
                         continue;
                         continuing {
-                            let _e3521 = local_15;
-                            phi_1216_ = _e3521;
-                            let _e3524 = local_16;
-                            phi_1219_ = _e3524;
-                            break if !(_e1746);
+                            let _e3522 = local_15;
+                            phi_1217_ = _e3522;
+                            let _e3525 = local_16;
+                            phi_1220_ = _e3525;
+                            break if !(_e1747);
                         }
                     }
-                    let _e1753 = local_9;
-                    if _e1753 {
-                        phi_2540_ = false;
+                    let _e1754 = local_9;
+                    if _e1754 {
+                        phi_2541_ = false;
                     } else {
-                        let _e3691 = local_21;
-                        phi_2540_ = _e3691;
+                        let _e3692 = local_21;
+                        phi_2541_ = _e3692;
                     }
-                    let _e1755 = phi_2540_;
-                    if _e1755 {
-                        phi_2544_ = true;
+                    let _e1756 = phi_2541_;
+                    if _e1756 {
+                        phi_2545_ = true;
                     } else {
-                        let _e3694 = local_22;
-                        phi_2544_ = _e3694;
+                        let _e3695 = local_22;
+                        phi_2545_ = _e3695;
                     }
-                    let _e1757 = phi_2544_;
-                    if _e1757 {
-                        phi_2548_ = true;
+                    let _e1758 = phi_2545_;
+                    if _e1758 {
+                        phi_2549_ = true;
                     } else {
-                        phi_2548_ = false;
+                        phi_2549_ = false;
                     }
-                    let _e1759 = phi_2548_;
-                    phi_2549_ = _e1759;
+                    let _e1760 = phi_2549_;
+                    phi_2550_ = _e1760;
                 }
-                let _e1761 = phi_2549_;
-                phi_4214_ = _e1761;
+                let _e1762 = phi_2550_;
+                phi_4215_ = _e1762;
             } else {
-                let _e1762 = abs(_e169);
                 let _e1763 = abs(_e170);
                 let _e1764 = abs(_e171);
-                if (abs(_e149) < 1000000000000000f) {
-                    if (abs(_e151) < 1000000000000000f) {
-                        phi_2565_ = (abs(_e153) < 1000000000000000f);
-                        phi_2566_ = false;
+                let _e1765 = abs(_e172);
+                if (abs(_e150) < 1000000000000000f) {
+                    if (abs(_e152) < 1000000000000000f) {
+                        phi_2566_ = (abs(_e154) < 1000000000000000f);
+                        phi_2567_ = false;
                     } else {
-                        phi_2565_ = bool();
-                        phi_2566_ = true;
+                        phi_2566_ = bool();
+                        phi_2567_ = true;
                     }
-                    let _e1772 = phi_2565_;
-                    let _e1774 = phi_2566_;
-                    phi_2567_ = _e1772;
-                    phi_2568_ = _e1774;
+                    let _e1773 = phi_2566_;
+                    let _e1775 = phi_2567_;
+                    phi_2568_ = _e1773;
+                    phi_2569_ = _e1775;
                 } else {
-                    phi_2567_ = bool();
-                    phi_2568_ = true;
+                    phi_2568_ = bool();
+                    phi_2569_ = true;
                 }
-                let _e1776 = phi_2567_;
-                let _e1778 = phi_2568_;
-                if _e1778 {
-                    phi_2572_ = false;
+                let _e1777 = phi_2568_;
+                let _e1779 = phi_2569_;
+                if _e1779 {
+                    phi_2573_ = false;
                 } else {
-                    phi_2572_ = _e1776;
+                    phi_2573_ = _e1777;
                 }
-                let _e1780 = phi_2572_;
-                if _e1780 {
-                    if (_e1762 < 1000000000000000f) {
-                        if (_e1763 < 1000000000000000f) {
-                            phi_2585_ = (_e1764 < 1000000000000000f);
-                            phi_2586_ = false;
+                let _e1781 = phi_2573_;
+                if _e1781 {
+                    if (_e1763 < 1000000000000000f) {
+                        if (_e1764 < 1000000000000000f) {
+                            phi_2586_ = (_e1765 < 1000000000000000f);
+                            phi_2587_ = false;
                         } else {
-                            phi_2585_ = bool();
-                            phi_2586_ = true;
+                            phi_2586_ = bool();
+                            phi_2587_ = true;
                         }
-                        let _e1785 = phi_2585_;
-                        let _e1787 = phi_2586_;
-                        phi_2587_ = _e1785;
-                        phi_2588_ = _e1787;
+                        let _e1786 = phi_2586_;
+                        let _e1788 = phi_2587_;
+                        phi_2588_ = _e1786;
+                        phi_2589_ = _e1788;
                     } else {
-                        phi_2587_ = bool();
-                        phi_2588_ = true;
+                        phi_2588_ = bool();
+                        phi_2589_ = true;
                     }
-                    let _e1789 = phi_2587_;
-                    let _e1791 = phi_2588_;
-                    if _e1791 {
-                        phi_2592_ = false;
+                    let _e1790 = phi_2588_;
+                    let _e1792 = phi_2589_;
+                    if _e1792 {
+                        phi_2593_ = false;
                     } else {
-                        phi_2592_ = _e1789;
+                        phi_2593_ = _e1790;
                     }
-                    let _e1793 = phi_2592_;
-                    if _e1793 {
-                        if (_e1762 > 0f) {
-                            phi_2606_ = bool();
-                            phi_2607_ = true;
+                    let _e1794 = phi_2593_;
+                    if _e1794 {
+                        if (_e1763 > 0f) {
+                            phi_2607_ = bool();
+                            phi_2608_ = true;
                         } else {
-                            let _e1795 = (_e1763 > 0f);
-                            if _e1795 {
-                                phi_2605_ = bool();
+                            let _e1796 = (_e1764 > 0f);
+                            if _e1796 {
+                                phi_2606_ = bool();
                             } else {
-                                phi_2605_ = (_e1764 > 0f);
+                                phi_2606_ = (_e1765 > 0f);
                             }
-                            let _e1798 = phi_2605_;
-                            phi_2606_ = _e1798;
-                            phi_2607_ = _e1795;
+                            let _e1799 = phi_2606_;
+                            phi_2607_ = _e1799;
+                            phi_2608_ = _e1796;
                         }
-                        let _e1800 = phi_2606_;
-                        let _e1802 = phi_2607_;
-                        if _e1802 {
-                            phi_2611_ = true;
+                        let _e1801 = phi_2607_;
+                        let _e1803 = phi_2608_;
+                        if _e1803 {
+                            phi_2612_ = true;
                         } else {
-                            phi_2611_ = _e1800;
+                            phi_2612_ = _e1801;
                         }
-                        let _e1804 = phi_2611_;
-                        phi_2612_ = _e1804;
-                        phi_2613_ = false;
+                        let _e1805 = phi_2612_;
+                        phi_2613_ = _e1805;
+                        phi_2614_ = false;
                     } else {
-                        phi_2612_ = bool();
-                        phi_2613_ = true;
+                        phi_2613_ = bool();
+                        phi_2614_ = true;
                     }
-                    let _e1806 = phi_2612_;
-                    let _e1808 = phi_2613_;
-                    phi_2614_ = _e1806;
-                    phi_2615_ = _e1808;
+                    let _e1807 = phi_2613_;
+                    let _e1809 = phi_2614_;
+                    phi_2615_ = _e1807;
+                    phi_2616_ = _e1809;
                 } else {
-                    phi_2614_ = bool();
-                    phi_2615_ = true;
+                    phi_2615_ = bool();
+                    phi_2616_ = true;
                 }
-                let _e1810 = phi_2614_;
-                let _e1812 = phi_2615_;
-                if _e1812 {
-                    phi_2619_ = false;
+                let _e1811 = phi_2615_;
+                let _e1813 = phi_2616_;
+                if _e1813 {
+                    phi_2620_ = false;
                 } else {
-                    phi_2619_ = _e1810;
+                    phi_2620_ = _e1811;
                 }
-                let _e1814 = phi_2619_;
-                if _e1814 {
-                    let _e1815 = (0u >= _e90);
-                    if _e1815 {
-                        phi_4207_ = bool();
+                let _e1815 = phi_2620_;
+                if _e1815 {
+                    let _e1816 = (0u >= _e90);
+                    if _e1816 {
+                        phi_4208_ = bool();
                     } else {
                         if (0u < _e90) {
                         } else {
                             return;
                         }
-                        let _e1821 = nodes.member[(0u + 0u)].frame[0u];
-                        let _e1825 = nodes.member[(0u + 0u)].frame[1u];
-                        let _e1829 = nodes.member[(0u + 0u)].frame[2u];
-                        let _e1833 = nodes.member[(0u + 0u)].frame[0u];
-                        let _e1837 = nodes.member[(0u + 0u)].frame[1u];
-                        let _e1841 = nodes.member[(0u + 0u)].frame[2u];
-                        let _e1845 = nodes.member[(0u + 0u)].frame[3u];
-                        let _e1879 = core_intrinsics_maximum_number_nsz_f32_(abs(_e169), abs(_e170));
-                        let _e1880 = core_intrinsics_maximum_number_nsz_f32_(_e1879, abs(_e171));
-                        let _e1881 = (_e1880 * 0.0000000000009094947f);
-                        if (abs(_e169) < _e1881) {
-                            phi_2689_ = _e1881;
+                        let _e1822 = nodes.member[(0u + 0u)].frame[0u];
+                        let _e1826 = nodes.member[(0u + 0u)].frame[1u];
+                        let _e1830 = nodes.member[(0u + 0u)].frame[2u];
+                        let _e1834 = nodes.member[(0u + 0u)].frame[0u];
+                        let _e1838 = nodes.member[(0u + 0u)].frame[1u];
+                        let _e1842 = nodes.member[(0u + 0u)].frame[2u];
+                        let _e1846 = nodes.member[(0u + 0u)].frame[3u];
+                        let _e1880 = core_intrinsics_maximum_number_nsz_f32_(abs(_e170), abs(_e171));
+                        let _e1881 = core_intrinsics_maximum_number_nsz_f32_(_e1880, abs(_e172));
+                        let _e1882 = (_e1881 * 0.0000000000009094947f);
+                        if (abs(_e170) < _e1882) {
+                            phi_2690_ = _e1882;
                         } else {
-                            phi_2689_ = abs(_e169);
+                            phi_2690_ = abs(_e170);
                         }
-                        let _e1886 = phi_2689_;
-                        if (_e169 < 0f) {
-                            phi_2696_ = (-1f / _e1886);
-                        } else {
-                            phi_2696_ = (1f / _e1886);
-                        }
-                        let _e1891 = phi_2696_;
-                        if (abs(_e170) < _e1881) {
-                            phi_2703_ = _e1881;
-                        } else {
-                            phi_2703_ = abs(_e170);
-                        }
-                        let _e1896 = phi_2703_;
+                        let _e1887 = phi_2690_;
                         if (_e170 < 0f) {
-                            phi_2710_ = (-1f / _e1896);
+                            phi_2697_ = (-1f / _e1887);
                         } else {
-                            phi_2710_ = (1f / _e1896);
+                            phi_2697_ = (1f / _e1887);
                         }
-                        let _e1901 = phi_2710_;
-                        if (abs(_e171) < _e1881) {
-                            phi_2717_ = _e1881;
+                        let _e1892 = phi_2697_;
+                        if (abs(_e171) < _e1882) {
+                            phi_2704_ = _e1882;
                         } else {
-                            phi_2717_ = abs(_e171);
+                            phi_2704_ = abs(_e171);
                         }
-                        let _e1906 = phi_2717_;
+                        let _e1897 = phi_2704_;
                         if (_e171 < 0f) {
-                            phi_2724_ = (-1f / _e1906);
+                            phi_2711_ = (-1f / _e1897);
                         } else {
-                            phi_2724_ = (1f / _e1906);
+                            phi_2711_ = (1f / _e1897);
                         }
-                        let _e1911 = phi_2724_;
-                        let _e1915 = abs((bitcast<f32>(_e1821) - _e149));
-                        let _e1916 = abs((bitcast<f32>(_e1825) - _e151));
-                        let _e1917 = abs((bitcast<f32>(_e1829) - _e153));
-                        let _e1921 = abs(((bitcast<f32>(_e1833) + (bitcast<f32>((((_e1845 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e149));
-                        let _e1922 = abs(((bitcast<f32>(_e1837) + (bitcast<f32>((((_e1845 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e151));
-                        let _e1923 = abs(((bitcast<f32>(_e1841) + (bitcast<f32>((((_e1845 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e153));
-                        if (_e1915 > _e1921) {
-                            phi_2741_ = _e1915;
+                        let _e1902 = phi_2711_;
+                        if (abs(_e172) < _e1882) {
+                            phi_2718_ = _e1882;
                         } else {
-                            phi_2741_ = _e1921;
+                            phi_2718_ = abs(_e172);
                         }
-                        let _e1926 = phi_2741_;
+                        let _e1907 = phi_2718_;
+                        if (_e172 < 0f) {
+                            phi_2725_ = (-1f / _e1907);
+                        } else {
+                            phi_2725_ = (1f / _e1907);
+                        }
+                        let _e1912 = phi_2725_;
+                        let _e1916 = abs((bitcast<f32>(_e1822) - _e150));
+                        let _e1917 = abs((bitcast<f32>(_e1826) - _e152));
+                        let _e1918 = abs((bitcast<f32>(_e1830) - _e154));
+                        let _e1922 = abs(((bitcast<f32>(_e1834) + (bitcast<f32>((((_e1846 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e150));
+                        let _e1923 = abs(((bitcast<f32>(_e1838) + (bitcast<f32>((((_e1846 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e152));
+                        let _e1924 = abs(((bitcast<f32>(_e1842) + (bitcast<f32>((((_e1846 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e154));
                         if (_e1916 > _e1922) {
-                            phi_2746_ = _e1916;
+                            phi_2742_ = _e1916;
                         } else {
-                            phi_2746_ = _e1922;
+                            phi_2742_ = _e1922;
                         }
-                        let _e1929 = phi_2746_;
+                        let _e1927 = phi_2742_;
                         if (_e1917 > _e1923) {
-                            phi_2751_ = _e1917;
+                            phi_2747_ = _e1917;
                         } else {
-                            phi_2751_ = _e1923;
+                            phi_2747_ = _e1923;
                         }
-                        let _e1932 = phi_2751_;
-                        if (_e1926 > _e1929) {
-                            phi_2756_ = _e1926;
+                        let _e1930 = phi_2747_;
+                        if (_e1918 > _e1924) {
+                            phi_2752_ = _e1918;
                         } else {
-                            phi_2756_ = _e1929;
+                            phi_2752_ = _e1924;
                         }
-                        let _e1935 = phi_2756_;
-                        if (_e1935 > _e1932) {
-                            phi_2761_ = _e1935;
+                        let _e1933 = phi_2752_;
+                        if (_e1927 > _e1930) {
+                            phi_2757_ = _e1927;
                         } else {
-                            phi_2761_ = _e1932;
+                            phi_2757_ = _e1930;
                         }
-                        let _e1938 = phi_2761_;
-                        let _e1942 = (_e1938 * 0.0000019073486f);
-                        let _e1943 = (abs(_e1891) * _e1942);
-                        let _e1944 = (abs(_e1901) * _e1942);
-                        let _e1945 = (abs(_e1911) * _e1942);
-                        let _e1949 = (_e1938 * 0.0000009536743f);
-                        let _e1950 = (abs(_e1891) * _e1949);
-                        let _e1951 = (abs(_e1901) * _e1949);
-                        let _e1952 = (abs(_e1911) * _e1949);
-                        let _e1953 = abs(_e169);
+                        let _e1936 = phi_2757_;
+                        if (_e1936 > _e1933) {
+                            phi_2762_ = _e1936;
+                        } else {
+                            phi_2762_ = _e1933;
+                        }
+                        let _e1939 = phi_2762_;
+                        let _e1943 = (_e1939 * 0.0000019073486f);
+                        let _e1944 = (abs(_e1892) * _e1943);
+                        let _e1945 = (abs(_e1902) * _e1943);
+                        let _e1946 = (abs(_e1912) * _e1943);
+                        let _e1950 = (_e1939 * 0.0000009536743f);
+                        let _e1951 = (abs(_e1892) * _e1950);
+                        let _e1952 = (abs(_e1902) * _e1950);
+                        let _e1953 = (abs(_e1912) * _e1950);
                         let _e1954 = abs(_e170);
                         let _e1955 = abs(_e171);
-                        if (_e1953 >= _e1954) {
-                            if (_e1953 >= _e1955) {
-                                phi_2787_ = false;
+                        let _e1956 = abs(_e172);
+                        if (_e1954 >= _e1955) {
+                            if (_e1954 >= _e1956) {
+                                phi_2788_ = false;
                             } else {
-                                phi_2787_ = true;
+                                phi_2788_ = true;
                             }
-                            let _e1959 = phi_2787_;
-                            phi_2788_ = _e1959;
+                            let _e1960 = phi_2788_;
+                            phi_2789_ = _e1960;
                         } else {
-                            phi_2788_ = true;
+                            phi_2789_ = true;
                         }
-                        let _e1961 = phi_2788_;
-                        if _e1961 {
-                            if (_e1954 >= _e1955) {
-                                phi_2796_ = 1u;
+                        let _e1962 = phi_2789_;
+                        if _e1962 {
+                            if (_e1955 >= _e1956) {
+                                phi_2797_ = 1u;
                             } else {
-                                phi_2796_ = 2u;
+                                phi_2797_ = 2u;
                             }
-                            let _e1964 = phi_2796_;
-                            phi_2797_ = _e1964;
+                            let _e1965 = phi_2797_;
+                            phi_2798_ = _e1965;
                         } else {
-                            phi_2797_ = 0u;
+                            phi_2798_ = 0u;
                         }
-                        let _e1966 = phi_2797_;
-                        if (_e1966 == 0u) {
-                            phi_2809_ = vec3<f32>(_e170, _e171, _e169);
+                        let _e1967 = phi_2798_;
+                        if (_e1967 == 0u) {
+                            phi_2810_ = vec3<f32>(_e171, _e172, _e170);
                         } else {
-                            if (_e1966 == 1u) {
-                                phi_2808_ = vec3<f32>(_e171, _e169, _e170);
+                            if (_e1967 == 1u) {
+                                phi_2809_ = vec3<f32>(_e172, _e170, _e171);
                             } else {
-                                phi_2808_ = _e172;
+                                phi_2809_ = _e173;
                             }
-                            let _e1972 = phi_2808_;
-                            phi_2809_ = _e1972;
+                            let _e1973 = phi_2809_;
+                            phi_2810_ = _e1973;
                         }
-                        let _e1974 = phi_2809_;
-                        let _e1977 = (_e1974.x / _e1974.z);
-                        let _e1980 = (_e1974.y / _e1974.z);
-                        if (_e1891 < 0f) {
-                            phi_2822_ = 0u;
+                        let _e1975 = phi_2810_;
+                        let _e1978 = (_e1975.x / _e1975.z);
+                        let _e1981 = (_e1975.y / _e1975.z);
+                        if (_e1892 < 0f) {
+                            phi_2823_ = 0u;
                         } else {
-                            phi_2822_ = 1u;
+                            phi_2823_ = 1u;
                         }
-                        let _e1985 = phi_2822_;
-                        if (_e1901 < 0f) {
-                            phi_2827_ = 0u;
+                        let _e1986 = phi_2823_;
+                        if (_e1902 < 0f) {
+                            phi_2828_ = 0u;
                         } else {
-                            phi_2827_ = 2u;
+                            phi_2828_ = 2u;
                         }
-                        let _e1988 = phi_2827_;
-                        if (_e1911 < 0f) {
-                            phi_2832_ = 0u;
+                        let _e1989 = phi_2828_;
+                        if (_e1912 < 0f) {
+                            phi_2833_ = 0u;
                         } else {
-                            phi_2832_ = 4u;
+                            phi_2833_ = 4u;
                         }
-                        let _e1991 = phi_2832_;
-                        let _e1993 = ((_e1985 | _e1988) | _e1991);
-                        let _e1994 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                        local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1994.first[0], _e1994.first[1], _e1994.first[2], _e1994.first[3], _e1994.first[4], _e1994.first[5], _e1994.first[6], _e1994.first[7], _e1994.first[8], _e1994.first[9], _e1994.first[10], _e1994.first[11], _e1994.first[12], _e1994.first[13], _e1994.first[14], _e1994.first[15], _e1994.first[16], _e1994.first[17], _e1994.first[18], _e1994.first[19], _e1994.first[20], _e1994.first[21], _e1994.first[22], _e1994.first[23], _e1994.first[24], _e1994.first[25], _e1994.first[26], _e1994.first[27], _e1994.first[28], _e1994.first[29], _e1994.first[30], _e1994.first[31]), array<u32, 32>(_e1994.mask[0], _e1994.mask[1], _e1994.mask[2], _e1994.mask[3], _e1994.mask[4], _e1994.mask[5], _e1994.mask[6], _e1994.mask[7], _e1994.mask[8], _e1994.mask[9], _e1994.mask[10], _e1994.mask[11], _e1994.mask[12], _e1994.mask[13], _e1994.mask[14], _e1994.mask[15], _e1994.mask[16], _e1994.mask[17], _e1994.mask[18], _e1994.mask[19], _e1994.mask[20], _e1994.mask[21], _e1994.mask[22], _e1994.mask[23], _e1994.mask[24], _e1994.mask[25], _e1994.mask[26], _e1994.mask[27], _e1994.mask[28], _e1994.mask[29], _e1994.mask[30], _e1994.mask[31]), _e1994.len, _e1994.group, _e1994.group_mask);
-                        let _e2068 = local_1.group_mask;
-                        if ((_e2068 & 4278190080u) == 0u) {
-                            let _e2072 = local_1.len;
-                            if (_e2072 == 0u) {
-                                phi_2946_ = false;
+                        let _e1992 = phi_2833_;
+                        let _e1994 = ((_e1986 | _e1989) | _e1992);
+                        let _e1995 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                        local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1995.first[0], _e1995.first[1], _e1995.first[2], _e1995.first[3], _e1995.first[4], _e1995.first[5], _e1995.first[6], _e1995.first[7], _e1995.first[8], _e1995.first[9], _e1995.first[10], _e1995.first[11], _e1995.first[12], _e1995.first[13], _e1995.first[14], _e1995.first[15], _e1995.first[16], _e1995.first[17], _e1995.first[18], _e1995.first[19], _e1995.first[20], _e1995.first[21], _e1995.first[22], _e1995.first[23], _e1995.first[24], _e1995.first[25], _e1995.first[26], _e1995.first[27], _e1995.first[28], _e1995.first[29], _e1995.first[30], _e1995.first[31]), array<u32, 32>(_e1995.mask[0], _e1995.mask[1], _e1995.mask[2], _e1995.mask[3], _e1995.mask[4], _e1995.mask[5], _e1995.mask[6], _e1995.mask[7], _e1995.mask[8], _e1995.mask[9], _e1995.mask[10], _e1995.mask[11], _e1995.mask[12], _e1995.mask[13], _e1995.mask[14], _e1995.mask[15], _e1995.mask[16], _e1995.mask[17], _e1995.mask[18], _e1995.mask[19], _e1995.mask[20], _e1995.mask[21], _e1995.mask[22], _e1995.mask[23], _e1995.mask[24], _e1995.mask[25], _e1995.mask[26], _e1995.mask[27], _e1995.mask[28], _e1995.mask[29], _e1995.mask[30], _e1995.mask[31]), _e1995.len, _e1995.group, _e1995.group_mask);
+                        let _e2069 = local_1.group_mask;
+                        if ((_e2069 & 4278190080u) == 0u) {
+                            let _e2073 = local_1.len;
+                            if (_e2073 == 0u) {
+                                phi_2947_ = false;
                             } else {
-                                let _e2076 = local_1.len;
-                                local_1.len = (_e2076 - 1u);
-                                let _e2079 = local_1.len;
-                                if (_e2079 < 32u) {
+                                let _e2077 = local_1.len;
+                                local_1.len = (_e2077 - 1u);
+                                let _e2080 = local_1.len;
+                                if (_e2080 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2084 = local_1.first[(0u + _e2079)];
-                                local_1.group = _e2084;
-                                let _e2087 = local_1.len;
-                                if (_e2087 < 32u) {
+                                let _e2085 = local_1.first[(0u + _e2080)];
+                                local_1.group = _e2085;
+                                let _e2088 = local_1.len;
+                                if (_e2088 < 32u) {
                                 } else {
                                     return;
                                 }
-                                let _e2092 = local_1.mask[(0u + _e2087)];
-                                local_1.group_mask = _e2092;
-                                phi_2946_ = true;
+                                let _e2093 = local_1.mask[(0u + _e2088)];
+                                local_1.group_mask = _e2093;
+                                phi_2947_ = true;
                             }
-                            let _e2095 = phi_2946_;
-                            phi_2947_ = _e2095;
+                            let _e2096 = phi_2947_;
+                            phi_2948_ = _e2096;
                         } else {
-                            phi_2947_ = true;
+                            phi_2948_ = true;
                         }
-                        let _e2097 = phi_2947_;
-                        if _e2097 {
-                            let _e2099 = local_1.group_mask;
-                            let _e2105 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2099)), 32u, (_e2099 == 0u)));
-                            let _e2109 = local_1.group_mask;
-                            let _e2123 = local_1.group_mask;
-                            local_1.group_mask = (_e2123 & ~((1u << bitcast<u32>((_e2105 & 31u)))));
-                            let _e2126 = local_1.group;
-                            phi_2978_ = (_e2126 + countOneBits(((_e2109 & ~((4294967295u << bitcast<u32>((((_e2105 - 24u) ^ 7u) & 31u))))) & 255u)));
+                        let _e2098 = phi_2948_;
+                        if _e2098 {
+                            let _e2100 = local_1.group_mask;
+                            let _e2106 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2100)), 32u, (_e2100 == 0u)));
+                            let _e2110 = local_1.group_mask;
+                            let _e2124 = local_1.group_mask;
+                            local_1.group_mask = (_e2124 & ~((1u << bitcast<u32>((_e2106 & 31u)))));
+                            let _e2127 = local_1.group;
+                            phi_2979_ = (_e2127 + countOneBits(((_e2110 & ~((4294967295u << bitcast<u32>((((_e2106 - 24u) ^ 7u) & 31u))))) & 255u)));
                         } else {
-                            phi_2978_ = 4294967295u;
+                            phi_2979_ = 4294967295u;
                         }
-                        let _e2129 = phi_2978_;
-                        phi_2980_ = _e2129;
-                        phi_2983_ = false;
+                        let _e2130 = phi_2979_;
+                        phi_2981_ = _e2130;
+                        phi_2984_ = false;
                         loop {
-                            let _e2131 = phi_2980_;
-                            let _e2133 = phi_2983_;
-                            local_27 = _e2133;
-                            if (_e2131 != 4294967295u) {
-                                if (_e2131 < _e90) {
+                            let _e2132 = phi_2981_;
+                            let _e2134 = phi_2984_;
+                            local_27 = _e2134;
+                            if (_e2132 != 4294967295u) {
+                                if (_e2132 < _e90) {
                                 } else {
                                     return;
                                 }
-                                let _e2140 = nodes.member[(0u + _e2131)].frame[3u];
-                                let _e2165 = (bitcast<f32>((((_e2140 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1891);
-                                let _e2166 = (bitcast<f32>((((_e2140 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1901);
-                                let _e2167 = (bitcast<f32>((((_e2140 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1911);
-                                let _e2170 = nodes.member[(0u + _e2131)].frame[0u];
-                                let _e2174 = nodes.member[(0u + _e2131)].frame[1u];
-                                let _e2178 = nodes.member[(0u + _e2131)].frame[2u];
-                                let _e2183 = ((bitcast<f32>(_e2170) - _e149) * _e1891);
-                                let _e2184 = ((bitcast<f32>(_e2174) - _e151) * _e1901);
-                                let _e2185 = ((bitcast<f32>(_e2178) - _e153) * _e1911);
-                                let _e2193 = nodes.member[(0u + _e2131)].x;
-                                if (_e1891 < 0f) {
-                                    let _e2204 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2193.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2210 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2204.unnamed.root, _e2193.w), _e2204.unnamed_1);
-                                    let _e2216 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2210.unnamed, lt_bvh_traverse_Tree(_e2193.x, _e2210.unnamed_1.first_primitive));
-                                    phi_3063_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2216.unnamed, lt_bvh_traverse_Tree(_e2216.unnamed_1.root, _e2193.y));
+                                let _e2141 = nodes.member[(0u + _e2132)].frame[3u];
+                                let _e2166 = (bitcast<f32>((((_e2141 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1892);
+                                let _e2167 = (bitcast<f32>((((_e2141 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1902);
+                                let _e2168 = (bitcast<f32>((((_e2141 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1912);
+                                let _e2171 = nodes.member[(0u + _e2132)].frame[0u];
+                                let _e2175 = nodes.member[(0u + _e2132)].frame[1u];
+                                let _e2179 = nodes.member[(0u + _e2132)].frame[2u];
+                                let _e2184 = ((bitcast<f32>(_e2171) - _e150) * _e1892);
+                                let _e2185 = ((bitcast<f32>(_e2175) - _e152) * _e1902);
+                                let _e2186 = ((bitcast<f32>(_e2179) - _e154) * _e1912);
+                                let _e2194 = nodes.member[(0u + _e2132)].x;
+                                if (_e1892 < 0f) {
+                                    let _e2205 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2194.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2211 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2205.unnamed.root, _e2194.w), _e2205.unnamed_1);
+                                    let _e2217 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2211.unnamed, lt_bvh_traverse_Tree(_e2194.x, _e2211.unnamed_1.first_primitive));
+                                    phi_3064_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2217.unnamed, lt_bvh_traverse_Tree(_e2217.unnamed_1.root, _e2194.y));
                                 } else {
-                                    let _e2232 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2193.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2238 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2232.unnamed.root, _e2193.y), _e2232.unnamed_1);
-                                    let _e2244 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2238.unnamed, lt_bvh_traverse_Tree(_e2193.z, _e2238.unnamed_1.first_primitive));
-                                    phi_3063_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2244.unnamed, lt_bvh_traverse_Tree(_e2244.unnamed_1.root, _e2193.w));
+                                    let _e2233 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2194.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2239 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2233.unnamed.root, _e2194.y), _e2233.unnamed_1);
+                                    let _e2245 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2239.unnamed, lt_bvh_traverse_Tree(_e2194.z, _e2239.unnamed_1.first_primitive));
+                                    phi_3064_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2245.unnamed, lt_bvh_traverse_Tree(_e2245.unnamed_1.root, _e2194.w));
                                 }
-                                let _e2252 = phi_3063_;
-                                let _e2262 = nodes.member[(0u + _e2131)].y;
-                                if (_e1901 < 0f) {
-                                    let _e2273 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2262.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2279 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2273.unnamed.root, _e2262.w), _e2273.unnamed_1);
-                                    let _e2285 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2279.unnamed, lt_bvh_traverse_Tree(_e2262.x, _e2279.unnamed_1.first_primitive));
-                                    phi_3090_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2285.unnamed, lt_bvh_traverse_Tree(_e2285.unnamed_1.root, _e2262.y));
+                                let _e2253 = phi_3064_;
+                                let _e2263 = nodes.member[(0u + _e2132)].y;
+                                if (_e1902 < 0f) {
+                                    let _e2274 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2263.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2280 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2274.unnamed.root, _e2263.w), _e2274.unnamed_1);
+                                    let _e2286 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2280.unnamed, lt_bvh_traverse_Tree(_e2263.x, _e2280.unnamed_1.first_primitive));
+                                    phi_3091_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2286.unnamed, lt_bvh_traverse_Tree(_e2286.unnamed_1.root, _e2263.y));
                                 } else {
-                                    let _e2301 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2262.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2307 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2301.unnamed.root, _e2262.y), _e2301.unnamed_1);
-                                    let _e2313 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2307.unnamed, lt_bvh_traverse_Tree(_e2262.z, _e2307.unnamed_1.first_primitive));
-                                    phi_3090_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2313.unnamed, lt_bvh_traverse_Tree(_e2313.unnamed_1.root, _e2262.w));
+                                    let _e2302 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2263.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2308 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2302.unnamed.root, _e2263.y), _e2302.unnamed_1);
+                                    let _e2314 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2308.unnamed, lt_bvh_traverse_Tree(_e2263.z, _e2308.unnamed_1.first_primitive));
+                                    phi_3091_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2314.unnamed, lt_bvh_traverse_Tree(_e2314.unnamed_1.root, _e2263.w));
                                 }
-                                let _e2321 = phi_3090_;
-                                let _e2331 = nodes.member[(0u + _e2131)].z;
-                                if (_e1911 < 0f) {
-                                    let _e2342 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2331.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2348 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2342.unnamed.root, _e2331.w), _e2342.unnamed_1);
-                                    let _e2354 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2348.unnamed, lt_bvh_traverse_Tree(_e2331.x, _e2348.unnamed_1.first_primitive));
-                                    phi_3117_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2354.unnamed, lt_bvh_traverse_Tree(_e2354.unnamed_1.root, _e2331.y));
+                                let _e2322 = phi_3091_;
+                                let _e2332 = nodes.member[(0u + _e2132)].z;
+                                if (_e1912 < 0f) {
+                                    let _e2343 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2332.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2349 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2343.unnamed.root, _e2332.w), _e2343.unnamed_1);
+                                    let _e2355 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2349.unnamed, lt_bvh_traverse_Tree(_e2332.x, _e2349.unnamed_1.first_primitive));
+                                    phi_3118_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2355.unnamed, lt_bvh_traverse_Tree(_e2355.unnamed_1.root, _e2332.y));
                                 } else {
-                                    let _e2370 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2331.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                    let _e2376 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2370.unnamed.root, _e2331.y), _e2370.unnamed_1);
-                                    let _e2382 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2376.unnamed, lt_bvh_traverse_Tree(_e2331.z, _e2376.unnamed_1.first_primitive));
-                                    phi_3117_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2382.unnamed, lt_bvh_traverse_Tree(_e2382.unnamed_1.root, _e2331.w));
+                                    let _e2371 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2332.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                    let _e2377 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e2371.unnamed.root, _e2332.y), _e2371.unnamed_1);
+                                    let _e2383 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2377.unnamed, lt_bvh_traverse_Tree(_e2332.z, _e2377.unnamed_1.first_primitive));
+                                    phi_3118_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e2383.unnamed, lt_bvh_traverse_Tree(_e2383.unnamed_1.root, _e2332.w));
                                 }
-                                let _e2390 = phi_3117_;
-                                phi_3123_ = 0u;
-                                phi_3126_ = 0u;
+                                let _e2391 = phi_3118_;
+                                phi_3124_ = 0u;
+                                phi_3127_ = 0u;
                                 loop {
-                                    let _e2400 = phi_3123_;
-                                    let _e2402 = phi_3126_;
-                                    local_10 = _e2402;
-                                    local_11 = _e2402;
-                                    local_12 = _e2402;
-                                    let _e2403 = (_e2400 < 8u);
-                                    if _e2403 {
-                                        let _e2405 = (_e2400 >> bitcast<u32>(2i));
-                                        let _e2406 = (_e2400 & 3u);
-                                        if (_e2405 == 0u) {
-                                            phi_3140_ = _e2252.unnamed.root;
+                                    let _e2401 = phi_3124_;
+                                    let _e2403 = phi_3127_;
+                                    local_10 = _e2403;
+                                    local_11 = _e2403;
+                                    local_12 = _e2403;
+                                    let _e2404 = (_e2401 < 8u);
+                                    if _e2404 {
+                                        let _e2406 = (_e2401 >> bitcast<u32>(2i));
+                                        let _e2407 = (_e2401 & 3u);
+                                        if (_e2406 == 0u) {
+                                            phi_3141_ = _e2253.unnamed.root;
                                         } else {
-                                            phi_3140_ = _e2252.unnamed.first_primitive;
+                                            phi_3141_ = _e2253.unnamed.first_primitive;
                                         }
-                                        let _e2409 = phi_3140_;
-                                        if (_e2405 == 0u) {
-                                            phi_3150_ = _e2321.unnamed.root;
+                                        let _e2410 = phi_3141_;
+                                        if (_e2406 == 0u) {
+                                            phi_3151_ = _e2322.unnamed.root;
                                         } else {
-                                            phi_3150_ = _e2321.unnamed.first_primitive;
+                                            phi_3151_ = _e2322.unnamed.first_primitive;
                                         }
-                                        let _e2418 = phi_3150_;
-                                        if (_e2405 == 0u) {
-                                            phi_3160_ = _e2390.unnamed.root;
+                                        let _e2419 = phi_3151_;
+                                        if (_e2406 == 0u) {
+                                            phi_3161_ = _e2391.unnamed.root;
                                         } else {
-                                            phi_3160_ = _e2390.unnamed.first_primitive;
+                                            phi_3161_ = _e2391.unnamed.first_primitive;
                                         }
-                                        let _e2427 = phi_3160_;
-                                        let _e2440 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2409 >> bitcast<u32>(((_e2406 * 8u) & 31u))) & 255u)) * _e2165) + (_e2183 - _e1943)), ((f32(((_e2418 >> bitcast<u32>(((_e2406 * 8u) & 31u))) & 255u)) * _e2166) + (_e2184 - _e1944)));
-                                        let _e2441 = core_intrinsics_maximum_number_nsz_f32_(_e2440, ((f32(((_e2427 >> bitcast<u32>(((_e2406 * 8u) & 31u))) & 255u)) * _e2167) + (_e2185 - _e1945)));
-                                        if (_e2405 == 0u) {
-                                            phi_3178_ = _e2252.unnamed_1.root;
+                                        let _e2428 = phi_3161_;
+                                        let _e2441 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e2410 >> bitcast<u32>(((_e2407 * 8u) & 31u))) & 255u)) * _e2166) + (_e2184 - _e1944)), ((f32(((_e2419 >> bitcast<u32>(((_e2407 * 8u) & 31u))) & 255u)) * _e2167) + (_e2185 - _e1945)));
+                                        let _e2442 = core_intrinsics_maximum_number_nsz_f32_(_e2441, ((f32(((_e2428 >> bitcast<u32>(((_e2407 * 8u) & 31u))) & 255u)) * _e2168) + (_e2186 - _e1946)));
+                                        if (_e2406 == 0u) {
+                                            phi_3179_ = _e2253.unnamed_1.root;
                                         } else {
-                                            phi_3178_ = _e2252.unnamed_1.first_primitive;
+                                            phi_3179_ = _e2253.unnamed_1.first_primitive;
                                         }
-                                        let _e2444 = phi_3178_;
-                                        if (_e2405 == 0u) {
-                                            phi_3188_ = _e2321.unnamed_1.root;
+                                        let _e2445 = phi_3179_;
+                                        if (_e2406 == 0u) {
+                                            phi_3189_ = _e2322.unnamed_1.root;
                                         } else {
-                                            phi_3188_ = _e2321.unnamed_1.first_primitive;
+                                            phi_3189_ = _e2322.unnamed_1.first_primitive;
                                         }
-                                        let _e2453 = phi_3188_;
-                                        if (_e2405 == 0u) {
-                                            phi_3198_ = _e2390.unnamed_1.root;
+                                        let _e2454 = phi_3189_;
+                                        if (_e2406 == 0u) {
+                                            phi_3199_ = _e2391.unnamed_1.root;
                                         } else {
-                                            phi_3198_ = _e2390.unnamed_1.first_primitive;
+                                            phi_3199_ = _e2391.unnamed_1.first_primitive;
                                         }
-                                        let _e2462 = phi_3198_;
-                                        let _e2475 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2444 >> bitcast<u32>(((_e2406 * 8u) & 31u))) & 255u)) * _e2165) + (_e2183 + _e1943)), ((f32(((_e2453 >> bitcast<u32>(((_e2406 * 8u) & 31u))) & 255u)) * _e2166) + (_e2184 + _e1944)));
-                                        let _e2476 = core_intrinsics_minimum_number_nsz_f32_(_e2475, ((f32(((_e2462 >> bitcast<u32>(((_e2406 * 8u) & 31u))) & 255u)) * _e2167) + (_e2185 + _e1945)));
-                                        if (_e2441 <= _e2476) {
-                                            if (_e2441 <= _e161) {
-                                                if (_e2476 >= 0f) {
-                                                    if (_e2405 == 0u) {
-                                                        let _e2483 = nodes.member[(0u + _e2131)].links[2u];
-                                                        phi_3234_ = _e2483;
+                                        let _e2463 = phi_3199_;
+                                        let _e2476 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e2445 >> bitcast<u32>(((_e2407 * 8u) & 31u))) & 255u)) * _e2166) + (_e2184 + _e1944)), ((f32(((_e2454 >> bitcast<u32>(((_e2407 * 8u) & 31u))) & 255u)) * _e2167) + (_e2185 + _e1945)));
+                                        let _e2477 = core_intrinsics_minimum_number_nsz_f32_(_e2476, ((f32(((_e2463 >> bitcast<u32>(((_e2407 * 8u) & 31u))) & 255u)) * _e2168) + (_e2186 + _e1946)));
+                                        if (_e2442 <= _e2477) {
+                                            if (_e2442 <= _e162) {
+                                                if (_e2477 >= 0f) {
+                                                    if (_e2406 == 0u) {
+                                                        let _e2484 = nodes.member[(0u + _e2132)].links[2u];
+                                                        phi_3235_ = _e2484;
                                                     } else {
-                                                        let _e2486 = nodes.member[(0u + _e2131)].links[3u];
-                                                        phi_3234_ = _e2486;
+                                                        let _e2487 = nodes.member[(0u + _e2132)].links[3u];
+                                                        phi_3235_ = _e2487;
                                                     }
-                                                    let _e2488 = phi_3234_;
-                                                    let _e2493 = ((_e2488 >> bitcast<u32>(((_e2406 * 8u) & 31u))) & 255u);
-                                                    let _e2494 = (_e2493 & 31u);
-                                                    if (_e2494 >= 24u) {
-                                                        phi_3247_ = (24u + ((_e2494 - 24u) ^ _e1993));
+                                                    let _e2489 = phi_3235_;
+                                                    let _e2494 = ((_e2489 >> bitcast<u32>(((_e2407 * 8u) & 31u))) & 255u);
+                                                    let _e2495 = (_e2494 & 31u);
+                                                    if (_e2495 >= 24u) {
+                                                        phi_3248_ = (24u + ((_e2495 - 24u) ^ _e1994));
                                                     } else {
-                                                        phi_3247_ = _e2494;
+                                                        phi_3248_ = _e2495;
                                                     }
-                                                    let _e2500 = phi_3247_;
-                                                    phi_3252_ = (_e2402 | ((_e2493 >> bitcast<u32>(5i)) << bitcast<u32>((_e2500 & 31u))));
+                                                    let _e2501 = phi_3248_;
+                                                    phi_3253_ = (_e2403 | ((_e2494 >> bitcast<u32>(5i)) << bitcast<u32>((_e2501 & 31u))));
                                                 } else {
-                                                    phi_3252_ = _e2402;
+                                                    phi_3253_ = _e2403;
                                                 }
-                                                let _e2508 = phi_3252_;
-                                                phi_3253_ = _e2508;
+                                                let _e2509 = phi_3253_;
+                                                phi_3254_ = _e2509;
                                             } else {
-                                                phi_3253_ = _e2402;
+                                                phi_3254_ = _e2403;
                                             }
-                                            let _e2510 = phi_3253_;
-                                            phi_3254_ = _e2510;
+                                            let _e2511 = phi_3254_;
+                                            phi_3255_ = _e2511;
                                         } else {
-                                            phi_3254_ = _e2402;
+                                            phi_3255_ = _e2403;
                                         }
-                                        let _e2512 = phi_3254_;
-                                        phi_3124_ = (_e2400 + 1u);
-                                        phi_3127_ = _e2512;
+                                        let _e2513 = phi_3255_;
+                                        phi_3125_ = (_e2401 + 1u);
+                                        phi_3128_ = _e2513;
                                     } else {
-                                        phi_3124_ = u32();
-                                        phi_3127_ = u32();
+                                        phi_3125_ = u32();
+                                        phi_3128_ = u32();
                                     }
-                                    let _e2515 = phi_3124_;
-                                    let _e2517 = phi_3127_;
+                                    let _e2516 = phi_3125_;
+                                    let _e2518 = phi_3128_;
                                     continue;
                                     continuing {
-                                        phi_3123_ = _e2515;
-                                        phi_3126_ = _e2517;
-                                        break if !(_e2403);
+                                        phi_3124_ = _e2516;
+                                        phi_3127_ = _e2518;
+                                        break if !(_e2404);
                                     }
                                 }
-                                let _e2521 = nodes.member[(0u + _e2131)].links[0u];
-                                let _e2525 = nodes.member[(0u + _e2131)].frame[3u];
-                                let _e2529 = local_10;
-                                if ((_e2529 & 4278190080u) == 0u) {
+                                let _e2522 = nodes.member[(0u + _e2132)].links[0u];
+                                let _e2526 = nodes.member[(0u + _e2132)].frame[3u];
+                                let _e2530 = local_10;
+                                if ((_e2530 & 4278190080u) == 0u) {
                                 } else {
-                                    let _e2533 = local_1.group_mask;
-                                    if ((_e2533 & 4278190080u) == 0u) {
+                                    let _e2534 = local_1.group_mask;
+                                    if ((_e2534 & 4278190080u) == 0u) {
                                     } else {
-                                        let _e2537 = local_1.len;
-                                        if (_e2537 < 32u) {
-                                            let _e2540 = local_1.group;
-                                            let _e2542 = local_1.len;
-                                            if (_e2542 < 32u) {
+                                        let _e2538 = local_1.len;
+                                        if (_e2538 < 32u) {
+                                            let _e2541 = local_1.group;
+                                            let _e2543 = local_1.len;
+                                            if (_e2543 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            local_1.first[(0u + _e2542)] = _e2540;
-                                            let _e2548 = local_1.group_mask;
-                                            let _e2550 = local_1.len;
-                                            if (_e2550 < 32u) {
+                                            local_1.first[(0u + _e2543)] = _e2541;
+                                            let _e2549 = local_1.group_mask;
+                                            let _e2551 = local_1.len;
+                                            if (_e2551 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            local_1.mask[(0u + _e2550)] = _e2548;
-                                            let _e2557 = local_1.len;
-                                            local_1.len = (_e2557 + 1u);
+                                            local_1.mask[(0u + _e2551)] = _e2549;
+                                            let _e2558 = local_1.len;
+                                            local_1.len = (_e2558 + 1u);
                                         }
                                     }
-                                    local_1.group = (0u + _e2521);
-                                    let _e2561 = local_11;
-                                    local_1.group_mask = ((_e2561 & 4278190080u) | (_e2525 >> bitcast<u32>(24i)));
+                                    local_1.group = (0u + _e2522);
+                                    let _e2562 = local_11;
+                                    local_1.group_mask = ((_e2562 & 4278190080u) | (_e2526 >> bitcast<u32>(24i)));
                                 }
-                                let _e2566 = local_12;
-                                phi_3312_ = (_e2566 & 16777215u);
-                                phi_3315_ = _e2133;
+                                let _e2567 = local_12;
+                                phi_3313_ = (_e2567 & 16777215u);
+                                phi_3316_ = _e2134;
                                 loop {
-                                    let _e2569 = phi_3312_;
-                                    let _e2571 = phi_3315_;
-                                    local_23 = _e2571;
-                                    let _e2572 = (_e2569 == 0u);
-                                    local_13 = _e2572;
-                                    local_25 = _e2572;
-                                    if _e2572 {
-                                        phi_3313_ = u32();
-                                        phi_3316_ = bool();
-                                        phi_4119_ = bool();
-                                        phi_4120_ = false;
+                                    let _e2570 = phi_3313_;
+                                    let _e2572 = phi_3316_;
+                                    local_23 = _e2572;
+                                    let _e2573 = (_e2570 == 0u);
+                                    local_13 = _e2573;
+                                    local_25 = _e2573;
+                                    if _e2573 {
+                                        phi_3314_ = u32();
+                                        phi_3317_ = bool();
+                                        phi_4120_ = bool();
+                                        phi_4121_ = false;
                                     } else {
-                                        let _e2575 = nodes.member[(0u + _e2131)].links[1u];
-                                        let _e2580 = ((0u + _e2575) + select(firstTrailingBit(_e2569), 32u, (_e2569 == 0u)));
-                                        if (_e2580 < _e93) {
+                                        let _e2576 = nodes.member[(0u + _e2132)].links[1u];
+                                        let _e2581 = ((0u + _e2576) + select(firstTrailingBit(_e2570), 32u, (_e2570 == 0u)));
+                                        if (_e2581 < _e93) {
                                         } else {
                                             return;
                                         }
-                                        let _e2587 = triangles.member[(0u + _e2580)].v0_;
-                                        let _e2589 = (_e2587.x - _e149);
-                                        let _e2591 = (_e2587.y - _e151);
-                                        let _e2593 = (_e2587.z - _e153);
-                                        if (_e1966 == 0u) {
-                                            phi_3360_ = vec3<f32>(_e2591, _e2593, _e2589);
+                                        let _e2588 = triangles.member[(0u + _e2581)].v0_;
+                                        let _e2590 = (_e2588.x - _e150);
+                                        let _e2592 = (_e2588.y - _e152);
+                                        let _e2594 = (_e2588.z - _e154);
+                                        if (_e1967 == 0u) {
+                                            phi_3361_ = vec3<f32>(_e2592, _e2594, _e2590);
                                         } else {
-                                            if (_e1966 == 1u) {
-                                                phi_3359_ = vec3<f32>(_e2593, _e2589, _e2591);
+                                            if (_e1967 == 1u) {
+                                                phi_3360_ = vec3<f32>(_e2594, _e2590, _e2592);
                                             } else {
-                                                phi_3359_ = (_e2587 - vec3<f32>(_e149, _e151, _e153));
+                                                phi_3360_ = (_e2588 - vec3<f32>(_e150, _e152, _e154));
                                             }
-                                            let _e2601 = phi_3359_;
-                                            phi_3360_ = _e2601;
+                                            let _e2602 = phi_3360_;
+                                            phi_3361_ = _e2602;
                                         }
-                                        let _e2603 = phi_3360_;
-                                        let _e2607 = (_e2603.x - (_e1977 * _e2603.z));
-                                        let _e2611 = (_e2603.y - (_e1980 * _e2603.z));
-                                        let _e2613 = triangles.member[(0u + _e2580)].v1_;
-                                        let _e2615 = (_e2613.x - _e149);
-                                        let _e2617 = (_e2613.y - _e151);
-                                        let _e2619 = (_e2613.z - _e153);
-                                        if (_e1966 == 0u) {
-                                            phi_3390_ = vec3<f32>(_e2617, _e2619, _e2615);
+                                        let _e2604 = phi_3361_;
+                                        let _e2608 = (_e2604.x - (_e1978 * _e2604.z));
+                                        let _e2612 = (_e2604.y - (_e1981 * _e2604.z));
+                                        let _e2614 = triangles.member[(0u + _e2581)].v1_;
+                                        let _e2616 = (_e2614.x - _e150);
+                                        let _e2618 = (_e2614.y - _e152);
+                                        let _e2620 = (_e2614.z - _e154);
+                                        if (_e1967 == 0u) {
+                                            phi_3391_ = vec3<f32>(_e2618, _e2620, _e2616);
                                         } else {
-                                            if (_e1966 == 1u) {
-                                                phi_3389_ = vec3<f32>(_e2619, _e2615, _e2617);
+                                            if (_e1967 == 1u) {
+                                                phi_3390_ = vec3<f32>(_e2620, _e2616, _e2618);
                                             } else {
-                                                phi_3389_ = (_e2613 - vec3<f32>(_e149, _e151, _e153));
+                                                phi_3390_ = (_e2614 - vec3<f32>(_e150, _e152, _e154));
                                             }
-                                            let _e2627 = phi_3389_;
-                                            phi_3390_ = _e2627;
+                                            let _e2628 = phi_3390_;
+                                            phi_3391_ = _e2628;
                                         }
-                                        let _e2629 = phi_3390_;
-                                        let _e2633 = (_e2629.x - (_e1977 * _e2629.z));
-                                        let _e2637 = (_e2629.y - (_e1980 * _e2629.z));
-                                        let _e2639 = triangles.member[(0u + _e2580)].v2_;
-                                        let _e2641 = (_e2639.x - _e149);
-                                        let _e2643 = (_e2639.y - _e151);
-                                        let _e2645 = (_e2639.z - _e153);
-                                        if (_e1966 == 0u) {
-                                            phi_3420_ = vec3<f32>(_e2643, _e2645, _e2641);
+                                        let _e2630 = phi_3391_;
+                                        let _e2634 = (_e2630.x - (_e1978 * _e2630.z));
+                                        let _e2638 = (_e2630.y - (_e1981 * _e2630.z));
+                                        let _e2640 = triangles.member[(0u + _e2581)].v2_;
+                                        let _e2642 = (_e2640.x - _e150);
+                                        let _e2644 = (_e2640.y - _e152);
+                                        let _e2646 = (_e2640.z - _e154);
+                                        if (_e1967 == 0u) {
+                                            phi_3421_ = vec3<f32>(_e2644, _e2646, _e2642);
                                         } else {
-                                            if (_e1966 == 1u) {
-                                                phi_3419_ = vec3<f32>(_e2645, _e2641, _e2643);
+                                            if (_e1967 == 1u) {
+                                                phi_3420_ = vec3<f32>(_e2646, _e2642, _e2644);
                                             } else {
-                                                phi_3419_ = (_e2639 - vec3<f32>(_e149, _e151, _e153));
+                                                phi_3420_ = (_e2640 - vec3<f32>(_e150, _e152, _e154));
                                             }
-                                            let _e2653 = phi_3419_;
-                                            phi_3420_ = _e2653;
+                                            let _e2654 = phi_3420_;
+                                            phi_3421_ = _e2654;
                                         }
-                                        let _e2655 = phi_3420_;
-                                        let _e2659 = (_e2655.x - (_e1977 * _e2655.z));
-                                        let _e2663 = (_e2655.y - (_e1980 * _e2655.z));
-                                        if (_e2633 < _e2659) {
-                                            phi_3439_ = true;
+                                        let _e2656 = phi_3421_;
+                                        let _e2660 = (_e2656.x - (_e1978 * _e2656.z));
+                                        let _e2664 = (_e2656.y - (_e1981 * _e2656.z));
+                                        if (_e2634 < _e2660) {
+                                            phi_3440_ = true;
                                         } else {
-                                            if (_e2633 == _e2659) {
-                                                phi_3438_ = (_e2637 < _e2663);
+                                            if (_e2634 == _e2660) {
+                                                phi_3439_ = (_e2638 < _e2664);
                                             } else {
-                                                phi_3438_ = false;
+                                                phi_3439_ = false;
                                             }
-                                            let _e2668 = phi_3438_;
-                                            phi_3439_ = _e2668;
+                                            let _e2669 = phi_3439_;
+                                            phi_3440_ = _e2669;
                                         }
-                                        let _e2670 = phi_3439_;
-                                        if _e2670 {
-                                            phi_3443_ = _e2663;
-                                            phi_3444_ = _e2659;
-                                            phi_3445_ = _e2637;
-                                            phi_3446_ = _e2633;
+                                        let _e2671 = phi_3440_;
+                                        if _e2671 {
+                                            phi_3444_ = _e2664;
+                                            phi_3445_ = _e2660;
+                                            phi_3446_ = _e2638;
+                                            phi_3447_ = _e2634;
                                         } else {
-                                            phi_3443_ = _e2637;
-                                            phi_3444_ = _e2633;
-                                            phi_3445_ = _e2663;
-                                            phi_3446_ = _e2659;
+                                            phi_3444_ = _e2638;
+                                            phi_3445_ = _e2634;
+                                            phi_3446_ = _e2664;
+                                            phi_3447_ = _e2660;
                                         }
-                                        let _e2672 = phi_3443_;
-                                        let _e2674 = phi_3444_;
-                                        let _e2676 = phi_3445_;
-                                        let _e2678 = phi_3446_;
-                                        let _e2681 = ((_e2678 * _e2672) - (_e2676 * _e2674));
-                                        if _e2670 {
-                                            phi_3454_ = -(_e2681);
+                                        let _e2673 = phi_3444_;
+                                        let _e2675 = phi_3445_;
+                                        let _e2677 = phi_3446_;
+                                        let _e2679 = phi_3447_;
+                                        let _e2682 = ((_e2679 * _e2673) - (_e2677 * _e2675));
+                                        if _e2671 {
+                                            phi_3455_ = -(_e2682);
                                         } else {
-                                            phi_3454_ = _e2681;
+                                            phi_3455_ = _e2682;
                                         }
-                                        let _e2684 = phi_3454_;
-                                        if (_e2659 < _e2607) {
-                                            phi_3465_ = true;
+                                        let _e2685 = phi_3455_;
+                                        if (_e2660 < _e2608) {
+                                            phi_3466_ = true;
                                         } else {
-                                            if (_e2659 == _e2607) {
-                                                phi_3464_ = (_e2663 < _e2611);
+                                            if (_e2660 == _e2608) {
+                                                phi_3465_ = (_e2664 < _e2612);
                                             } else {
-                                                phi_3464_ = false;
+                                                phi_3465_ = false;
                                             }
-                                            let _e2689 = phi_3464_;
-                                            phi_3465_ = _e2689;
+                                            let _e2690 = phi_3465_;
+                                            phi_3466_ = _e2690;
                                         }
-                                        let _e2691 = phi_3465_;
-                                        if _e2691 {
-                                            phi_3469_ = _e2611;
-                                            phi_3470_ = _e2607;
-                                            phi_3471_ = _e2663;
-                                            phi_3472_ = _e2659;
+                                        let _e2692 = phi_3466_;
+                                        if _e2692 {
+                                            phi_3470_ = _e2612;
+                                            phi_3471_ = _e2608;
+                                            phi_3472_ = _e2664;
+                                            phi_3473_ = _e2660;
                                         } else {
-                                            phi_3469_ = _e2663;
-                                            phi_3470_ = _e2659;
-                                            phi_3471_ = _e2611;
-                                            phi_3472_ = _e2607;
+                                            phi_3470_ = _e2664;
+                                            phi_3471_ = _e2660;
+                                            phi_3472_ = _e2612;
+                                            phi_3473_ = _e2608;
                                         }
-                                        let _e2693 = phi_3469_;
-                                        let _e2695 = phi_3470_;
-                                        let _e2697 = phi_3471_;
-                                        let _e2699 = phi_3472_;
-                                        let _e2702 = ((_e2699 * _e2693) - (_e2697 * _e2695));
-                                        if _e2691 {
-                                            phi_3480_ = -(_e2702);
+                                        let _e2694 = phi_3470_;
+                                        let _e2696 = phi_3471_;
+                                        let _e2698 = phi_3472_;
+                                        let _e2700 = phi_3473_;
+                                        let _e2703 = ((_e2700 * _e2694) - (_e2698 * _e2696));
+                                        if _e2692 {
+                                            phi_3481_ = -(_e2703);
                                         } else {
-                                            phi_3480_ = _e2702;
+                                            phi_3481_ = _e2703;
                                         }
-                                        let _e2705 = phi_3480_;
-                                        if (_e2607 < _e2633) {
-                                            phi_3491_ = true;
+                                        let _e2706 = phi_3481_;
+                                        if (_e2608 < _e2634) {
+                                            phi_3492_ = true;
                                         } else {
-                                            if (_e2607 == _e2633) {
-                                                phi_3490_ = (_e2611 < _e2637);
+                                            if (_e2608 == _e2634) {
+                                                phi_3491_ = (_e2612 < _e2638);
                                             } else {
-                                                phi_3490_ = false;
+                                                phi_3491_ = false;
                                             }
-                                            let _e2710 = phi_3490_;
-                                            phi_3491_ = _e2710;
+                                            let _e2711 = phi_3491_;
+                                            phi_3492_ = _e2711;
                                         }
-                                        let _e2712 = phi_3491_;
-                                        if _e2712 {
-                                            phi_3495_ = _e2637;
-                                            phi_3496_ = _e2633;
-                                            phi_3497_ = _e2611;
-                                            phi_3498_ = _e2607;
+                                        let _e2713 = phi_3492_;
+                                        if _e2713 {
+                                            phi_3496_ = _e2638;
+                                            phi_3497_ = _e2634;
+                                            phi_3498_ = _e2612;
+                                            phi_3499_ = _e2608;
                                         } else {
-                                            phi_3495_ = _e2611;
-                                            phi_3496_ = _e2607;
-                                            phi_3497_ = _e2637;
-                                            phi_3498_ = _e2633;
+                                            phi_3496_ = _e2612;
+                                            phi_3497_ = _e2608;
+                                            phi_3498_ = _e2638;
+                                            phi_3499_ = _e2634;
                                         }
-                                        let _e2714 = phi_3495_;
-                                        let _e2716 = phi_3496_;
-                                        let _e2718 = phi_3497_;
-                                        let _e2720 = phi_3498_;
-                                        let _e2723 = ((_e2720 * _e2714) - (_e2718 * _e2716));
-                                        if _e2712 {
-                                            phi_3506_ = -(_e2723);
+                                        let _e2715 = phi_3496_;
+                                        let _e2717 = phi_3497_;
+                                        let _e2719 = phi_3498_;
+                                        let _e2721 = phi_3499_;
+                                        let _e2724 = ((_e2721 * _e2715) - (_e2719 * _e2717));
+                                        if _e2713 {
+                                            phi_3507_ = -(_e2724);
                                         } else {
-                                            phi_3506_ = _e2723;
+                                            phi_3507_ = _e2724;
                                         }
-                                        let _e2726 = phi_3506_;
-                                        if (_e2684 >= 0f) {
-                                            if (_e2705 >= 0f) {
-                                                if (_e2726 >= 0f) {
-                                                    phi_3521_ = ((_e2684 + _e2705) + _e2726);
-                                                    phi_3522_ = false;
+                                        let _e2727 = phi_3507_;
+                                        if (_e2685 >= 0f) {
+                                            if (_e2706 >= 0f) {
+                                                if (_e2727 >= 0f) {
+                                                    phi_3522_ = ((_e2685 + _e2706) + _e2727);
+                                                    phi_3523_ = false;
                                                 } else {
-                                                    phi_3521_ = f32();
-                                                    phi_3522_ = true;
+                                                    phi_3522_ = f32();
+                                                    phi_3523_ = true;
                                                 }
-                                                let _e2733 = phi_3521_;
-                                                let _e2735 = phi_3522_;
-                                                phi_3523_ = _e2733;
-                                                phi_3524_ = _e2735;
+                                                let _e2734 = phi_3522_;
+                                                let _e2736 = phi_3523_;
+                                                phi_3524_ = _e2734;
+                                                phi_3525_ = _e2736;
                                             } else {
-                                                phi_3523_ = f32();
-                                                phi_3524_ = true;
+                                                phi_3524_ = f32();
+                                                phi_3525_ = true;
                                             }
-                                            let _e2737 = phi_3523_;
-                                            let _e2739 = phi_3524_;
-                                            phi_3525_ = _e2737;
-                                            phi_3526_ = _e2739;
+                                            let _e2738 = phi_3524_;
+                                            let _e2740 = phi_3525_;
+                                            phi_3526_ = _e2738;
+                                            phi_3527_ = _e2740;
                                         } else {
-                                            phi_3525_ = f32();
-                                            phi_3526_ = true;
+                                            phi_3526_ = f32();
+                                            phi_3527_ = true;
                                         }
-                                        let _e2741 = phi_3525_;
-                                        let _e2743 = phi_3526_;
-                                        if _e2743 {
-                                            if (_e2684 <= 0f) {
-                                                if (_e2705 <= 0f) {
-                                                    let _e2746 = (_e2726 <= 0f);
-                                                    if _e2746 {
+                                        let _e2742 = phi_3526_;
+                                        let _e2744 = phi_3527_;
+                                        if _e2744 {
+                                            if (_e2685 <= 0f) {
+                                                if (_e2706 <= 0f) {
+                                                    let _e2747 = (_e2727 <= 0f);
+                                                    if _e2747 {
                                                     }
-                                                    phi_3544_ = ((_e2684 + _e2705) + _e2726);
-                                                    phi_3545_ = false;
-                                                    phi_3546_ = _e2746;
-                                                } else {
-                                                    phi_3544_ = f32();
-                                                    phi_3545_ = true;
+                                                    phi_3545_ = ((_e2685 + _e2706) + _e2727);
                                                     phi_3546_ = false;
+                                                    phi_3547_ = _e2747;
+                                                } else {
+                                                    phi_3545_ = f32();
+                                                    phi_3546_ = true;
+                                                    phi_3547_ = false;
                                                 }
-                                                let _e2750 = phi_3544_;
-                                                let _e2752 = phi_3545_;
-                                                let _e2754 = phi_3546_;
-                                                phi_3547_ = _e2750;
-                                                phi_3548_ = _e2752;
-                                                phi_3549_ = _e2754;
+                                                let _e2751 = phi_3545_;
+                                                let _e2753 = phi_3546_;
+                                                let _e2755 = phi_3547_;
+                                                phi_3548_ = _e2751;
+                                                phi_3549_ = _e2753;
+                                                phi_3550_ = _e2755;
                                             } else {
-                                                phi_3547_ = f32();
-                                                phi_3548_ = true;
-                                                phi_3549_ = false;
+                                                phi_3548_ = f32();
+                                                phi_3549_ = true;
+                                                phi_3550_ = false;
                                             }
-                                            let _e2756 = phi_3547_;
-                                            let _e2758 = phi_3548_;
-                                            let _e2760 = phi_3549_;
-                                            if _e2758 {
-                                                phi_3553_ = false;
+                                            let _e2757 = phi_3548_;
+                                            let _e2759 = phi_3549_;
+                                            let _e2761 = phi_3550_;
+                                            if _e2759 {
+                                                phi_3554_ = false;
                                             } else {
-                                                phi_3553_ = _e2760;
+                                                phi_3554_ = _e2761;
                                             }
-                                            let _e2762 = phi_3553_;
-                                            phi_3554_ = _e2756;
-                                            phi_3555_ = _e2762;
+                                            let _e2763 = phi_3554_;
+                                            phi_3555_ = _e2757;
+                                            phi_3556_ = _e2763;
                                         } else {
-                                            phi_3554_ = _e2741;
-                                            phi_3555_ = true;
+                                            phi_3555_ = _e2742;
+                                            phi_3556_ = true;
                                         }
-                                        let _e2764 = phi_3554_;
-                                        let _e2766 = phi_3555_;
-                                        if _e2766 {
-                                            let _e2767 = (_e2764 == 0f);
-                                            if _e2767 {
-                                                phi_3871_ = lt_bvh_triangle_Intersection();
-                                                phi_3872_ = false;
+                                        let _e2765 = phi_3555_;
+                                        let _e2767 = phi_3556_;
+                                        if _e2767 {
+                                            let _e2768 = (_e2765 == 0f);
+                                            if _e2768 {
+                                                phi_3872_ = lt_bvh_triangle_Intersection();
+                                                phi_3873_ = false;
                                             } else {
-                                                let _e2769 = triangles.member[(0u + _e2580)].v0_;
-                                                let _e2771 = (_e2769.x - _e149);
-                                                let _e2773 = (_e2769.y - _e151);
-                                                let _e2775 = (_e2769.z - _e153);
-                                                if (_e1966 == 0u) {
-                                                    phi_3584_ = vec3<f32>(_e2773, _e2775, _e2771);
+                                                let _e2770 = triangles.member[(0u + _e2581)].v0_;
+                                                let _e2772 = (_e2770.x - _e150);
+                                                let _e2774 = (_e2770.y - _e152);
+                                                let _e2776 = (_e2770.z - _e154);
+                                                if (_e1967 == 0u) {
+                                                    phi_3585_ = vec3<f32>(_e2774, _e2776, _e2772);
                                                 } else {
-                                                    if (_e1966 == 1u) {
-                                                        phi_3583_ = vec3<f32>(_e2775, _e2771, _e2773);
+                                                    if (_e1967 == 1u) {
+                                                        phi_3584_ = vec3<f32>(_e2776, _e2772, _e2774);
                                                     } else {
-                                                        phi_3583_ = (_e2769 - vec3<f32>(_e149, _e151, _e153));
+                                                        phi_3584_ = (_e2770 - vec3<f32>(_e150, _e152, _e154));
                                                     }
-                                                    let _e2783 = phi_3583_;
-                                                    phi_3584_ = _e2783;
+                                                    let _e2784 = phi_3584_;
+                                                    phi_3585_ = _e2784;
                                                 }
-                                                let _e2785 = phi_3584_;
-                                                let _e2787 = triangles.member[(0u + _e2580)].v1_;
-                                                let _e2789 = triangles.member[(0u + _e2580)].v0_;
-                                                let _e2792 = (_e2787.x - _e2789.x);
-                                                let _e2795 = (_e2787.y - _e2789.y);
-                                                let _e2798 = (_e2787.z - _e2789.z);
-                                                if (_e1966 == 0u) {
-                                                    phi_3610_ = vec3<f32>(_e2795, _e2798, _e2792);
+                                                let _e2786 = phi_3585_;
+                                                let _e2788 = triangles.member[(0u + _e2581)].v1_;
+                                                let _e2790 = triangles.member[(0u + _e2581)].v0_;
+                                                let _e2793 = (_e2788.x - _e2790.x);
+                                                let _e2796 = (_e2788.y - _e2790.y);
+                                                let _e2799 = (_e2788.z - _e2790.z);
+                                                if (_e1967 == 0u) {
+                                                    phi_3611_ = vec3<f32>(_e2796, _e2799, _e2793);
                                                 } else {
-                                                    if (_e1966 == 1u) {
-                                                        phi_3609_ = vec3<f32>(_e2798, _e2792, _e2795);
+                                                    if (_e1967 == 1u) {
+                                                        phi_3610_ = vec3<f32>(_e2799, _e2793, _e2796);
                                                     } else {
-                                                        phi_3609_ = (_e2787 - _e2789);
+                                                        phi_3610_ = (_e2788 - _e2790);
                                                     }
-                                                    let _e2805 = phi_3609_;
-                                                    phi_3610_ = _e2805;
+                                                    let _e2806 = phi_3610_;
+                                                    phi_3611_ = _e2806;
                                                 }
-                                                let _e2807 = phi_3610_;
-                                                let _e2809 = triangles.member[(0u + _e2580)].v2_;
-                                                let _e2811 = triangles.member[(0u + _e2580)].v0_;
-                                                let _e2814 = (_e2809.x - _e2811.x);
-                                                let _e2817 = (_e2809.y - _e2811.y);
-                                                let _e2820 = (_e2809.z - _e2811.z);
-                                                if (_e1966 == 0u) {
-                                                    phi_3636_ = vec3<f32>(_e2817, _e2820, _e2814);
+                                                let _e2808 = phi_3611_;
+                                                let _e2810 = triangles.member[(0u + _e2581)].v2_;
+                                                let _e2812 = triangles.member[(0u + _e2581)].v0_;
+                                                let _e2815 = (_e2810.x - _e2812.x);
+                                                let _e2818 = (_e2810.y - _e2812.y);
+                                                let _e2821 = (_e2810.z - _e2812.z);
+                                                if (_e1967 == 0u) {
+                                                    phi_3637_ = vec3<f32>(_e2818, _e2821, _e2815);
                                                 } else {
-                                                    if (_e1966 == 1u) {
-                                                        phi_3635_ = vec3<f32>(_e2820, _e2814, _e2817);
+                                                    if (_e1967 == 1u) {
+                                                        phi_3636_ = vec3<f32>(_e2821, _e2815, _e2818);
                                                     } else {
-                                                        phi_3635_ = (_e2809 - _e2811);
+                                                        phi_3636_ = (_e2810 - _e2812);
                                                     }
-                                                    let _e2827 = phi_3635_;
-                                                    phi_3636_ = _e2827;
+                                                    let _e2828 = phi_3636_;
+                                                    phi_3637_ = _e2828;
                                                 }
-                                                let _e2829 = phi_3636_;
-                                                let _e2836 = ((_e2807.y * _e2829.z) - (_e2807.z * _e2829.y));
-                                                let _e2843 = ((_e2807.z * _e2829.x) - (_e2807.x * _e2829.z));
-                                                let _e2850 = ((_e2807.x * _e2829.y) - (_e2807.y * _e2829.x));
-                                                let _e2864 = (((1f / _e1974.z) * (((_e2836 * _e2785.x) + (_e2843 * _e2785.y)) + (_e2850 * _e2785.z))) / (((_e2836 * _e1977) + (_e2843 * _e1980)) + _e2850));
-                                                if (_e2864 > 0f) {
-                                                    if (_e2864 < _e161) {
-                                                        let _e2868 = triangles.member[(0u + _e2580)].v0_;
-                                                        let _e2870 = triangles.member[(0u + _e2580)].v1_;
-                                                        if (_e2868.x < _e2870.x) {
-                                                            phi_3692_ = _e2868.x;
+                                                let _e2830 = phi_3637_;
+                                                let _e2837 = ((_e2808.y * _e2830.z) - (_e2808.z * _e2830.y));
+                                                let _e2844 = ((_e2808.z * _e2830.x) - (_e2808.x * _e2830.z));
+                                                let _e2851 = ((_e2808.x * _e2830.y) - (_e2808.y * _e2830.x));
+                                                let _e2865 = (((1f / _e1975.z) * (((_e2837 * _e2786.x) + (_e2844 * _e2786.y)) + (_e2851 * _e2786.z))) / (((_e2837 * _e1978) + (_e2844 * _e1981)) + _e2851));
+                                                if (_e2865 > 0f) {
+                                                    if (_e2865 < _e162) {
+                                                        let _e2869 = triangles.member[(0u + _e2581)].v0_;
+                                                        let _e2871 = triangles.member[(0u + _e2581)].v1_;
+                                                        if (_e2869.x < _e2871.x) {
+                                                            phi_3693_ = _e2869.x;
                                                         } else {
-                                                            phi_3692_ = _e2870.x;
+                                                            phi_3693_ = _e2871.x;
                                                         }
-                                                        let _e2877 = phi_3692_;
-                                                        if (_e2868.y < _e2870.y) {
-                                                            phi_3701_ = _e2868.y;
+                                                        let _e2878 = phi_3693_;
+                                                        if (_e2869.y < _e2871.y) {
+                                                            phi_3702_ = _e2869.y;
                                                         } else {
-                                                            phi_3701_ = _e2870.y;
+                                                            phi_3702_ = _e2871.y;
                                                         }
-                                                        let _e2884 = phi_3701_;
-                                                        if (_e2868.z < _e2870.z) {
-                                                            phi_3710_ = _e2868.z;
+                                                        let _e2885 = phi_3702_;
+                                                        if (_e2869.z < _e2871.z) {
+                                                            phi_3711_ = _e2869.z;
                                                         } else {
-                                                            phi_3710_ = _e2870.z;
+                                                            phi_3711_ = _e2871.z;
                                                         }
-                                                        let _e2891 = phi_3710_;
-                                                        let _e2893 = triangles.member[(0u + _e2580)].v2_;
-                                                        if (_e2877 < _e2893.x) {
-                                                            phi_3719_ = _e2877;
+                                                        let _e2892 = phi_3711_;
+                                                        let _e2894 = triangles.member[(0u + _e2581)].v2_;
+                                                        if (_e2878 < _e2894.x) {
+                                                            phi_3720_ = _e2878;
                                                         } else {
-                                                            phi_3719_ = _e2893.x;
+                                                            phi_3720_ = _e2894.x;
                                                         }
-                                                        let _e2898 = phi_3719_;
-                                                        if (_e2884 < _e2893.y) {
-                                                            phi_3726_ = _e2884;
+                                                        let _e2899 = phi_3720_;
+                                                        if (_e2885 < _e2894.y) {
+                                                            phi_3727_ = _e2885;
                                                         } else {
-                                                            phi_3726_ = _e2893.y;
+                                                            phi_3727_ = _e2894.y;
                                                         }
-                                                        let _e2903 = phi_3726_;
-                                                        if (_e2891 < _e2893.z) {
-                                                            phi_3733_ = _e2891;
+                                                        let _e2904 = phi_3727_;
+                                                        if (_e2892 < _e2894.z) {
+                                                            phi_3734_ = _e2892;
                                                         } else {
-                                                            phi_3733_ = _e2893.z;
+                                                            phi_3734_ = _e2894.z;
                                                         }
-                                                        let _e2908 = phi_3733_;
-                                                        let _e2910 = triangles.member[(0u + _e2580)].v0_;
-                                                        let _e2912 = triangles.member[(0u + _e2580)].v1_;
-                                                        if (_e2910.x > _e2912.x) {
-                                                            phi_3746_ = _e2910.x;
+                                                        let _e2909 = phi_3734_;
+                                                        let _e2911 = triangles.member[(0u + _e2581)].v0_;
+                                                        let _e2913 = triangles.member[(0u + _e2581)].v1_;
+                                                        if (_e2911.x > _e2913.x) {
+                                                            phi_3747_ = _e2911.x;
                                                         } else {
-                                                            phi_3746_ = _e2912.x;
+                                                            phi_3747_ = _e2913.x;
                                                         }
-                                                        let _e2919 = phi_3746_;
-                                                        if (_e2910.y > _e2912.y) {
-                                                            phi_3755_ = _e2910.y;
+                                                        let _e2920 = phi_3747_;
+                                                        if (_e2911.y > _e2913.y) {
+                                                            phi_3756_ = _e2911.y;
                                                         } else {
-                                                            phi_3755_ = _e2912.y;
+                                                            phi_3756_ = _e2913.y;
                                                         }
-                                                        let _e2926 = phi_3755_;
-                                                        if (_e2910.z > _e2912.z) {
-                                                            phi_3764_ = _e2910.z;
+                                                        let _e2927 = phi_3756_;
+                                                        if (_e2911.z > _e2913.z) {
+                                                            phi_3765_ = _e2911.z;
                                                         } else {
-                                                            phi_3764_ = _e2912.z;
+                                                            phi_3765_ = _e2913.z;
                                                         }
-                                                        let _e2933 = phi_3764_;
-                                                        let _e2935 = triangles.member[(0u + _e2580)].v2_;
-                                                        if (_e2919 > _e2935.x) {
-                                                            phi_3773_ = _e2919;
+                                                        let _e2934 = phi_3765_;
+                                                        let _e2936 = triangles.member[(0u + _e2581)].v2_;
+                                                        if (_e2920 > _e2936.x) {
+                                                            phi_3774_ = _e2920;
                                                         } else {
-                                                            phi_3773_ = _e2935.x;
+                                                            phi_3774_ = _e2936.x;
                                                         }
-                                                        let _e2940 = phi_3773_;
-                                                        if (_e2926 > _e2935.y) {
-                                                            phi_3780_ = _e2926;
+                                                        let _e2941 = phi_3774_;
+                                                        if (_e2927 > _e2936.y) {
+                                                            phi_3781_ = _e2927;
                                                         } else {
-                                                            phi_3780_ = _e2935.y;
+                                                            phi_3781_ = _e2936.y;
                                                         }
-                                                        let _e2945 = phi_3780_;
-                                                        if (_e2933 > _e2935.z) {
-                                                            phi_3787_ = _e2933;
+                                                        let _e2946 = phi_3781_;
+                                                        if (_e2934 > _e2936.z) {
+                                                            phi_3788_ = _e2934;
                                                         } else {
-                                                            phi_3787_ = _e2935.z;
+                                                            phi_3788_ = _e2936.z;
                                                         }
-                                                        let _e2950 = phi_3787_;
-                                                        let _e2954 = ((_e2898 - _e149) * _e1891);
-                                                        let _e2955 = ((_e2903 - _e151) * _e1901);
-                                                        let _e2956 = ((_e2908 - _e153) * _e1911);
-                                                        let _e2960 = ((_e2940 - _e149) * _e1891);
-                                                        let _e2961 = ((_e2945 - _e151) * _e1901);
-                                                        let _e2962 = ((_e2950 - _e153) * _e1911);
-                                                        if (_e2954 < _e2960) {
-                                                            phi_3804_ = _e2954;
-                                                        } else {
-                                                            phi_3804_ = _e2960;
-                                                        }
-                                                        let _e2965 = phi_3804_;
+                                                        let _e2951 = phi_3788_;
+                                                        let _e2955 = ((_e2899 - _e150) * _e1892);
+                                                        let _e2956 = ((_e2904 - _e152) * _e1902);
+                                                        let _e2957 = ((_e2909 - _e154) * _e1912);
+                                                        let _e2961 = ((_e2941 - _e150) * _e1892);
+                                                        let _e2962 = ((_e2946 - _e152) * _e1902);
+                                                        let _e2963 = ((_e2951 - _e154) * _e1912);
                                                         if (_e2955 < _e2961) {
-                                                            phi_3809_ = _e2955;
+                                                            phi_3805_ = _e2955;
                                                         } else {
-                                                            phi_3809_ = _e2961;
+                                                            phi_3805_ = _e2961;
                                                         }
-                                                        let _e2968 = phi_3809_;
+                                                        let _e2966 = phi_3805_;
                                                         if (_e2956 < _e2962) {
-                                                            phi_3814_ = _e2956;
+                                                            phi_3810_ = _e2956;
                                                         } else {
-                                                            phi_3814_ = _e2962;
+                                                            phi_3810_ = _e2962;
                                                         }
-                                                        let _e2971 = phi_3814_;
-                                                        if (_e2954 > _e2960) {
-                                                            phi_3822_ = _e2954;
+                                                        let _e2969 = phi_3810_;
+                                                        if (_e2957 < _e2963) {
+                                                            phi_3815_ = _e2957;
                                                         } else {
-                                                            phi_3822_ = _e2960;
+                                                            phi_3815_ = _e2963;
                                                         }
-                                                        let _e2977 = phi_3822_;
+                                                        let _e2972 = phi_3815_;
                                                         if (_e2955 > _e2961) {
-                                                            phi_3827_ = _e2955;
+                                                            phi_3823_ = _e2955;
                                                         } else {
-                                                            phi_3827_ = _e2961;
+                                                            phi_3823_ = _e2961;
                                                         }
-                                                        let _e2980 = phi_3827_;
+                                                        let _e2978 = phi_3823_;
                                                         if (_e2956 > _e2962) {
-                                                            phi_3832_ = _e2956;
+                                                            phi_3828_ = _e2956;
                                                         } else {
-                                                            phi_3832_ = _e2962;
+                                                            phi_3828_ = _e2962;
                                                         }
-                                                        let _e2983 = phi_3832_;
-                                                        let _e2987 = core_intrinsics_maximum_number_nsz_f32_((_e2965 - _e1950), (_e2968 - _e1951));
-                                                        let _e2988 = core_intrinsics_maximum_number_nsz_f32_(_e2987, (_e2971 - _e1952));
-                                                        let _e2989 = core_intrinsics_minimum_number_nsz_f32_((_e2977 + _e1950), (_e2980 + _e1951));
-                                                        let _e2990 = core_intrinsics_minimum_number_nsz_f32_(_e2989, (_e2983 + _e1952));
-                                                        if (_e2988 > -300000000000000000000000000000000000000f) {
-                                                            phi_3844_ = _e2988;
+                                                        let _e2981 = phi_3828_;
+                                                        if (_e2957 > _e2963) {
+                                                            phi_3833_ = _e2957;
                                                         } else {
-                                                            phi_3844_ = -300000000000000000000000000000000000000f;
+                                                            phi_3833_ = _e2963;
                                                         }
-                                                        let _e2993 = phi_3844_;
-                                                        if (_e2990 < 300000000000000000000000000000000000000f) {
-                                                            phi_3849_ = _e2990;
+                                                        let _e2984 = phi_3833_;
+                                                        let _e2988 = core_intrinsics_maximum_number_nsz_f32_((_e2966 - _e1951), (_e2969 - _e1952));
+                                                        let _e2989 = core_intrinsics_maximum_number_nsz_f32_(_e2988, (_e2972 - _e1953));
+                                                        let _e2990 = core_intrinsics_minimum_number_nsz_f32_((_e2978 + _e1951), (_e2981 + _e1952));
+                                                        let _e2991 = core_intrinsics_minimum_number_nsz_f32_(_e2990, (_e2984 + _e1953));
+                                                        if (_e2989 > -300000000000000000000000000000000000000f) {
+                                                            phi_3845_ = _e2989;
                                                         } else {
-                                                            phi_3849_ = 300000000000000000000000000000000000000f;
+                                                            phi_3845_ = -300000000000000000000000000000000000000f;
                                                         }
-                                                        let _e2996 = phi_3849_;
-                                                        if (_e2864 < _e2993) {
-                                                            phi_3854_ = _e2993;
+                                                        let _e2994 = phi_3845_;
+                                                        if (_e2991 < 300000000000000000000000000000000000000f) {
+                                                            phi_3850_ = _e2991;
                                                         } else {
-                                                            phi_3854_ = _e2864;
+                                                            phi_3850_ = 300000000000000000000000000000000000000f;
                                                         }
-                                                        let _e2999 = phi_3854_;
-                                                        if (_e2999 > _e2996) {
-                                                            phi_3859_ = _e2996;
+                                                        let _e2997 = phi_3850_;
+                                                        if (_e2865 < _e2994) {
+                                                            phi_3855_ = _e2994;
                                                         } else {
-                                                            phi_3859_ = _e2999;
+                                                            phi_3855_ = _e2865;
                                                         }
-                                                        let _e3002 = phi_3859_;
-                                                        phi_3864_ = lt_bvh_triangle_Intersection(_e3002, (_e2705 / _e2764), (_e2726 / _e2764), (_e2993 <= _e2996));
-                                                        phi_3865_ = false;
+                                                        let _e3000 = phi_3855_;
+                                                        if (_e3000 > _e2997) {
+                                                            phi_3860_ = _e2997;
+                                                        } else {
+                                                            phi_3860_ = _e3000;
+                                                        }
+                                                        let _e3003 = phi_3860_;
+                                                        phi_3865_ = lt_bvh_triangle_Intersection(_e3003, (_e2706 / _e2765), (_e2727 / _e2765), (_e2994 <= _e2997));
+                                                        phi_3866_ = false;
                                                     } else {
-                                                        phi_3864_ = lt_bvh_triangle_Intersection();
-                                                        phi_3865_ = true;
+                                                        phi_3865_ = lt_bvh_triangle_Intersection();
+                                                        phi_3866_ = true;
                                                     }
-                                                    let _e3008 = phi_3864_;
-                                                    let _e3010 = phi_3865_;
-                                                    phi_3866_ = _e3008;
-                                                    phi_3867_ = _e3010;
+                                                    let _e3009 = phi_3865_;
+                                                    let _e3011 = phi_3866_;
+                                                    phi_3867_ = _e3009;
+                                                    phi_3868_ = _e3011;
                                                 } else {
-                                                    phi_3866_ = lt_bvh_triangle_Intersection();
-                                                    phi_3867_ = true;
+                                                    phi_3867_ = lt_bvh_triangle_Intersection();
+                                                    phi_3868_ = true;
                                                 }
-                                                let _e3012 = phi_3866_;
-                                                let _e3014 = phi_3867_;
-                                                if _e3014 {
+                                                let _e3013 = phi_3867_;
+                                                let _e3015 = phi_3868_;
+                                                if _e3015 {
                                                 }
-                                                phi_3871_ = _e3012;
-                                                phi_3872_ = _e3014;
+                                                phi_3872_ = _e3013;
+                                                phi_3873_ = _e3015;
                                             }
-                                            let _e3016 = phi_3871_;
-                                            let _e3018 = phi_3872_;
-                                            phi_3873_ = _e3016;
-                                            phi_3874_ = _e2767;
-                                            phi_3875_ = _e3018;
+                                            let _e3017 = phi_3872_;
+                                            let _e3019 = phi_3873_;
+                                            phi_3874_ = _e3017;
+                                            phi_3875_ = _e2768;
+                                            phi_3876_ = _e3019;
                                         } else {
-                                            phi_3873_ = lt_bvh_triangle_Intersection();
-                                            phi_3874_ = true;
-                                            phi_3875_ = false;
+                                            phi_3874_ = lt_bvh_triangle_Intersection();
+                                            phi_3875_ = true;
+                                            phi_3876_ = false;
                                         }
-                                        let _e3020 = phi_3873_;
-                                        let _e3022 = phi_3874_;
-                                        let _e3024 = phi_3875_;
-                                        if _e3022 {
-                                            phi_3879_ = true;
+                                        let _e3021 = phi_3874_;
+                                        let _e3023 = phi_3875_;
+                                        let _e3025 = phi_3876_;
+                                        if _e3023 {
+                                            phi_3880_ = true;
                                         } else {
-                                            phi_3879_ = _e3024;
+                                            phi_3880_ = _e3025;
                                         }
-                                        let _e3026 = phi_3879_;
-                                        if _e3026 {
-                                            phi_3883_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                        let _e3027 = phi_3880_;
+                                        if _e3027 {
+                                            phi_3884_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                         } else {
-                                            phi_3883_ = _e3020;
+                                            phi_3884_ = _e3021;
                                         }
-                                        let _e3028 = phi_3883_;
-                                        if _e3028.is_hit {
-                                            if (_e3028.t > 0f) {
-                                                if (_e3028.t < _e161) {
-                                                    let _e3035 = triangles.member[(0u + _e2580)].i0_;
-                                                    if ((_e3035 & 2147483648u) == 0u) {
-                                                        phi_4102_ = true;
+                                        let _e3029 = phi_3884_;
+                                        if _e3029.is_hit {
+                                            if (_e3029.t > 0f) {
+                                                if (_e3029.t < _e162) {
+                                                    let _e3036 = triangles.member[(0u + _e2581)].i0_;
+                                                    if ((_e3036 & 2147483648u) == 0u) {
+                                                        phi_4103_ = true;
                                                     } else {
-                                                        if (_e2580 < _e93) {
+                                                        if (_e2581 < _e93) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e3044 = triangles.member[(0u + _e2580)].i0_;
-                                                        let _e3045 = (_e3044 & 2147483647u);
-                                                        let _e3047 = triangles.member[(0u + _e2580)].i1_;
-                                                        let _e3049 = triangles.member[(0u + _e2580)].i2_;
-                                                        if (_e3045 < _e109) {
+                                                        let _e3045 = triangles.member[(0u + _e2581)].i0_;
+                                                        let _e3046 = (_e3045 & 2147483647u);
+                                                        let _e3048 = triangles.member[(0u + _e2581)].i1_;
+                                                        let _e3050 = triangles.member[(0u + _e2581)].i2_;
+                                                        if (_e3046 < _e109) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e3053 = vertices.member[(0u + _e3045)];
-                                                        if (_e3047 < _e109) {
+                                                        let _e3054 = vertices.member[(0u + _e3046)];
+                                                        if (_e3048 < _e109) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e3057 = vertices.member[(0u + _e3047)];
-                                                        if (_e3049 < _e109) {
+                                                        let _e3058 = vertices.member[(0u + _e3048)];
+                                                        if (_e3050 < _e109) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e3061 = vertices.member[(0u + _e3049)];
-                                                        let _e3062 = array<abi_Vertex, 3>(_e3053, _e3057, _e3061);
-                                                        if (_e3062[0].material < _e112) {
+                                                        let _e3062 = vertices.member[(0u + _e3050)];
+                                                        let _e3063 = array<abi_Vertex, 3>(_e3054, _e3058, _e3062);
+                                                        if (_e3063[0].material < _e112) {
                                                         } else {
                                                             return;
                                                         }
-                                                        let _e3068 = materials.member[(0u + _e3062[0].material)];
-                                                        if ((_e3068.flags & 1u) == 1u) {
-                                                            let _e3073 = ((1f - _e3028.u) - _e3028.v);
-                                                            if (_e3068.cutoff <= 0f) {
-                                                                phi_4100_ = true;
+                                                        let _e3069 = materials.member[(0u + _e3063[0].material)];
+                                                        if ((_e3069.flags & 1u) == 1u) {
+                                                            let _e3074 = ((1f - _e3029.u) - _e3029.v);
+                                                            if (_e3069.cutoff <= 0f) {
+                                                                phi_4101_ = true;
                                                             } else {
-                                                                let _e3100 = (_e3068.base_color.w * ((((f32((_e3062[0].color >> bitcast<u32>(24i))) * _e3073) + (f32((_e3062[1].color >> bitcast<u32>(24i))) * _e3028.u)) + (f32((_e3062[2].color >> bitcast<u32>(24i))) * _e3028.v)) * (1f / 255f)));
-                                                                if (_e3068.alpha_size == 0u) {
-                                                                    phi_4097_ = _e3100;
+                                                                let _e3101 = (_e3069.base_color.w * ((((f32((_e3063[0].color >> bitcast<u32>(24i))) * _e3074) + (f32((_e3063[1].color >> bitcast<u32>(24i))) * _e3029.u)) + (f32((_e3063[2].color >> bitcast<u32>(24i))) * _e3029.v)) * (1f / 255f)));
+                                                                if (_e3069.alpha_size == 0u) {
+                                                                    phi_4098_ = _e3101;
                                                                 } else {
-                                                                    local.offset = _e3068.alpha_offset;
-                                                                    local.size = _e3068.alpha_size;
-                                                                    local.flags = _e3068.flags;
-                                                                    let _e3131 = _lt_shaders_texture_TextureView_quad((&local), (((_e3062[0].u * _e3073) + (_e3062[1].u * _e3028.u)) + (_e3062[2].u * _e3028.v)), (((_e3062[0].v * _e3073) + (_e3062[1].v * _e3028.u)) + (_e3062[2].v * _e3028.v)));
-                                                                    let _e3135 = (_e3131.indices[0] >> bitcast<u32>(2i));
-                                                                    if (_e3135 < _e115) {
+                                                                    local.offset = _e3069.alpha_offset;
+                                                                    local.size = _e3069.alpha_size;
+                                                                    local.flags = _e3069.flags;
+                                                                    let _e3132 = _lt_shaders_texture_TextureView_quad((&local), (((_e3063[0].u * _e3074) + (_e3063[1].u * _e3029.u)) + (_e3063[2].u * _e3029.v)), (((_e3063[0].v * _e3074) + (_e3063[1].v * _e3029.u)) + (_e3063[2].v * _e3029.v)));
+                                                                    let _e3136 = (_e3132.indices[0] >> bitcast<u32>(2i));
+                                                                    if (_e3136 < _e115) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3139 = alpha_texels.member[(0u + _e3135)];
-                                                                    let _e3155 = (_e3131.indices[1] >> bitcast<u32>(2i));
-                                                                    if (_e3155 < _e115) {
+                                                                    let _e3140 = alpha_texels.member[(0u + _e3136)];
+                                                                    let _e3156 = (_e3132.indices[1] >> bitcast<u32>(2i));
+                                                                    if (_e3156 < _e115) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3159 = alpha_texels.member[(0u + _e3155)];
-                                                                    let _e3176 = (_e3131.indices[2] >> bitcast<u32>(2i));
-                                                                    if (_e3176 < _e115) {
+                                                                    let _e3160 = alpha_texels.member[(0u + _e3156)];
+                                                                    let _e3177 = (_e3132.indices[2] >> bitcast<u32>(2i));
+                                                                    if (_e3177 < _e115) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3180 = alpha_texels.member[(0u + _e3176)];
-                                                                    let _e3197 = (_e3131.indices[3] >> bitcast<u32>(2i));
-                                                                    if (_e3197 < _e115) {
+                                                                    let _e3181 = alpha_texels.member[(0u + _e3177)];
+                                                                    let _e3198 = (_e3132.indices[3] >> bitcast<u32>(2i));
+                                                                    if (_e3198 < _e115) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e3201 = alpha_texels.member[(0u + _e3197)];
-                                                                    phi_4097_ = (_e3100 * (((((f32(((_e3139 >> bitcast<u32>((((_e3131.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3131.weights.x) + ((f32(((_e3159 >> bitcast<u32>((((_e3131.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3131.weights.y)) + ((f32(((_e3180 >> bitcast<u32>((((_e3131.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3131.weights.z)) + ((f32(((_e3201 >> bitcast<u32>((((_e3131.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3131.weights.w)));
+                                                                    let _e3202 = alpha_texels.member[(0u + _e3198)];
+                                                                    phi_4098_ = (_e3101 * (((((f32(((_e3140 >> bitcast<u32>((((_e3132.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3132.weights.x) + ((f32(((_e3160 >> bitcast<u32>((((_e3132.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3132.weights.y)) + ((f32(((_e3181 >> bitcast<u32>((((_e3132.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3132.weights.z)) + ((f32(((_e3202 >> bitcast<u32>((((_e3132.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e3132.weights.w)));
                                                                 }
-                                                                let _e3217 = phi_4097_;
-                                                                phi_4100_ = (_e3217 >= _e3068.cutoff);
+                                                                let _e3218 = phi_4098_;
+                                                                phi_4101_ = (_e3218 >= _e3069.cutoff);
                                                             }
-                                                            let _e3221 = phi_4100_;
-                                                            phi_4101_ = _e3221;
+                                                            let _e3222 = phi_4101_;
+                                                            phi_4102_ = _e3222;
                                                         } else {
-                                                            phi_4101_ = false;
+                                                            phi_4102_ = false;
                                                         }
-                                                        let _e3223 = phi_4101_;
-                                                        phi_4102_ = _e3223;
+                                                        let _e3224 = phi_4102_;
+                                                        phi_4103_ = _e3224;
                                                     }
-                                                    let _e3225 = phi_4102_;
-                                                    if _e3225 {
-                                                        phi_4106_ = false;
+                                                    let _e3226 = phi_4103_;
+                                                    if _e3226 {
+                                                        phi_4107_ = false;
                                                     } else {
-                                                        phi_4106_ = true;
+                                                        phi_4107_ = true;
                                                     }
-                                                    let _e3227 = phi_4106_;
-                                                    phi_4107_ = _e3225;
-                                                    phi_4108_ = _e3225;
-                                                    phi_4109_ = _e3227;
+                                                    let _e3228 = phi_4107_;
+                                                    phi_4108_ = _e3226;
+                                                    phi_4109_ = _e3226;
+                                                    phi_4110_ = _e3228;
                                                 } else {
-                                                    phi_4107_ = bool();
-                                                    phi_4108_ = _e2571;
-                                                    phi_4109_ = true;
+                                                    phi_4108_ = bool();
+                                                    phi_4109_ = _e2572;
+                                                    phi_4110_ = true;
                                                 }
-                                                let _e3229 = phi_4107_;
-                                                let _e3231 = phi_4108_;
-                                                let _e3233 = phi_4109_;
-                                                phi_4110_ = _e3229;
-                                                phi_4111_ = _e3231;
-                                                phi_4112_ = _e3233;
+                                                let _e3230 = phi_4108_;
+                                                let _e3232 = phi_4109_;
+                                                let _e3234 = phi_4110_;
+                                                phi_4111_ = _e3230;
+                                                phi_4112_ = _e3232;
+                                                phi_4113_ = _e3234;
                                             } else {
-                                                phi_4110_ = bool();
-                                                phi_4111_ = _e2571;
-                                                phi_4112_ = true;
+                                                phi_4111_ = bool();
+                                                phi_4112_ = _e2572;
+                                                phi_4113_ = true;
                                             }
-                                            let _e3235 = phi_4110_;
-                                            let _e3237 = phi_4111_;
-                                            let _e3239 = phi_4112_;
-                                            phi_4113_ = _e3235;
-                                            phi_4114_ = _e3237;
-                                            phi_4115_ = _e3239;
+                                            let _e3236 = phi_4111_;
+                                            let _e3238 = phi_4112_;
+                                            let _e3240 = phi_4113_;
+                                            phi_4114_ = _e3236;
+                                            phi_4115_ = _e3238;
+                                            phi_4116_ = _e3240;
                                         } else {
-                                            phi_4113_ = bool();
-                                            phi_4114_ = _e2571;
-                                            phi_4115_ = true;
+                                            phi_4114_ = bool();
+                                            phi_4115_ = _e2572;
+                                            phi_4116_ = true;
                                         }
-                                        let _e3241 = phi_4113_;
-                                        let _e3243 = phi_4114_;
-                                        let _e3245 = phi_4115_;
-                                        if _e3245 {
+                                        let _e3242 = phi_4114_;
+                                        let _e3244 = phi_4115_;
+                                        let _e3246 = phi_4116_;
+                                        if _e3246 {
                                         }
-                                        phi_3313_ = (_e2569 & (_e2569 - 1u));
-                                        phi_3316_ = _e3243;
-                                        phi_4119_ = _e3241;
-                                        phi_4120_ = _e3245;
+                                        phi_3314_ = (_e2570 & (_e2570 - 1u));
+                                        phi_3317_ = _e3244;
+                                        phi_4120_ = _e3242;
+                                        phi_4121_ = _e3246;
                                     }
-                                    let _e3247 = phi_3313_;
-                                    let _e3249 = phi_3316_;
-                                    let _e3251 = phi_4119_;
-                                    let _e3253 = phi_4120_;
-                                    local_24 = _e3251;
+                                    let _e3248 = phi_3314_;
+                                    let _e3250 = phi_3317_;
+                                    let _e3252 = phi_4120_;
+                                    let _e3254 = phi_4121_;
+                                    local_24 = _e3252;
                                     continue;
                                     continuing {
-                                        phi_3312_ = _e3247;
-                                        phi_3315_ = _e3249;
-                                        break if !(_e3253);
+                                        phi_3313_ = _e3248;
+                                        phi_3316_ = _e3250;
+                                        break if !(_e3254);
                                     }
                                 }
-                                let _e3256 = local_13;
-                                if _e3256 {
-                                    let _e3258 = local_1.group_mask;
-                                    if ((_e3258 & 4278190080u) == 0u) {
-                                        let _e3262 = local_1.len;
-                                        if (_e3262 == 0u) {
-                                            phi_4162_ = false;
+                                let _e3257 = local_13;
+                                if _e3257 {
+                                    let _e3259 = local_1.group_mask;
+                                    if ((_e3259 & 4278190080u) == 0u) {
+                                        let _e3263 = local_1.len;
+                                        if (_e3263 == 0u) {
+                                            phi_4163_ = false;
                                         } else {
-                                            let _e3266 = local_1.len;
-                                            local_1.len = (_e3266 - 1u);
-                                            let _e3269 = local_1.len;
-                                            if (_e3269 < 32u) {
+                                            let _e3267 = local_1.len;
+                                            local_1.len = (_e3267 - 1u);
+                                            let _e3270 = local_1.len;
+                                            if (_e3270 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3274 = local_1.first[(0u + _e3269)];
-                                            local_1.group = _e3274;
-                                            let _e3277 = local_1.len;
-                                            if (_e3277 < 32u) {
+                                            let _e3275 = local_1.first[(0u + _e3270)];
+                                            local_1.group = _e3275;
+                                            let _e3278 = local_1.len;
+                                            if (_e3278 < 32u) {
                                             } else {
                                                 return;
                                             }
-                                            let _e3282 = local_1.mask[(0u + _e3277)];
-                                            local_1.group_mask = _e3282;
-                                            phi_4162_ = true;
+                                            let _e3283 = local_1.mask[(0u + _e3278)];
+                                            local_1.group_mask = _e3283;
+                                            phi_4163_ = true;
                                         }
-                                        let _e3285 = phi_4162_;
-                                        phi_4163_ = _e3285;
+                                        let _e3286 = phi_4163_;
+                                        phi_4164_ = _e3286;
                                     } else {
-                                        phi_4163_ = true;
+                                        phi_4164_ = true;
                                     }
-                                    let _e3287 = phi_4163_;
-                                    if _e3287 {
-                                        let _e3289 = local_1.group_mask;
-                                        let _e3295 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e3289)), 32u, (_e3289 == 0u)));
-                                        let _e3299 = local_1.group_mask;
-                                        let _e3313 = local_1.group_mask;
-                                        local_1.group_mask = (_e3313 & ~((1u << bitcast<u32>((_e3295 & 31u)))));
-                                        let _e3316 = local_1.group;
-                                        phi_4194_ = (_e3316 + countOneBits(((_e3299 & ~((4294967295u << bitcast<u32>((((_e3295 - 24u) ^ _e1993) & 31u))))) & 255u)));
+                                    let _e3288 = phi_4164_;
+                                    if _e3288 {
+                                        let _e3290 = local_1.group_mask;
+                                        let _e3296 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e3290)), 32u, (_e3290 == 0u)));
+                                        let _e3300 = local_1.group_mask;
+                                        let _e3314 = local_1.group_mask;
+                                        local_1.group_mask = (_e3314 & ~((1u << bitcast<u32>((_e3296 & 31u)))));
+                                        let _e3317 = local_1.group;
+                                        phi_4195_ = (_e3317 + countOneBits(((_e3300 & ~((4294967295u << bitcast<u32>((((_e3296 - 24u) ^ _e1994) & 31u))))) & 255u)));
                                     } else {
-                                        phi_4194_ = 4294967295u;
+                                        phi_4195_ = 4294967295u;
                                     }
-                                    let _e3319 = phi_4194_;
-                                    phi_4195_ = _e3319;
+                                    let _e3320 = phi_4195_;
+                                    phi_4196_ = _e3320;
                                 } else {
-                                    phi_4195_ = u32();
+                                    phi_4196_ = u32();
                                 }
-                                let _e3321 = phi_4195_;
-                                phi_2981_ = _e3321;
-                                let _e3871 = local_23;
-                                phi_2984_ = _e3871;
-                                let _e3874 = local_24;
-                                phi_4196_ = _e3874;
-                                let _e3877 = local_25;
-                                phi_4197_ = _e3877;
-                                phi_4198_ = false;
+                                let _e3322 = phi_4196_;
+                                phi_2982_ = _e3322;
+                                let _e3872 = local_23;
+                                phi_2985_ = _e3872;
+                                let _e3875 = local_24;
+                                phi_4197_ = _e3875;
+                                let _e3878 = local_25;
+                                phi_4198_ = _e3878;
+                                phi_4199_ = false;
                             } else {
-                                phi_2981_ = u32();
-                                phi_2984_ = bool();
-                                phi_4196_ = bool();
-                                phi_4197_ = false;
-                                phi_4198_ = true;
+                                phi_2982_ = u32();
+                                phi_2985_ = bool();
+                                phi_4197_ = bool();
+                                phi_4198_ = false;
+                                phi_4199_ = true;
                             }
-                            let _e3323 = phi_2981_;
-                            let _e3325 = phi_2984_;
-                            let _e3327 = phi_4196_;
-                            let _e3329 = phi_4197_;
-                            let _e3331 = phi_4198_;
-                            local_14 = _e3331;
-                            local_26 = _e3327;
+                            let _e3324 = phi_2982_;
+                            let _e3326 = phi_2985_;
+                            let _e3328 = phi_4197_;
+                            let _e3330 = phi_4198_;
+                            let _e3332 = phi_4199_;
+                            local_14 = _e3332;
+                            local_26 = _e3328;
                             continue;
                             continuing {
-                                phi_2980_ = _e3323;
-                                phi_2983_ = _e3325;
-                                break if !(_e3329);
+                                phi_2981_ = _e3324;
+                                phi_2984_ = _e3326;
+                                break if !(_e3330);
                             }
                         }
-                        let _e3334 = local_14;
-                        if _e3334 {
-                            phi_4202_ = false;
+                        let _e3335 = local_14;
+                        if _e3335 {
+                            phi_4203_ = false;
                         } else {
-                            phi_4202_ = true;
+                            phi_4203_ = true;
                         }
-                        let _e3336 = phi_4202_;
-                        if _e3336 {
-                            let _e3883 = local_26;
-                            phi_4206_ = _e3883;
+                        let _e3337 = phi_4203_;
+                        if _e3337 {
+                            let _e3884 = local_26;
+                            phi_4207_ = _e3884;
                         } else {
-                            let _e3885 = local_27;
-                            phi_4206_ = _e3885;
+                            let _e3886 = local_27;
+                            phi_4207_ = _e3886;
                         }
-                        let _e3338 = phi_4206_;
-                        phi_4207_ = _e3338;
+                        let _e3339 = phi_4207_;
+                        phi_4208_ = _e3339;
                     }
-                    let _e3340 = phi_4207_;
-                    phi_4208_ = _e3340;
-                    phi_4209_ = _e1815;
+                    let _e3341 = phi_4208_;
+                    phi_4209_ = _e3341;
+                    phi_4210_ = _e1816;
                 } else {
-                    phi_4208_ = bool();
-                    phi_4209_ = true;
+                    phi_4209_ = bool();
+                    phi_4210_ = true;
                 }
-                let _e3342 = phi_4208_;
-                let _e3344 = phi_4209_;
-                if _e3344 {
-                    phi_4213_ = false;
+                let _e3343 = phi_4209_;
+                let _e3345 = phi_4210_;
+                if _e3345 {
+                    phi_4214_ = false;
                 } else {
-                    phi_4213_ = _e3342;
+                    phi_4214_ = _e3343;
                 }
-                let _e3346 = phi_4213_;
-                phi_4214_ = _e3346;
+                let _e3347 = phi_4214_;
+                phi_4215_ = _e3347;
             }
-            let _e3348 = phi_4214_;
-            phi_4215_ = _e3348;
+            let _e3349 = phi_4215_;
+            phi_4216_ = _e3349;
         } else {
-            phi_4215_ = false;
+            phi_4216_ = false;
         }
-        let _e3350 = phi_4215_;
-        if _e3350 {
-            phi_4219_ = 0f;
+        let _e3351 = phi_4216_;
+        if _e3351 {
+            phi_4220_ = 0f;
         } else {
-            phi_4219_ = 1f;
+            phi_4220_ = 1f;
         }
-        let _e3352 = phi_4219_;
-        if (_e128 < _e96) {
-        } else {
-            return;
-        }
-        visibility.member[(0u + _e128)] = _e3352;
-        let _e3358 = p.member.light.number;
-        let _e3359 = (_e3358 * 3u);
-        let _e3360 = (_e3359 / 32u);
-        let _e3361 = (_e3359 % 32u);
-        let _e3363 = p.member.light.mask_words;
-        if (_e128 < _e96) {
+        let _e3353 = phi_4220_;
+        if (_e129 < _e96) {
         } else {
             return;
         }
-        let _e3367 = visibility.member[(0u + _e128)];
-        let _e3369 = ((_e128 * _e3363) + _e3360);
-        if (_e3361 > 29u) {
-            let _e3371 = (_e3369 + 1u);
-            if (_e3371 < _e102) {
+        visibility.member[(0u + _e129)] = _e3353;
+        let _e3359 = p.member.light.number;
+        let _e3360 = (_e3359 * 3u);
+        let _e3361 = (_e3360 / 32u);
+        let _e3362 = (_e3360 % 32u);
+        let _e3364 = p.member.light.mask_words;
+        if (_e129 < _e96) {
+        } else {
+            return;
+        }
+        let _e3368 = visibility.member[(0u + _e129)];
+        let _e3370 = ((_e129 * _e3364) + _e3361);
+        if (_e3362 > 29u) {
+            let _e3372 = (_e3370 + 1u);
+            if (_e3372 < _e102) {
             } else {
                 return;
             }
-            let _e3375 = bits.member[(0u + _e3371)];
-            phi_4260_ = _e3375;
+            let _e3376 = bits.member[(0u + _e3372)];
+            phi_4261_ = _e3376;
         } else {
-            phi_4260_ = 0u;
+            phi_4261_ = 0u;
         }
-        let _e3377 = phi_4260_;
-        if (_e3369 < _e102) {
-        } else {
-            return;
-        }
-        let _e3381 = bits.member[(0u + _e3369)];
-        let _e3384 = (_e3381 >> bitcast<u32>((_e3361 & 31u)));
-        if (_e3361 > 29u) {
-            phi_4279_ = (_e3384 | (_e3377 << bitcast<u32>(((32u - _e3361) & 31u))));
-        } else {
-            phi_4279_ = _e3384;
-        }
-        let _e3392 = phi_4279_;
-        if ((_e3392 & 2u) == 0u) {
-            phi_4287_ = (_e3392 & 1u);
-        } else {
-            phi_4287_ = (_e3392 & 7u);
-        }
-        let _e3398 = phi_4287_;
-        if ((_e3398 & 1u) != 0u) {
-            phi_4295_ = (2u | 1u);
-        } else {
-            phi_4295_ = 2u;
-        }
-        let _e3404 = phi_4295_;
-        if (_e3367 < 0.5f) {
-            phi_4300_ = (_e3404 | 4u);
-        } else {
-            phi_4300_ = _e3404;
-        }
-        let _e3407 = phi_4300_;
-        let _e3409 = ((_e128 * _e3363) + _e3360);
-        if (_e3409 < _e102) {
+        let _e3378 = phi_4261_;
+        if (_e3370 < _e102) {
         } else {
             return;
         }
-        let _e3413 = bits.member[(0u + _e3409)];
-        if (_e3409 < _e102) {
+        let _e3382 = bits.member[(0u + _e3370)];
+        let _e3385 = (_e3382 >> bitcast<u32>((_e3362 & 31u)));
+        if (_e3362 > 29u) {
+            phi_4280_ = (_e3385 | (_e3378 << bitcast<u32>(((32u - _e3362) & 31u))));
+        } else {
+            phi_4280_ = _e3385;
+        }
+        let _e3393 = phi_4280_;
+        if ((_e3393 & 2u) == 0u) {
+            phi_4288_ = (_e3393 & 1u);
+        } else {
+            phi_4288_ = (_e3393 & 7u);
+        }
+        let _e3399 = phi_4288_;
+        if ((_e3399 & 1u) != 0u) {
+            phi_4296_ = (2u | 1u);
+        } else {
+            phi_4296_ = 2u;
+        }
+        let _e3405 = phi_4296_;
+        if (_e3368 < 0.5f) {
+            phi_4301_ = (_e3405 | 4u);
+        } else {
+            phi_4301_ = _e3405;
+        }
+        let _e3408 = phi_4301_;
+        let _e3410 = ((_e129 * _e3364) + _e3361);
+        if (_e3410 < _e102) {
         } else {
             return;
         }
-        bits.member[(0u + _e3409)] = ((_e3413 & ~((7u << bitcast<u32>((_e3361 & 31u))))) | (_e3407 << bitcast<u32>((_e3361 & 31u))));
-        if (_e3361 > 29u) {
-            let _e3427 = (_e3409 + 1u);
-            if (_e3427 < _e102) {
+        let _e3414 = bits.member[(0u + _e3410)];
+        if (_e3410 < _e102) {
+        } else {
+            return;
+        }
+        bits.member[(0u + _e3410)] = ((_e3414 & ~((7u << bitcast<u32>((_e3362 & 31u))))) | (_e3408 << bitcast<u32>((_e3362 & 31u))));
+        if (_e3362 > 29u) {
+            let _e3428 = (_e3410 + 1u);
+            if (_e3428 < _e102) {
             } else {
                 return;
             }
-            let _e3431 = bits.member[(0u + _e3427)];
-            let _e3432 = (32u - _e3361);
-            let _e3442 = (_e3409 + 1u);
-            if (_e3442 < _e102) {
+            let _e3432 = bits.member[(0u + _e3428)];
+            let _e3433 = (32u - _e3362);
+            let _e3443 = (_e3410 + 1u);
+            if (_e3443 < _e102) {
             } else {
                 return;
             }
-            bits.member[(0u + _e3442)] = ((_e3431 & ~((7u >> bitcast<u32>((_e3432 & 31u))))) | (_e3407 >> bitcast<u32>((_e3432 & 31u))));
+            bits.member[(0u + _e3443)] = ((_e3432 & ~((7u >> bitcast<u32>((_e3433 & 31u))))) | (_e3408 >> bitcast<u32>((_e3433 & 31u))));
         }
     }
     return;

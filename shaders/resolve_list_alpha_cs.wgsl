@@ -564,160 +564,159 @@ fn _lt_shaders_texture_TextureView_quad(param_4: ptr<function, texture_TextureVi
 fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
-    var phi_677_: f32;
-    var phi_708_: bool;
+    var phi_678_: f32;
     var phi_709_: bool;
     var phi_710_: bool;
     var phi_711_: bool;
-    var phi_715_: bool;
-    var phi_728_: bool;
+    var phi_712_: bool;
+    var phi_716_: bool;
     var phi_729_: bool;
     var phi_730_: bool;
     var phi_731_: bool;
-    var phi_735_: bool;
-    var phi_748_: bool;
+    var phi_732_: bool;
+    var phi_736_: bool;
     var phi_749_: bool;
     var phi_750_: bool;
-    var phi_754_: bool;
+    var phi_751_: bool;
     var phi_755_: bool;
     var phi_756_: bool;
     var phi_757_: bool;
     var phi_758_: bool;
-    var phi_762_: bool;
-    var phi_832_: f32;
-    var phi_839_: f32;
-    var phi_846_: f32;
-    var phi_853_: f32;
-    var phi_860_: f32;
-    var phi_867_: f32;
-    var phi_884_: f32;
-    var phi_889_: f32;
-    var phi_894_: f32;
-    var phi_899_: f32;
-    var phi_904_: f32;
-    var phi_930_: bool;
+    var phi_759_: bool;
+    var phi_763_: bool;
+    var phi_833_: f32;
+    var phi_840_: f32;
+    var phi_847_: f32;
+    var phi_854_: f32;
+    var phi_861_: f32;
+    var phi_868_: f32;
+    var phi_885_: f32;
+    var phi_890_: f32;
+    var phi_895_: f32;
+    var phi_900_: f32;
+    var phi_905_: f32;
     var phi_931_: bool;
-    var phi_939_: u32;
+    var phi_932_: bool;
     var phi_940_: u32;
-    var phi_951_: vec3<f32>;
+    var phi_941_: u32;
     var phi_952_: vec3<f32>;
-    var phi_965_: u32;
-    var phi_970_: u32;
-    var phi_975_: u32;
-    var phi_1089_: bool;
+    var phi_953_: vec3<f32>;
+    var phi_966_: u32;
+    var phi_971_: u32;
+    var phi_976_: u32;
     var phi_1090_: bool;
-    var phi_1121_: u32;
-    var phi_1123_: u32;
-    var phi_1126_: bool;
-    var phi_1206_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1233_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1260_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1266_: u32;
-    var phi_1269_: u32;
-    var phi_1283_: u32;
-    var phi_1293_: u32;
-    var phi_1303_: u32;
-    var phi_1321_: u32;
-    var phi_1331_: u32;
-    var phi_1341_: u32;
-    var phi_1377_: u32;
-    var phi_1390_: u32;
-    var phi_1395_: u32;
-    var phi_1396_: u32;
-    var phi_1397_: u32;
+    var phi_1091_: bool;
+    var phi_1122_: u32;
+    var phi_1124_: u32;
+    var phi_1127_: bool;
+    var phi_1207_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1234_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1261_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_1267_: u32;
     var phi_1270_: u32;
+    var phi_1284_: u32;
+    var phi_1294_: u32;
+    var phi_1304_: u32;
+    var phi_1322_: u32;
+    var phi_1332_: u32;
+    var phi_1342_: u32;
+    var phi_1378_: u32;
+    var phi_1391_: u32;
+    var phi_1396_: u32;
+    var phi_1397_: u32;
+    var phi_1398_: u32;
+    var phi_1268_: u32;
+    var phi_1271_: u32;
     var local_2: u32;
     var local_3: u32;
     var local_4: u32;
-    var phi_1455_: u32;
-    var phi_1458_: bool;
-    var phi_1502_: vec3<f32>;
+    var phi_1456_: u32;
+    var phi_1459_: bool;
     var phi_1503_: vec3<f32>;
-    var phi_1532_: vec3<f32>;
+    var phi_1504_: vec3<f32>;
     var phi_1533_: vec3<f32>;
-    var phi_1562_: vec3<f32>;
+    var phi_1534_: vec3<f32>;
     var phi_1563_: vec3<f32>;
-    var phi_1581_: bool;
+    var phi_1564_: vec3<f32>;
     var phi_1582_: bool;
-    var phi_1586_: f32;
+    var phi_1583_: bool;
     var phi_1587_: f32;
     var phi_1588_: f32;
     var phi_1589_: f32;
-    var phi_1597_: f32;
-    var phi_1607_: bool;
+    var phi_1590_: f32;
+    var phi_1598_: f32;
     var phi_1608_: bool;
-    var phi_1612_: f32;
+    var phi_1609_: bool;
     var phi_1613_: f32;
     var phi_1614_: f32;
     var phi_1615_: f32;
-    var phi_1623_: f32;
-    var phi_1633_: bool;
+    var phi_1616_: f32;
+    var phi_1624_: f32;
     var phi_1634_: bool;
-    var phi_1638_: f32;
+    var phi_1635_: bool;
     var phi_1639_: f32;
     var phi_1640_: f32;
     var phi_1641_: f32;
-    var phi_1649_: f32;
-    var phi_1664_: f32;
-    var phi_1665_: bool;
-    var phi_1666_: f32;
-    var phi_1667_: bool;
-    var phi_1668_: f32;
-    var phi_1669_: bool;
-    var phi_1687_: f32;
-    var phi_1688_: bool;
+    var phi_1642_: f32;
+    var phi_1650_: f32;
+    var phi_1665_: f32;
+    var phi_1666_: bool;
+    var phi_1667_: f32;
+    var phi_1668_: bool;
+    var phi_1669_: f32;
+    var phi_1670_: bool;
+    var phi_1688_: f32;
     var phi_1689_: bool;
-    var phi_1690_: f32;
-    var phi_1691_: bool;
+    var phi_1690_: bool;
+    var phi_1691_: f32;
     var phi_1692_: bool;
-    var phi_1696_: bool;
-    var phi_1697_: f32;
-    var phi_1698_: bool;
-    var phi_1726_: vec3<f32>;
+    var phi_1693_: bool;
+    var phi_1697_: bool;
+    var phi_1698_: f32;
+    var phi_1699_: bool;
     var phi_1727_: vec3<f32>;
-    var phi_1752_: vec3<f32>;
+    var phi_1728_: vec3<f32>;
     var phi_1753_: vec3<f32>;
-    var phi_1778_: vec3<f32>;
+    var phi_1754_: vec3<f32>;
     var phi_1779_: vec3<f32>;
-    var phi_1835_: f32;
-    var phi_1844_: f32;
-    var phi_1853_: f32;
-    var phi_1862_: f32;
-    var phi_1869_: f32;
-    var phi_1876_: f32;
-    var phi_1889_: f32;
-    var phi_1898_: f32;
-    var phi_1907_: f32;
-    var phi_1916_: f32;
-    var phi_1923_: f32;
-    var phi_1930_: f32;
-    var phi_1947_: f32;
-    var phi_1952_: f32;
-    var phi_1957_: f32;
-    var phi_1965_: f32;
-    var phi_1970_: f32;
-    var phi_1975_: f32;
-    var phi_1987_: f32;
-    var phi_1992_: f32;
-    var phi_1997_: f32;
-    var phi_2002_: f32;
-    var phi_2007_: lt_bvh_triangle_Intersection;
-    var phi_2008_: bool;
-    var phi_2009_: lt_bvh_triangle_Intersection;
-    var phi_2010_: bool;
-    var phi_2014_: lt_bvh_triangle_Intersection;
-    var phi_2015_: bool;
-    var phi_2016_: lt_bvh_triangle_Intersection;
-    var phi_2017_: bool;
+    var phi_1780_: vec3<f32>;
+    var phi_1836_: f32;
+    var phi_1845_: f32;
+    var phi_1854_: f32;
+    var phi_1863_: f32;
+    var phi_1870_: f32;
+    var phi_1877_: f32;
+    var phi_1890_: f32;
+    var phi_1899_: f32;
+    var phi_1908_: f32;
+    var phi_1917_: f32;
+    var phi_1924_: f32;
+    var phi_1931_: f32;
+    var phi_1948_: f32;
+    var phi_1953_: f32;
+    var phi_1958_: f32;
+    var phi_1966_: f32;
+    var phi_1971_: f32;
+    var phi_1976_: f32;
+    var phi_1988_: f32;
+    var phi_1993_: f32;
+    var phi_1998_: f32;
+    var phi_2003_: f32;
+    var phi_2008_: lt_bvh_triangle_Intersection;
+    var phi_2009_: bool;
+    var phi_2010_: lt_bvh_triangle_Intersection;
+    var phi_2011_: bool;
+    var phi_2015_: lt_bvh_triangle_Intersection;
+    var phi_2016_: bool;
+    var phi_2017_: lt_bvh_triangle_Intersection;
     var phi_2018_: bool;
-    var phi_2022_: bool;
-    var phi_2026_: lt_bvh_triangle_Intersection;
-    var phi_2240_: f32;
-    var phi_2243_: bool;
+    var phi_2019_: bool;
+    var phi_2023_: bool;
+    var phi_2027_: lt_bvh_triangle_Intersection;
+    var phi_2241_: f32;
     var phi_2244_: bool;
     var phi_2245_: bool;
-    var phi_2249_: bool;
+    var phi_2246_: bool;
     var phi_2250_: bool;
     var phi_2251_: bool;
     var phi_2252_: bool;
@@ -727,28 +726,29 @@ fn function_() {
     var phi_2256_: bool;
     var phi_2257_: bool;
     var phi_2258_: bool;
-    var phi_1456_: u32;
-    var phi_1459_: bool;
-    var phi_2262_: bool;
+    var phi_2259_: bool;
+    var phi_1457_: u32;
+    var phi_1460_: bool;
     var phi_2263_: bool;
+    var phi_2264_: bool;
     var local_5: bool;
-    var phi_2305_: bool;
     var phi_2306_: bool;
-    var phi_2337_: u32;
+    var phi_2307_: bool;
     var phi_2338_: u32;
-    var phi_1124_: u32;
-    var phi_1127_: bool;
-    var phi_2339_: bool;
+    var phi_2339_: u32;
+    var phi_1125_: u32;
+    var phi_1128_: bool;
     var phi_2340_: bool;
     var phi_2341_: bool;
+    var phi_2342_: bool;
     var local_6: bool;
-    var phi_2345_: bool;
-    var phi_2349_: bool;
+    var phi_2346_: bool;
     var phi_2350_: bool;
     var phi_2351_: bool;
     var phi_2352_: bool;
-    var phi_2356_: bool;
-    var phi_2360_: f32;
+    var phi_2353_: bool;
+    var phi_2357_: bool;
+    var phi_2361_: f32;
     var local_7: bool;
     var local_8: bool;
     var local_9: bool;
@@ -774,1289 +774,1290 @@ fn function_() {
             return;
         }
         let _e106 = list.member[(0u + _e102)];
-        if (_e106 < arrayLength((&samples.member))) {
+        let _e107 = (_e106 & 2147483647u);
+        if (_e107 < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e112 = samples.member[(0u + _e106)].position;
-        let _e114 = samples.member[(0u + _e106)].normal;
-        let _e116 = samples.member[(0u + _e106)].magnitude;
-        let _e118 = ((8f / 8388608f) * _e116);
-        let _e126 = (_e112.x + (_e114.x * _e118));
-        let _e128 = (_e112.y + (_e114.y * _e118));
-        let _e130 = (_e112.z + (_e114.z * _e118));
-        let _e132 = p.member.light.place;
-        if (_e132.w == 0f) {
-            phi_677_ = 300000000000000000000000000000000000000f;
+        let _e113 = samples.member[(0u + _e107)].position;
+        let _e115 = samples.member[(0u + _e107)].normal;
+        let _e117 = samples.member[(0u + _e107)].magnitude;
+        let _e119 = ((8f / 8388608f) * _e117);
+        let _e127 = (_e113.x + (_e115.x * _e119));
+        let _e129 = (_e113.y + (_e115.y * _e119));
+        let _e131 = (_e113.z + (_e115.z * _e119));
+        let _e133 = p.member.light.place;
+        if (_e133.w == 0f) {
+            phi_678_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_677_ = 1f;
+            phi_678_ = 1f;
         }
-        let _e136 = phi_677_;
-        let _e144 = (_e132.x - (_e126 * _e132.w));
-        let _e145 = (_e132.y - (_e128 * _e132.w));
-        let _e146 = (_e132.z - (_e130 * _e132.w));
-        let _e148 = abs(_e144);
+        let _e137 = phi_678_;
+        let _e145 = (_e133.x - (_e127 * _e133.w));
+        let _e146 = (_e133.y - (_e129 * _e133.w));
+        let _e147 = (_e133.z - (_e131 * _e133.w));
         let _e149 = abs(_e145);
         let _e150 = abs(_e146);
-        if (abs(_e126) < 1000000000000000f) {
-            if (abs(_e128) < 1000000000000000f) {
-                phi_708_ = (abs(_e130) < 1000000000000000f);
-                phi_709_ = false;
+        let _e151 = abs(_e147);
+        if (abs(_e127) < 1000000000000000f) {
+            if (abs(_e129) < 1000000000000000f) {
+                phi_709_ = (abs(_e131) < 1000000000000000f);
+                phi_710_ = false;
             } else {
-                phi_708_ = bool();
-                phi_709_ = true;
+                phi_709_ = bool();
+                phi_710_ = true;
             }
-            let _e158 = phi_708_;
-            let _e160 = phi_709_;
-            phi_710_ = _e158;
-            phi_711_ = _e160;
+            let _e159 = phi_709_;
+            let _e161 = phi_710_;
+            phi_711_ = _e159;
+            phi_712_ = _e161;
         } else {
-            phi_710_ = bool();
-            phi_711_ = true;
+            phi_711_ = bool();
+            phi_712_ = true;
         }
-        let _e162 = phi_710_;
-        let _e164 = phi_711_;
-        if _e164 {
-            phi_715_ = false;
+        let _e163 = phi_711_;
+        let _e165 = phi_712_;
+        if _e165 {
+            phi_716_ = false;
         } else {
-            phi_715_ = _e162;
+            phi_716_ = _e163;
         }
-        let _e166 = phi_715_;
-        if _e166 {
-            if (_e148 < 1000000000000000f) {
-                if (_e149 < 1000000000000000f) {
-                    phi_728_ = (_e150 < 1000000000000000f);
-                    phi_729_ = false;
+        let _e167 = phi_716_;
+        if _e167 {
+            if (_e149 < 1000000000000000f) {
+                if (_e150 < 1000000000000000f) {
+                    phi_729_ = (_e151 < 1000000000000000f);
+                    phi_730_ = false;
                 } else {
-                    phi_728_ = bool();
-                    phi_729_ = true;
+                    phi_729_ = bool();
+                    phi_730_ = true;
                 }
-                let _e171 = phi_728_;
-                let _e173 = phi_729_;
-                phi_730_ = _e171;
-                phi_731_ = _e173;
+                let _e172 = phi_729_;
+                let _e174 = phi_730_;
+                phi_731_ = _e172;
+                phi_732_ = _e174;
             } else {
-                phi_730_ = bool();
-                phi_731_ = true;
+                phi_731_ = bool();
+                phi_732_ = true;
             }
-            let _e175 = phi_730_;
-            let _e177 = phi_731_;
-            if _e177 {
-                phi_735_ = false;
+            let _e176 = phi_731_;
+            let _e178 = phi_732_;
+            if _e178 {
+                phi_736_ = false;
             } else {
-                phi_735_ = _e175;
+                phi_736_ = _e176;
             }
-            let _e179 = phi_735_;
-            if _e179 {
-                if (_e148 > 0f) {
-                    phi_749_ = bool();
-                    phi_750_ = true;
+            let _e180 = phi_736_;
+            if _e180 {
+                if (_e149 > 0f) {
+                    phi_750_ = bool();
+                    phi_751_ = true;
                 } else {
-                    let _e181 = (_e149 > 0f);
-                    if _e181 {
-                        phi_748_ = bool();
+                    let _e182 = (_e150 > 0f);
+                    if _e182 {
+                        phi_749_ = bool();
                     } else {
-                        phi_748_ = (_e150 > 0f);
+                        phi_749_ = (_e151 > 0f);
                     }
-                    let _e184 = phi_748_;
-                    phi_749_ = _e184;
-                    phi_750_ = _e181;
+                    let _e185 = phi_749_;
+                    phi_750_ = _e185;
+                    phi_751_ = _e182;
                 }
-                let _e186 = phi_749_;
-                let _e188 = phi_750_;
-                if _e188 {
-                    phi_754_ = true;
+                let _e187 = phi_750_;
+                let _e189 = phi_751_;
+                if _e189 {
+                    phi_755_ = true;
                 } else {
-                    phi_754_ = _e186;
+                    phi_755_ = _e187;
                 }
-                let _e190 = phi_754_;
-                phi_755_ = _e190;
-                phi_756_ = false;
+                let _e191 = phi_755_;
+                phi_756_ = _e191;
+                phi_757_ = false;
             } else {
-                phi_755_ = bool();
-                phi_756_ = true;
+                phi_756_ = bool();
+                phi_757_ = true;
             }
-            let _e192 = phi_755_;
-            let _e194 = phi_756_;
-            phi_757_ = _e192;
-            phi_758_ = _e194;
+            let _e193 = phi_756_;
+            let _e195 = phi_757_;
+            phi_758_ = _e193;
+            phi_759_ = _e195;
         } else {
-            phi_757_ = bool();
-            phi_758_ = true;
+            phi_758_ = bool();
+            phi_759_ = true;
         }
-        let _e196 = phi_757_;
-        let _e198 = phi_758_;
-        if _e198 {
-            phi_762_ = false;
+        let _e197 = phi_758_;
+        let _e199 = phi_759_;
+        if _e199 {
+            phi_763_ = false;
         } else {
-            phi_762_ = _e196;
+            phi_763_ = _e197;
         }
-        let _e200 = phi_762_;
-        if _e200 {
-            let _e201 = (0u >= _e75);
-            if _e201 {
-                phi_2350_ = bool();
+        let _e201 = phi_763_;
+        if _e201 {
+            let _e202 = (0u >= _e75);
+            if _e202 {
+                phi_2351_ = bool();
             } else {
                 if (0u < _e75) {
                 } else {
                     return;
                 }
-                let _e207 = nodes.member[(0u + 0u)].frame[0u];
-                let _e211 = nodes.member[(0u + 0u)].frame[1u];
-                let _e215 = nodes.member[(0u + 0u)].frame[2u];
-                let _e219 = nodes.member[(0u + 0u)].frame[0u];
-                let _e223 = nodes.member[(0u + 0u)].frame[1u];
-                let _e227 = nodes.member[(0u + 0u)].frame[2u];
-                let _e231 = nodes.member[(0u + 0u)].frame[3u];
-                let _e265 = core_intrinsics_maximum_number_nsz_f32_(abs(_e144), abs(_e145));
-                let _e266 = core_intrinsics_maximum_number_nsz_f32_(_e265, abs(_e146));
-                let _e267 = (_e266 * 0.0000000000009094947f);
-                if (abs(_e144) < _e267) {
-                    phi_832_ = _e267;
+                let _e208 = nodes.member[(0u + 0u)].frame[0u];
+                let _e212 = nodes.member[(0u + 0u)].frame[1u];
+                let _e216 = nodes.member[(0u + 0u)].frame[2u];
+                let _e220 = nodes.member[(0u + 0u)].frame[0u];
+                let _e224 = nodes.member[(0u + 0u)].frame[1u];
+                let _e228 = nodes.member[(0u + 0u)].frame[2u];
+                let _e232 = nodes.member[(0u + 0u)].frame[3u];
+                let _e266 = core_intrinsics_maximum_number_nsz_f32_(abs(_e145), abs(_e146));
+                let _e267 = core_intrinsics_maximum_number_nsz_f32_(_e266, abs(_e147));
+                let _e268 = (_e267 * 0.0000000000009094947f);
+                if (abs(_e145) < _e268) {
+                    phi_833_ = _e268;
                 } else {
-                    phi_832_ = abs(_e144);
+                    phi_833_ = abs(_e145);
                 }
-                let _e272 = phi_832_;
-                if (_e144 < 0f) {
-                    phi_839_ = (-1f / _e272);
-                } else {
-                    phi_839_ = (1f / _e272);
-                }
-                let _e277 = phi_839_;
-                if (abs(_e145) < _e267) {
-                    phi_846_ = _e267;
-                } else {
-                    phi_846_ = abs(_e145);
-                }
-                let _e282 = phi_846_;
+                let _e273 = phi_833_;
                 if (_e145 < 0f) {
-                    phi_853_ = (-1f / _e282);
+                    phi_840_ = (-1f / _e273);
                 } else {
-                    phi_853_ = (1f / _e282);
+                    phi_840_ = (1f / _e273);
                 }
-                let _e287 = phi_853_;
-                if (abs(_e146) < _e267) {
-                    phi_860_ = _e267;
+                let _e278 = phi_840_;
+                if (abs(_e146) < _e268) {
+                    phi_847_ = _e268;
                 } else {
-                    phi_860_ = abs(_e146);
+                    phi_847_ = abs(_e146);
                 }
-                let _e292 = phi_860_;
+                let _e283 = phi_847_;
                 if (_e146 < 0f) {
-                    phi_867_ = (-1f / _e292);
+                    phi_854_ = (-1f / _e283);
                 } else {
-                    phi_867_ = (1f / _e292);
+                    phi_854_ = (1f / _e283);
                 }
-                let _e297 = phi_867_;
-                let _e301 = abs((bitcast<f32>(_e207) - _e126));
-                let _e302 = abs((bitcast<f32>(_e211) - _e128));
-                let _e303 = abs((bitcast<f32>(_e215) - _e130));
-                let _e307 = abs(((bitcast<f32>(_e219) + (bitcast<f32>((((_e231 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e126));
-                let _e308 = abs(((bitcast<f32>(_e223) + (bitcast<f32>((((_e231 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e128));
-                let _e309 = abs(((bitcast<f32>(_e227) + (bitcast<f32>((((_e231 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e130));
-                if (_e301 > _e307) {
-                    phi_884_ = _e301;
+                let _e288 = phi_854_;
+                if (abs(_e147) < _e268) {
+                    phi_861_ = _e268;
                 } else {
-                    phi_884_ = _e307;
+                    phi_861_ = abs(_e147);
                 }
-                let _e312 = phi_884_;
+                let _e293 = phi_861_;
+                if (_e147 < 0f) {
+                    phi_868_ = (-1f / _e293);
+                } else {
+                    phi_868_ = (1f / _e293);
+                }
+                let _e298 = phi_868_;
+                let _e302 = abs((bitcast<f32>(_e208) - _e127));
+                let _e303 = abs((bitcast<f32>(_e212) - _e129));
+                let _e304 = abs((bitcast<f32>(_e216) - _e131));
+                let _e308 = abs(((bitcast<f32>(_e220) + (bitcast<f32>((((_e232 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e127));
+                let _e309 = abs(((bitcast<f32>(_e224) + (bitcast<f32>((((_e232 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e129));
+                let _e310 = abs(((bitcast<f32>(_e228) + (bitcast<f32>((((_e232 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e131));
                 if (_e302 > _e308) {
-                    phi_889_ = _e302;
+                    phi_885_ = _e302;
                 } else {
-                    phi_889_ = _e308;
+                    phi_885_ = _e308;
                 }
-                let _e315 = phi_889_;
+                let _e313 = phi_885_;
                 if (_e303 > _e309) {
-                    phi_894_ = _e303;
+                    phi_890_ = _e303;
                 } else {
-                    phi_894_ = _e309;
+                    phi_890_ = _e309;
                 }
-                let _e318 = phi_894_;
-                if (_e312 > _e315) {
-                    phi_899_ = _e312;
+                let _e316 = phi_890_;
+                if (_e304 > _e310) {
+                    phi_895_ = _e304;
                 } else {
-                    phi_899_ = _e315;
+                    phi_895_ = _e310;
                 }
-                let _e321 = phi_899_;
-                if (_e321 > _e318) {
-                    phi_904_ = _e321;
+                let _e319 = phi_895_;
+                if (_e313 > _e316) {
+                    phi_900_ = _e313;
                 } else {
-                    phi_904_ = _e318;
+                    phi_900_ = _e316;
                 }
-                let _e324 = phi_904_;
-                let _e328 = (_e324 * 0.0000019073486f);
-                let _e329 = (abs(_e277) * _e328);
-                let _e330 = (abs(_e287) * _e328);
-                let _e331 = (abs(_e297) * _e328);
-                let _e335 = (_e324 * 0.0000009536743f);
-                let _e336 = (abs(_e277) * _e335);
-                let _e337 = (abs(_e287) * _e335);
-                let _e338 = (abs(_e297) * _e335);
-                let _e339 = abs(_e144);
+                let _e322 = phi_900_;
+                if (_e322 > _e319) {
+                    phi_905_ = _e322;
+                } else {
+                    phi_905_ = _e319;
+                }
+                let _e325 = phi_905_;
+                let _e329 = (_e325 * 0.0000019073486f);
+                let _e330 = (abs(_e278) * _e329);
+                let _e331 = (abs(_e288) * _e329);
+                let _e332 = (abs(_e298) * _e329);
+                let _e336 = (_e325 * 0.0000009536743f);
+                let _e337 = (abs(_e278) * _e336);
+                let _e338 = (abs(_e288) * _e336);
+                let _e339 = (abs(_e298) * _e336);
                 let _e340 = abs(_e145);
                 let _e341 = abs(_e146);
-                if (_e339 >= _e340) {
-                    if (_e339 >= _e341) {
-                        phi_930_ = false;
+                let _e342 = abs(_e147);
+                if (_e340 >= _e341) {
+                    if (_e340 >= _e342) {
+                        phi_931_ = false;
                     } else {
-                        phi_930_ = true;
+                        phi_931_ = true;
                     }
-                    let _e345 = phi_930_;
-                    phi_931_ = _e345;
+                    let _e346 = phi_931_;
+                    phi_932_ = _e346;
                 } else {
-                    phi_931_ = true;
+                    phi_932_ = true;
                 }
-                let _e347 = phi_931_;
-                if _e347 {
-                    if (_e340 >= _e341) {
-                        phi_939_ = 1u;
+                let _e348 = phi_932_;
+                if _e348 {
+                    if (_e341 >= _e342) {
+                        phi_940_ = 1u;
                     } else {
-                        phi_939_ = 2u;
+                        phi_940_ = 2u;
                     }
-                    let _e350 = phi_939_;
-                    phi_940_ = _e350;
+                    let _e351 = phi_940_;
+                    phi_941_ = _e351;
                 } else {
-                    phi_940_ = 0u;
+                    phi_941_ = 0u;
                 }
-                let _e352 = phi_940_;
-                if (_e352 == 0u) {
-                    phi_952_ = vec3<f32>(_e145, _e146, _e144);
+                let _e353 = phi_941_;
+                if (_e353 == 0u) {
+                    phi_953_ = vec3<f32>(_e146, _e147, _e145);
                 } else {
-                    if (_e352 == 1u) {
-                        phi_951_ = vec3<f32>(_e146, _e144, _e145);
+                    if (_e353 == 1u) {
+                        phi_952_ = vec3<f32>(_e147, _e145, _e146);
                     } else {
-                        phi_951_ = vec3<f32>(_e144, _e145, _e146);
+                        phi_952_ = vec3<f32>(_e145, _e146, _e147);
                     }
-                    let _e358 = phi_951_;
-                    phi_952_ = _e358;
+                    let _e359 = phi_952_;
+                    phi_953_ = _e359;
                 }
-                let _e360 = phi_952_;
-                let _e363 = (_e360.x / _e360.z);
-                let _e366 = (_e360.y / _e360.z);
-                if (_e277 < 0f) {
-                    phi_965_ = 0u;
+                let _e361 = phi_953_;
+                let _e364 = (_e361.x / _e361.z);
+                let _e367 = (_e361.y / _e361.z);
+                if (_e278 < 0f) {
+                    phi_966_ = 0u;
                 } else {
-                    phi_965_ = 1u;
+                    phi_966_ = 1u;
                 }
-                let _e371 = phi_965_;
-                if (_e287 < 0f) {
-                    phi_970_ = 0u;
+                let _e372 = phi_966_;
+                if (_e288 < 0f) {
+                    phi_971_ = 0u;
                 } else {
-                    phi_970_ = 2u;
+                    phi_971_ = 2u;
                 }
-                let _e374 = phi_970_;
-                if (_e297 < 0f) {
-                    phi_975_ = 0u;
+                let _e375 = phi_971_;
+                if (_e298 < 0f) {
+                    phi_976_ = 0u;
                 } else {
-                    phi_975_ = 4u;
+                    phi_976_ = 4u;
                 }
-                let _e377 = phi_975_;
-                let _e379 = ((_e371 | _e374) | _e377);
-                let _e380 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
-                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e380.first[0], _e380.first[1], _e380.first[2], _e380.first[3], _e380.first[4], _e380.first[5], _e380.first[6], _e380.first[7], _e380.first[8], _e380.first[9], _e380.first[10], _e380.first[11], _e380.first[12], _e380.first[13], _e380.first[14], _e380.first[15], _e380.first[16], _e380.first[17], _e380.first[18], _e380.first[19], _e380.first[20], _e380.first[21], _e380.first[22], _e380.first[23], _e380.first[24], _e380.first[25], _e380.first[26], _e380.first[27], _e380.first[28], _e380.first[29], _e380.first[30], _e380.first[31]), array<u32, 32>(_e380.mask[0], _e380.mask[1], _e380.mask[2], _e380.mask[3], _e380.mask[4], _e380.mask[5], _e380.mask[6], _e380.mask[7], _e380.mask[8], _e380.mask[9], _e380.mask[10], _e380.mask[11], _e380.mask[12], _e380.mask[13], _e380.mask[14], _e380.mask[15], _e380.mask[16], _e380.mask[17], _e380.mask[18], _e380.mask[19], _e380.mask[20], _e380.mask[21], _e380.mask[22], _e380.mask[23], _e380.mask[24], _e380.mask[25], _e380.mask[26], _e380.mask[27], _e380.mask[28], _e380.mask[29], _e380.mask[30], _e380.mask[31]), _e380.len, _e380.group, _e380.group_mask);
-                let _e454 = local_1.group_mask;
-                if ((_e454 & 4278190080u) == 0u) {
-                    let _e458 = local_1.len;
-                    if (_e458 == 0u) {
-                        phi_1089_ = false;
+                let _e378 = phi_976_;
+                let _e380 = ((_e372 | _e375) | _e378);
+                let _e381 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, 0u, 2147483648u);
+                local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e381.first[0], _e381.first[1], _e381.first[2], _e381.first[3], _e381.first[4], _e381.first[5], _e381.first[6], _e381.first[7], _e381.first[8], _e381.first[9], _e381.first[10], _e381.first[11], _e381.first[12], _e381.first[13], _e381.first[14], _e381.first[15], _e381.first[16], _e381.first[17], _e381.first[18], _e381.first[19], _e381.first[20], _e381.first[21], _e381.first[22], _e381.first[23], _e381.first[24], _e381.first[25], _e381.first[26], _e381.first[27], _e381.first[28], _e381.first[29], _e381.first[30], _e381.first[31]), array<u32, 32>(_e381.mask[0], _e381.mask[1], _e381.mask[2], _e381.mask[3], _e381.mask[4], _e381.mask[5], _e381.mask[6], _e381.mask[7], _e381.mask[8], _e381.mask[9], _e381.mask[10], _e381.mask[11], _e381.mask[12], _e381.mask[13], _e381.mask[14], _e381.mask[15], _e381.mask[16], _e381.mask[17], _e381.mask[18], _e381.mask[19], _e381.mask[20], _e381.mask[21], _e381.mask[22], _e381.mask[23], _e381.mask[24], _e381.mask[25], _e381.mask[26], _e381.mask[27], _e381.mask[28], _e381.mask[29], _e381.mask[30], _e381.mask[31]), _e381.len, _e381.group, _e381.group_mask);
+                let _e455 = local_1.group_mask;
+                if ((_e455 & 4278190080u) == 0u) {
+                    let _e459 = local_1.len;
+                    if (_e459 == 0u) {
+                        phi_1090_ = false;
                     } else {
-                        let _e462 = local_1.len;
-                        local_1.len = (_e462 - 1u);
-                        let _e465 = local_1.len;
-                        if (_e465 < 32u) {
+                        let _e463 = local_1.len;
+                        local_1.len = (_e463 - 1u);
+                        let _e466 = local_1.len;
+                        if (_e466 < 32u) {
                         } else {
                             return;
                         }
-                        let _e470 = local_1.first[(0u + _e465)];
-                        local_1.group = _e470;
-                        let _e473 = local_1.len;
-                        if (_e473 < 32u) {
+                        let _e471 = local_1.first[(0u + _e466)];
+                        local_1.group = _e471;
+                        let _e474 = local_1.len;
+                        if (_e474 < 32u) {
                         } else {
                             return;
                         }
-                        let _e478 = local_1.mask[(0u + _e473)];
-                        local_1.group_mask = _e478;
-                        phi_1089_ = true;
+                        let _e479 = local_1.mask[(0u + _e474)];
+                        local_1.group_mask = _e479;
+                        phi_1090_ = true;
                     }
-                    let _e481 = phi_1089_;
-                    phi_1090_ = _e481;
+                    let _e482 = phi_1090_;
+                    phi_1091_ = _e482;
                 } else {
-                    phi_1090_ = true;
+                    phi_1091_ = true;
                 }
-                let _e483 = phi_1090_;
-                if _e483 {
-                    let _e485 = local_1.group_mask;
-                    let _e491 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e485)), 32u, (_e485 == 0u)));
-                    let _e495 = local_1.group_mask;
-                    let _e509 = local_1.group_mask;
-                    local_1.group_mask = (_e509 & ~((1u << bitcast<u32>((_e491 & 31u)))));
-                    let _e512 = local_1.group;
-                    phi_1121_ = (_e512 + countOneBits(((_e495 & ~((4294967295u << bitcast<u32>((((_e491 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e484 = phi_1091_;
+                if _e484 {
+                    let _e486 = local_1.group_mask;
+                    let _e492 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e486)), 32u, (_e486 == 0u)));
+                    let _e496 = local_1.group_mask;
+                    let _e510 = local_1.group_mask;
+                    local_1.group_mask = (_e510 & ~((1u << bitcast<u32>((_e492 & 31u)))));
+                    let _e513 = local_1.group;
+                    phi_1122_ = (_e513 + countOneBits(((_e496 & ~((4294967295u << bitcast<u32>((((_e492 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1121_ = 4294967295u;
+                    phi_1122_ = 4294967295u;
                 }
-                let _e515 = phi_1121_;
-                phi_1123_ = _e515;
-                phi_1126_ = false;
+                let _e516 = phi_1122_;
+                phi_1124_ = _e516;
+                phi_1127_ = false;
                 loop {
-                    let _e517 = phi_1123_;
-                    let _e519 = phi_1126_;
-                    local_11 = _e519;
-                    if (_e517 != 4294967295u) {
-                        if (_e517 < _e75) {
+                    let _e518 = phi_1124_;
+                    let _e520 = phi_1127_;
+                    local_11 = _e520;
+                    if (_e518 != 4294967295u) {
+                        if (_e518 < _e75) {
                         } else {
                             return;
                         }
-                        let _e526 = nodes.member[(0u + _e517)].frame[3u];
-                        let _e551 = (bitcast<f32>((((_e526 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e277);
-                        let _e552 = (bitcast<f32>((((_e526 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e287);
-                        let _e553 = (bitcast<f32>((((_e526 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e297);
-                        let _e556 = nodes.member[(0u + _e517)].frame[0u];
-                        let _e560 = nodes.member[(0u + _e517)].frame[1u];
-                        let _e564 = nodes.member[(0u + _e517)].frame[2u];
-                        let _e569 = ((bitcast<f32>(_e556) - _e126) * _e277);
-                        let _e570 = ((bitcast<f32>(_e560) - _e128) * _e287);
-                        let _e571 = ((bitcast<f32>(_e564) - _e130) * _e297);
-                        let _e579 = nodes.member[(0u + _e517)].x;
-                        if (_e277 < 0f) {
-                            let _e590 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e579.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e596 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e590.unnamed.root, _e579.w), _e590.unnamed_1);
-                            let _e602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e596.unnamed, lt_bvh_traverse_Tree(_e579.x, _e596.unnamed_1.first_primitive));
-                            phi_1206_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e602.unnamed, lt_bvh_traverse_Tree(_e602.unnamed_1.root, _e579.y));
+                        let _e527 = nodes.member[(0u + _e518)].frame[3u];
+                        let _e552 = (bitcast<f32>((((_e527 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e278);
+                        let _e553 = (bitcast<f32>((((_e527 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e288);
+                        let _e554 = (bitcast<f32>((((_e527 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e298);
+                        let _e557 = nodes.member[(0u + _e518)].frame[0u];
+                        let _e561 = nodes.member[(0u + _e518)].frame[1u];
+                        let _e565 = nodes.member[(0u + _e518)].frame[2u];
+                        let _e570 = ((bitcast<f32>(_e557) - _e127) * _e278);
+                        let _e571 = ((bitcast<f32>(_e561) - _e129) * _e288);
+                        let _e572 = ((bitcast<f32>(_e565) - _e131) * _e298);
+                        let _e580 = nodes.member[(0u + _e518)].x;
+                        if (_e278 < 0f) {
+                            let _e591 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e580.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e597 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e591.unnamed.root, _e580.w), _e591.unnamed_1);
+                            let _e603 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e597.unnamed, lt_bvh_traverse_Tree(_e580.x, _e597.unnamed_1.first_primitive));
+                            phi_1207_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e603.unnamed, lt_bvh_traverse_Tree(_e603.unnamed_1.root, _e580.y));
                         } else {
-                            let _e618 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e579.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e618.unnamed.root, _e579.y), _e618.unnamed_1);
-                            let _e630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e624.unnamed, lt_bvh_traverse_Tree(_e579.z, _e624.unnamed_1.first_primitive));
-                            phi_1206_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e630.unnamed, lt_bvh_traverse_Tree(_e630.unnamed_1.root, _e579.w));
+                            let _e619 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e580.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e625 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e619.unnamed.root, _e580.y), _e619.unnamed_1);
+                            let _e631 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e625.unnamed, lt_bvh_traverse_Tree(_e580.z, _e625.unnamed_1.first_primitive));
+                            phi_1207_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e631.unnamed, lt_bvh_traverse_Tree(_e631.unnamed_1.root, _e580.w));
                         }
-                        let _e638 = phi_1206_;
-                        let _e648 = nodes.member[(0u + _e517)].y;
-                        if (_e287 < 0f) {
-                            let _e659 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e648.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e659.unnamed.root, _e648.w), _e659.unnamed_1);
-                            let _e671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e665.unnamed, lt_bvh_traverse_Tree(_e648.x, _e665.unnamed_1.first_primitive));
-                            phi_1233_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e671.unnamed, lt_bvh_traverse_Tree(_e671.unnamed_1.root, _e648.y));
+                        let _e639 = phi_1207_;
+                        let _e649 = nodes.member[(0u + _e518)].y;
+                        if (_e288 < 0f) {
+                            let _e660 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e649.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e666 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e660.unnamed.root, _e649.w), _e660.unnamed_1);
+                            let _e672 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e666.unnamed, lt_bvh_traverse_Tree(_e649.x, _e666.unnamed_1.first_primitive));
+                            phi_1234_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e672.unnamed, lt_bvh_traverse_Tree(_e672.unnamed_1.root, _e649.y));
                         } else {
-                            let _e687 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e648.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e687.unnamed.root, _e648.y), _e687.unnamed_1);
-                            let _e699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e693.unnamed, lt_bvh_traverse_Tree(_e648.z, _e693.unnamed_1.first_primitive));
-                            phi_1233_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e699.unnamed, lt_bvh_traverse_Tree(_e699.unnamed_1.root, _e648.w));
+                            let _e688 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e649.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e694 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e688.unnamed.root, _e649.y), _e688.unnamed_1);
+                            let _e700 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e694.unnamed, lt_bvh_traverse_Tree(_e649.z, _e694.unnamed_1.first_primitive));
+                            phi_1234_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e700.unnamed, lt_bvh_traverse_Tree(_e700.unnamed_1.root, _e649.w));
                         }
-                        let _e707 = phi_1233_;
-                        let _e717 = nodes.member[(0u + _e517)].z;
-                        if (_e297 < 0f) {
-                            let _e728 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e717.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e734 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e728.unnamed.root, _e717.w), _e728.unnamed_1);
-                            let _e740 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e734.unnamed, lt_bvh_traverse_Tree(_e717.x, _e734.unnamed_1.first_primitive));
-                            phi_1260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e740.unnamed, lt_bvh_traverse_Tree(_e740.unnamed_1.root, _e717.y));
+                        let _e708 = phi_1234_;
+                        let _e718 = nodes.member[(0u + _e518)].z;
+                        if (_e298 < 0f) {
+                            let _e729 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e718.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e735 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e729.unnamed.root, _e718.w), _e729.unnamed_1);
+                            let _e741 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e735.unnamed, lt_bvh_traverse_Tree(_e718.x, _e735.unnamed_1.first_primitive));
+                            phi_1261_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e741.unnamed, lt_bvh_traverse_Tree(_e741.unnamed_1.root, _e718.y));
                         } else {
-                            let _e756 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e717.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e762 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e756.unnamed.root, _e717.y), _e756.unnamed_1);
-                            let _e768 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e762.unnamed, lt_bvh_traverse_Tree(_e717.z, _e762.unnamed_1.first_primitive));
-                            phi_1260_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e768.unnamed, lt_bvh_traverse_Tree(_e768.unnamed_1.root, _e717.w));
+                            let _e757 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e718.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e763 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e757.unnamed.root, _e718.y), _e757.unnamed_1);
+                            let _e769 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e763.unnamed, lt_bvh_traverse_Tree(_e718.z, _e763.unnamed_1.first_primitive));
+                            phi_1261_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e769.unnamed, lt_bvh_traverse_Tree(_e769.unnamed_1.root, _e718.w));
                         }
-                        let _e776 = phi_1260_;
-                        phi_1266_ = 0u;
-                        phi_1269_ = 0u;
+                        let _e777 = phi_1261_;
+                        phi_1267_ = 0u;
+                        phi_1270_ = 0u;
                         loop {
-                            let _e786 = phi_1266_;
-                            let _e788 = phi_1269_;
-                            local_2 = _e788;
-                            local_3 = _e788;
-                            local_4 = _e788;
-                            let _e789 = (_e786 < 8u);
-                            if _e789 {
-                                let _e791 = (_e786 >> bitcast<u32>(2i));
-                                let _e792 = (_e786 & 3u);
-                                if (_e791 == 0u) {
-                                    phi_1283_ = _e638.unnamed.root;
+                            let _e787 = phi_1267_;
+                            let _e789 = phi_1270_;
+                            local_2 = _e789;
+                            local_3 = _e789;
+                            local_4 = _e789;
+                            let _e790 = (_e787 < 8u);
+                            if _e790 {
+                                let _e792 = (_e787 >> bitcast<u32>(2i));
+                                let _e793 = (_e787 & 3u);
+                                if (_e792 == 0u) {
+                                    phi_1284_ = _e639.unnamed.root;
                                 } else {
-                                    phi_1283_ = _e638.unnamed.first_primitive;
+                                    phi_1284_ = _e639.unnamed.first_primitive;
                                 }
-                                let _e795 = phi_1283_;
-                                if (_e791 == 0u) {
-                                    phi_1293_ = _e707.unnamed.root;
+                                let _e796 = phi_1284_;
+                                if (_e792 == 0u) {
+                                    phi_1294_ = _e708.unnamed.root;
                                 } else {
-                                    phi_1293_ = _e707.unnamed.first_primitive;
+                                    phi_1294_ = _e708.unnamed.first_primitive;
                                 }
-                                let _e804 = phi_1293_;
-                                if (_e791 == 0u) {
-                                    phi_1303_ = _e776.unnamed.root;
+                                let _e805 = phi_1294_;
+                                if (_e792 == 0u) {
+                                    phi_1304_ = _e777.unnamed.root;
                                 } else {
-                                    phi_1303_ = _e776.unnamed.first_primitive;
+                                    phi_1304_ = _e777.unnamed.first_primitive;
                                 }
-                                let _e813 = phi_1303_;
-                                let _e826 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e795 >> bitcast<u32>(((_e792 * 8u) & 31u))) & 255u)) * _e551) + (_e569 - _e329)), ((f32(((_e804 >> bitcast<u32>(((_e792 * 8u) & 31u))) & 255u)) * _e552) + (_e570 - _e330)));
-                                let _e827 = core_intrinsics_maximum_number_nsz_f32_(_e826, ((f32(((_e813 >> bitcast<u32>(((_e792 * 8u) & 31u))) & 255u)) * _e553) + (_e571 - _e331)));
-                                if (_e791 == 0u) {
-                                    phi_1321_ = _e638.unnamed_1.root;
+                                let _e814 = phi_1304_;
+                                let _e827 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e796 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e552) + (_e570 - _e330)), ((f32(((_e805 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e553) + (_e571 - _e331)));
+                                let _e828 = core_intrinsics_maximum_number_nsz_f32_(_e827, ((f32(((_e814 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e554) + (_e572 - _e332)));
+                                if (_e792 == 0u) {
+                                    phi_1322_ = _e639.unnamed_1.root;
                                 } else {
-                                    phi_1321_ = _e638.unnamed_1.first_primitive;
+                                    phi_1322_ = _e639.unnamed_1.first_primitive;
                                 }
-                                let _e830 = phi_1321_;
-                                if (_e791 == 0u) {
-                                    phi_1331_ = _e707.unnamed_1.root;
+                                let _e831 = phi_1322_;
+                                if (_e792 == 0u) {
+                                    phi_1332_ = _e708.unnamed_1.root;
                                 } else {
-                                    phi_1331_ = _e707.unnamed_1.first_primitive;
+                                    phi_1332_ = _e708.unnamed_1.first_primitive;
                                 }
-                                let _e839 = phi_1331_;
-                                if (_e791 == 0u) {
-                                    phi_1341_ = _e776.unnamed_1.root;
+                                let _e840 = phi_1332_;
+                                if (_e792 == 0u) {
+                                    phi_1342_ = _e777.unnamed_1.root;
                                 } else {
-                                    phi_1341_ = _e776.unnamed_1.first_primitive;
+                                    phi_1342_ = _e777.unnamed_1.first_primitive;
                                 }
-                                let _e848 = phi_1341_;
-                                let _e861 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e830 >> bitcast<u32>(((_e792 * 8u) & 31u))) & 255u)) * _e551) + (_e569 + _e329)), ((f32(((_e839 >> bitcast<u32>(((_e792 * 8u) & 31u))) & 255u)) * _e552) + (_e570 + _e330)));
-                                let _e862 = core_intrinsics_minimum_number_nsz_f32_(_e861, ((f32(((_e848 >> bitcast<u32>(((_e792 * 8u) & 31u))) & 255u)) * _e553) + (_e571 + _e331)));
-                                if (_e827 <= _e862) {
-                                    if (_e827 <= _e136) {
-                                        if (_e862 >= 0f) {
-                                            if (_e791 == 0u) {
-                                                let _e869 = nodes.member[(0u + _e517)].links[2u];
-                                                phi_1377_ = _e869;
+                                let _e849 = phi_1342_;
+                                let _e862 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e831 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e552) + (_e570 + _e330)), ((f32(((_e840 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e553) + (_e571 + _e331)));
+                                let _e863 = core_intrinsics_minimum_number_nsz_f32_(_e862, ((f32(((_e849 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u)) * _e554) + (_e572 + _e332)));
+                                if (_e828 <= _e863) {
+                                    if (_e828 <= _e137) {
+                                        if (_e863 >= 0f) {
+                                            if (_e792 == 0u) {
+                                                let _e870 = nodes.member[(0u + _e518)].links[2u];
+                                                phi_1378_ = _e870;
                                             } else {
-                                                let _e872 = nodes.member[(0u + _e517)].links[3u];
-                                                phi_1377_ = _e872;
+                                                let _e873 = nodes.member[(0u + _e518)].links[3u];
+                                                phi_1378_ = _e873;
                                             }
-                                            let _e874 = phi_1377_;
-                                            let _e879 = ((_e874 >> bitcast<u32>(((_e792 * 8u) & 31u))) & 255u);
-                                            let _e880 = (_e879 & 31u);
-                                            if (_e880 >= 24u) {
-                                                phi_1390_ = (24u + ((_e880 - 24u) ^ _e379));
+                                            let _e875 = phi_1378_;
+                                            let _e880 = ((_e875 >> bitcast<u32>(((_e793 * 8u) & 31u))) & 255u);
+                                            let _e881 = (_e880 & 31u);
+                                            if (_e881 >= 24u) {
+                                                phi_1391_ = (24u + ((_e881 - 24u) ^ _e380));
                                             } else {
-                                                phi_1390_ = _e880;
+                                                phi_1391_ = _e881;
                                             }
-                                            let _e886 = phi_1390_;
-                                            phi_1395_ = (_e788 | ((_e879 >> bitcast<u32>(5i)) << bitcast<u32>((_e886 & 31u))));
+                                            let _e887 = phi_1391_;
+                                            phi_1396_ = (_e789 | ((_e880 >> bitcast<u32>(5i)) << bitcast<u32>((_e887 & 31u))));
                                         } else {
-                                            phi_1395_ = _e788;
+                                            phi_1396_ = _e789;
                                         }
-                                        let _e894 = phi_1395_;
-                                        phi_1396_ = _e894;
+                                        let _e895 = phi_1396_;
+                                        phi_1397_ = _e895;
                                     } else {
-                                        phi_1396_ = _e788;
+                                        phi_1397_ = _e789;
                                     }
-                                    let _e896 = phi_1396_;
-                                    phi_1397_ = _e896;
+                                    let _e897 = phi_1397_;
+                                    phi_1398_ = _e897;
                                 } else {
-                                    phi_1397_ = _e788;
+                                    phi_1398_ = _e789;
                                 }
-                                let _e898 = phi_1397_;
-                                phi_1267_ = (_e786 + 1u);
-                                phi_1270_ = _e898;
+                                let _e899 = phi_1398_;
+                                phi_1268_ = (_e787 + 1u);
+                                phi_1271_ = _e899;
                             } else {
-                                phi_1267_ = u32();
-                                phi_1270_ = u32();
+                                phi_1268_ = u32();
+                                phi_1271_ = u32();
                             }
-                            let _e901 = phi_1267_;
-                            let _e903 = phi_1270_;
+                            let _e902 = phi_1268_;
+                            let _e904 = phi_1271_;
                             continue;
                             continuing {
-                                phi_1266_ = _e901;
-                                phi_1269_ = _e903;
-                                break if !(_e789);
+                                phi_1267_ = _e902;
+                                phi_1270_ = _e904;
+                                break if !(_e790);
                             }
                         }
-                        let _e907 = nodes.member[(0u + _e517)].links[0u];
-                        let _e911 = nodes.member[(0u + _e517)].frame[3u];
-                        let _e915 = local_2;
-                        if ((_e915 & 4278190080u) == 0u) {
+                        let _e908 = nodes.member[(0u + _e518)].links[0u];
+                        let _e912 = nodes.member[(0u + _e518)].frame[3u];
+                        let _e916 = local_2;
+                        if ((_e916 & 4278190080u) == 0u) {
                         } else {
-                            let _e919 = local_1.group_mask;
-                            if ((_e919 & 4278190080u) == 0u) {
+                            let _e920 = local_1.group_mask;
+                            if ((_e920 & 4278190080u) == 0u) {
                             } else {
-                                let _e923 = local_1.len;
-                                if (_e923 < 32u) {
-                                    let _e926 = local_1.group;
-                                    let _e928 = local_1.len;
-                                    if (_e928 < 32u) {
+                                let _e924 = local_1.len;
+                                if (_e924 < 32u) {
+                                    let _e927 = local_1.group;
+                                    let _e929 = local_1.len;
+                                    if (_e929 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.first[(0u + _e928)] = _e926;
-                                    let _e934 = local_1.group_mask;
-                                    let _e936 = local_1.len;
-                                    if (_e936 < 32u) {
+                                    local_1.first[(0u + _e929)] = _e927;
+                                    let _e935 = local_1.group_mask;
+                                    let _e937 = local_1.len;
+                                    if (_e937 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_1.mask[(0u + _e936)] = _e934;
-                                    let _e943 = local_1.len;
-                                    local_1.len = (_e943 + 1u);
+                                    local_1.mask[(0u + _e937)] = _e935;
+                                    let _e944 = local_1.len;
+                                    local_1.len = (_e944 + 1u);
                                 }
                             }
-                            local_1.group = (0u + _e907);
-                            let _e947 = local_3;
-                            local_1.group_mask = ((_e947 & 4278190080u) | (_e911 >> bitcast<u32>(24i)));
+                            local_1.group = (0u + _e908);
+                            let _e948 = local_3;
+                            local_1.group_mask = ((_e948 & 4278190080u) | (_e912 >> bitcast<u32>(24i)));
                         }
-                        let _e952 = local_4;
-                        phi_1455_ = (_e952 & 16777215u);
-                        phi_1458_ = _e519;
+                        let _e953 = local_4;
+                        phi_1456_ = (_e953 & 16777215u);
+                        phi_1459_ = _e520;
                         loop {
-                            let _e955 = phi_1455_;
-                            let _e957 = phi_1458_;
-                            local_7 = _e957;
-                            let _e958 = (_e955 == 0u);
-                            local_5 = _e958;
-                            local_9 = _e958;
-                            if _e958 {
-                                phi_1456_ = u32();
-                                phi_1459_ = bool();
-                                phi_2262_ = bool();
-                                phi_2263_ = false;
+                            let _e956 = phi_1456_;
+                            let _e958 = phi_1459_;
+                            local_7 = _e958;
+                            let _e959 = (_e956 == 0u);
+                            local_5 = _e959;
+                            local_9 = _e959;
+                            if _e959 {
+                                phi_1457_ = u32();
+                                phi_1460_ = bool();
+                                phi_2263_ = bool();
+                                phi_2264_ = false;
                             } else {
-                                let _e961 = nodes.member[(0u + _e517)].links[1u];
-                                let _e966 = ((0u + _e961) + select(firstTrailingBit(_e955), 32u, (_e955 == 0u)));
-                                if (_e966 < _e78) {
+                                let _e962 = nodes.member[(0u + _e518)].links[1u];
+                                let _e967 = ((0u + _e962) + select(firstTrailingBit(_e956), 32u, (_e956 == 0u)));
+                                if (_e967 < _e78) {
                                 } else {
                                     return;
                                 }
-                                let _e973 = triangles.member[(0u + _e966)].v0_;
-                                let _e975 = (_e973.x - _e126);
-                                let _e977 = (_e973.y - _e128);
-                                let _e979 = (_e973.z - _e130);
-                                if (_e352 == 0u) {
-                                    phi_1503_ = vec3<f32>(_e977, _e979, _e975);
+                                let _e974 = triangles.member[(0u + _e967)].v0_;
+                                let _e976 = (_e974.x - _e127);
+                                let _e978 = (_e974.y - _e129);
+                                let _e980 = (_e974.z - _e131);
+                                if (_e353 == 0u) {
+                                    phi_1504_ = vec3<f32>(_e978, _e980, _e976);
                                 } else {
-                                    if (_e352 == 1u) {
-                                        phi_1502_ = vec3<f32>(_e979, _e975, _e977);
+                                    if (_e353 == 1u) {
+                                        phi_1503_ = vec3<f32>(_e980, _e976, _e978);
                                     } else {
-                                        phi_1502_ = (_e973 - vec3<f32>(_e126, _e128, _e130));
+                                        phi_1503_ = (_e974 - vec3<f32>(_e127, _e129, _e131));
                                     }
-                                    let _e987 = phi_1502_;
-                                    phi_1503_ = _e987;
+                                    let _e988 = phi_1503_;
+                                    phi_1504_ = _e988;
                                 }
-                                let _e989 = phi_1503_;
-                                let _e993 = (_e989.x - (_e363 * _e989.z));
-                                let _e997 = (_e989.y - (_e366 * _e989.z));
-                                let _e999 = triangles.member[(0u + _e966)].v1_;
-                                let _e1001 = (_e999.x - _e126);
-                                let _e1003 = (_e999.y - _e128);
-                                let _e1005 = (_e999.z - _e130);
-                                if (_e352 == 0u) {
-                                    phi_1533_ = vec3<f32>(_e1003, _e1005, _e1001);
+                                let _e990 = phi_1504_;
+                                let _e994 = (_e990.x - (_e364 * _e990.z));
+                                let _e998 = (_e990.y - (_e367 * _e990.z));
+                                let _e1000 = triangles.member[(0u + _e967)].v1_;
+                                let _e1002 = (_e1000.x - _e127);
+                                let _e1004 = (_e1000.y - _e129);
+                                let _e1006 = (_e1000.z - _e131);
+                                if (_e353 == 0u) {
+                                    phi_1534_ = vec3<f32>(_e1004, _e1006, _e1002);
                                 } else {
-                                    if (_e352 == 1u) {
-                                        phi_1532_ = vec3<f32>(_e1005, _e1001, _e1003);
+                                    if (_e353 == 1u) {
+                                        phi_1533_ = vec3<f32>(_e1006, _e1002, _e1004);
                                     } else {
-                                        phi_1532_ = (_e999 - vec3<f32>(_e126, _e128, _e130));
+                                        phi_1533_ = (_e1000 - vec3<f32>(_e127, _e129, _e131));
                                     }
-                                    let _e1013 = phi_1532_;
-                                    phi_1533_ = _e1013;
+                                    let _e1014 = phi_1533_;
+                                    phi_1534_ = _e1014;
                                 }
-                                let _e1015 = phi_1533_;
-                                let _e1019 = (_e1015.x - (_e363 * _e1015.z));
-                                let _e1023 = (_e1015.y - (_e366 * _e1015.z));
-                                let _e1025 = triangles.member[(0u + _e966)].v2_;
-                                let _e1027 = (_e1025.x - _e126);
-                                let _e1029 = (_e1025.y - _e128);
-                                let _e1031 = (_e1025.z - _e130);
-                                if (_e352 == 0u) {
-                                    phi_1563_ = vec3<f32>(_e1029, _e1031, _e1027);
+                                let _e1016 = phi_1534_;
+                                let _e1020 = (_e1016.x - (_e364 * _e1016.z));
+                                let _e1024 = (_e1016.y - (_e367 * _e1016.z));
+                                let _e1026 = triangles.member[(0u + _e967)].v2_;
+                                let _e1028 = (_e1026.x - _e127);
+                                let _e1030 = (_e1026.y - _e129);
+                                let _e1032 = (_e1026.z - _e131);
+                                if (_e353 == 0u) {
+                                    phi_1564_ = vec3<f32>(_e1030, _e1032, _e1028);
                                 } else {
-                                    if (_e352 == 1u) {
-                                        phi_1562_ = vec3<f32>(_e1031, _e1027, _e1029);
+                                    if (_e353 == 1u) {
+                                        phi_1563_ = vec3<f32>(_e1032, _e1028, _e1030);
                                     } else {
-                                        phi_1562_ = (_e1025 - vec3<f32>(_e126, _e128, _e130));
+                                        phi_1563_ = (_e1026 - vec3<f32>(_e127, _e129, _e131));
                                     }
-                                    let _e1039 = phi_1562_;
-                                    phi_1563_ = _e1039;
+                                    let _e1040 = phi_1563_;
+                                    phi_1564_ = _e1040;
                                 }
-                                let _e1041 = phi_1563_;
-                                let _e1045 = (_e1041.x - (_e363 * _e1041.z));
-                                let _e1049 = (_e1041.y - (_e366 * _e1041.z));
-                                if (_e1019 < _e1045) {
-                                    phi_1582_ = true;
+                                let _e1042 = phi_1564_;
+                                let _e1046 = (_e1042.x - (_e364 * _e1042.z));
+                                let _e1050 = (_e1042.y - (_e367 * _e1042.z));
+                                if (_e1020 < _e1046) {
+                                    phi_1583_ = true;
                                 } else {
-                                    if (_e1019 == _e1045) {
-                                        phi_1581_ = (_e1023 < _e1049);
+                                    if (_e1020 == _e1046) {
+                                        phi_1582_ = (_e1024 < _e1050);
                                     } else {
-                                        phi_1581_ = false;
+                                        phi_1582_ = false;
                                     }
-                                    let _e1054 = phi_1581_;
-                                    phi_1582_ = _e1054;
+                                    let _e1055 = phi_1582_;
+                                    phi_1583_ = _e1055;
                                 }
-                                let _e1056 = phi_1582_;
-                                if _e1056 {
-                                    phi_1586_ = _e1049;
-                                    phi_1587_ = _e1045;
-                                    phi_1588_ = _e1023;
-                                    phi_1589_ = _e1019;
+                                let _e1057 = phi_1583_;
+                                if _e1057 {
+                                    phi_1587_ = _e1050;
+                                    phi_1588_ = _e1046;
+                                    phi_1589_ = _e1024;
+                                    phi_1590_ = _e1020;
                                 } else {
-                                    phi_1586_ = _e1023;
-                                    phi_1587_ = _e1019;
-                                    phi_1588_ = _e1049;
-                                    phi_1589_ = _e1045;
+                                    phi_1587_ = _e1024;
+                                    phi_1588_ = _e1020;
+                                    phi_1589_ = _e1050;
+                                    phi_1590_ = _e1046;
                                 }
-                                let _e1058 = phi_1586_;
-                                let _e1060 = phi_1587_;
-                                let _e1062 = phi_1588_;
-                                let _e1064 = phi_1589_;
-                                let _e1067 = ((_e1064 * _e1058) - (_e1062 * _e1060));
-                                if _e1056 {
-                                    phi_1597_ = -(_e1067);
+                                let _e1059 = phi_1587_;
+                                let _e1061 = phi_1588_;
+                                let _e1063 = phi_1589_;
+                                let _e1065 = phi_1590_;
+                                let _e1068 = ((_e1065 * _e1059) - (_e1063 * _e1061));
+                                if _e1057 {
+                                    phi_1598_ = -(_e1068);
                                 } else {
-                                    phi_1597_ = _e1067;
+                                    phi_1598_ = _e1068;
                                 }
-                                let _e1070 = phi_1597_;
-                                if (_e1045 < _e993) {
-                                    phi_1608_ = true;
+                                let _e1071 = phi_1598_;
+                                if (_e1046 < _e994) {
+                                    phi_1609_ = true;
                                 } else {
-                                    if (_e1045 == _e993) {
-                                        phi_1607_ = (_e1049 < _e997);
+                                    if (_e1046 == _e994) {
+                                        phi_1608_ = (_e1050 < _e998);
                                     } else {
-                                        phi_1607_ = false;
+                                        phi_1608_ = false;
                                     }
-                                    let _e1075 = phi_1607_;
-                                    phi_1608_ = _e1075;
+                                    let _e1076 = phi_1608_;
+                                    phi_1609_ = _e1076;
                                 }
-                                let _e1077 = phi_1608_;
-                                if _e1077 {
-                                    phi_1612_ = _e997;
-                                    phi_1613_ = _e993;
-                                    phi_1614_ = _e1049;
-                                    phi_1615_ = _e1045;
+                                let _e1078 = phi_1609_;
+                                if _e1078 {
+                                    phi_1613_ = _e998;
+                                    phi_1614_ = _e994;
+                                    phi_1615_ = _e1050;
+                                    phi_1616_ = _e1046;
                                 } else {
-                                    phi_1612_ = _e1049;
-                                    phi_1613_ = _e1045;
-                                    phi_1614_ = _e997;
-                                    phi_1615_ = _e993;
+                                    phi_1613_ = _e1050;
+                                    phi_1614_ = _e1046;
+                                    phi_1615_ = _e998;
+                                    phi_1616_ = _e994;
                                 }
-                                let _e1079 = phi_1612_;
-                                let _e1081 = phi_1613_;
-                                let _e1083 = phi_1614_;
-                                let _e1085 = phi_1615_;
-                                let _e1088 = ((_e1085 * _e1079) - (_e1083 * _e1081));
-                                if _e1077 {
-                                    phi_1623_ = -(_e1088);
+                                let _e1080 = phi_1613_;
+                                let _e1082 = phi_1614_;
+                                let _e1084 = phi_1615_;
+                                let _e1086 = phi_1616_;
+                                let _e1089 = ((_e1086 * _e1080) - (_e1084 * _e1082));
+                                if _e1078 {
+                                    phi_1624_ = -(_e1089);
                                 } else {
-                                    phi_1623_ = _e1088;
+                                    phi_1624_ = _e1089;
                                 }
-                                let _e1091 = phi_1623_;
-                                if (_e993 < _e1019) {
-                                    phi_1634_ = true;
+                                let _e1092 = phi_1624_;
+                                if (_e994 < _e1020) {
+                                    phi_1635_ = true;
                                 } else {
-                                    if (_e993 == _e1019) {
-                                        phi_1633_ = (_e997 < _e1023);
+                                    if (_e994 == _e1020) {
+                                        phi_1634_ = (_e998 < _e1024);
                                     } else {
-                                        phi_1633_ = false;
+                                        phi_1634_ = false;
                                     }
-                                    let _e1096 = phi_1633_;
-                                    phi_1634_ = _e1096;
+                                    let _e1097 = phi_1634_;
+                                    phi_1635_ = _e1097;
                                 }
-                                let _e1098 = phi_1634_;
-                                if _e1098 {
-                                    phi_1638_ = _e1023;
-                                    phi_1639_ = _e1019;
-                                    phi_1640_ = _e997;
-                                    phi_1641_ = _e993;
+                                let _e1099 = phi_1635_;
+                                if _e1099 {
+                                    phi_1639_ = _e1024;
+                                    phi_1640_ = _e1020;
+                                    phi_1641_ = _e998;
+                                    phi_1642_ = _e994;
                                 } else {
-                                    phi_1638_ = _e997;
-                                    phi_1639_ = _e993;
-                                    phi_1640_ = _e1023;
-                                    phi_1641_ = _e1019;
+                                    phi_1639_ = _e998;
+                                    phi_1640_ = _e994;
+                                    phi_1641_ = _e1024;
+                                    phi_1642_ = _e1020;
                                 }
-                                let _e1100 = phi_1638_;
-                                let _e1102 = phi_1639_;
-                                let _e1104 = phi_1640_;
-                                let _e1106 = phi_1641_;
-                                let _e1109 = ((_e1106 * _e1100) - (_e1104 * _e1102));
-                                if _e1098 {
-                                    phi_1649_ = -(_e1109);
+                                let _e1101 = phi_1639_;
+                                let _e1103 = phi_1640_;
+                                let _e1105 = phi_1641_;
+                                let _e1107 = phi_1642_;
+                                let _e1110 = ((_e1107 * _e1101) - (_e1105 * _e1103));
+                                if _e1099 {
+                                    phi_1650_ = -(_e1110);
                                 } else {
-                                    phi_1649_ = _e1109;
+                                    phi_1650_ = _e1110;
                                 }
-                                let _e1112 = phi_1649_;
-                                if (_e1070 >= 0f) {
-                                    if (_e1091 >= 0f) {
-                                        if (_e1112 >= 0f) {
-                                            phi_1664_ = ((_e1070 + _e1091) + _e1112);
-                                            phi_1665_ = false;
+                                let _e1113 = phi_1650_;
+                                if (_e1071 >= 0f) {
+                                    if (_e1092 >= 0f) {
+                                        if (_e1113 >= 0f) {
+                                            phi_1665_ = ((_e1071 + _e1092) + _e1113);
+                                            phi_1666_ = false;
                                         } else {
-                                            phi_1664_ = f32();
-                                            phi_1665_ = true;
+                                            phi_1665_ = f32();
+                                            phi_1666_ = true;
                                         }
-                                        let _e1119 = phi_1664_;
-                                        let _e1121 = phi_1665_;
-                                        phi_1666_ = _e1119;
-                                        phi_1667_ = _e1121;
+                                        let _e1120 = phi_1665_;
+                                        let _e1122 = phi_1666_;
+                                        phi_1667_ = _e1120;
+                                        phi_1668_ = _e1122;
                                     } else {
-                                        phi_1666_ = f32();
-                                        phi_1667_ = true;
+                                        phi_1667_ = f32();
+                                        phi_1668_ = true;
                                     }
-                                    let _e1123 = phi_1666_;
-                                    let _e1125 = phi_1667_;
-                                    phi_1668_ = _e1123;
-                                    phi_1669_ = _e1125;
+                                    let _e1124 = phi_1667_;
+                                    let _e1126 = phi_1668_;
+                                    phi_1669_ = _e1124;
+                                    phi_1670_ = _e1126;
                                 } else {
-                                    phi_1668_ = f32();
-                                    phi_1669_ = true;
+                                    phi_1669_ = f32();
+                                    phi_1670_ = true;
                                 }
-                                let _e1127 = phi_1668_;
-                                let _e1129 = phi_1669_;
-                                if _e1129 {
-                                    if (_e1070 <= 0f) {
-                                        if (_e1091 <= 0f) {
-                                            let _e1132 = (_e1112 <= 0f);
-                                            if _e1132 {
+                                let _e1128 = phi_1669_;
+                                let _e1130 = phi_1670_;
+                                if _e1130 {
+                                    if (_e1071 <= 0f) {
+                                        if (_e1092 <= 0f) {
+                                            let _e1133 = (_e1113 <= 0f);
+                                            if _e1133 {
                                             }
-                                            phi_1687_ = ((_e1070 + _e1091) + _e1112);
-                                            phi_1688_ = false;
-                                            phi_1689_ = _e1132;
-                                        } else {
-                                            phi_1687_ = f32();
-                                            phi_1688_ = true;
+                                            phi_1688_ = ((_e1071 + _e1092) + _e1113);
                                             phi_1689_ = false;
+                                            phi_1690_ = _e1133;
+                                        } else {
+                                            phi_1688_ = f32();
+                                            phi_1689_ = true;
+                                            phi_1690_ = false;
                                         }
-                                        let _e1136 = phi_1687_;
-                                        let _e1138 = phi_1688_;
-                                        let _e1140 = phi_1689_;
-                                        phi_1690_ = _e1136;
-                                        phi_1691_ = _e1138;
-                                        phi_1692_ = _e1140;
+                                        let _e1137 = phi_1688_;
+                                        let _e1139 = phi_1689_;
+                                        let _e1141 = phi_1690_;
+                                        phi_1691_ = _e1137;
+                                        phi_1692_ = _e1139;
+                                        phi_1693_ = _e1141;
                                     } else {
-                                        phi_1690_ = f32();
-                                        phi_1691_ = true;
-                                        phi_1692_ = false;
+                                        phi_1691_ = f32();
+                                        phi_1692_ = true;
+                                        phi_1693_ = false;
                                     }
-                                    let _e1142 = phi_1690_;
-                                    let _e1144 = phi_1691_;
-                                    let _e1146 = phi_1692_;
-                                    if _e1144 {
-                                        phi_1696_ = false;
+                                    let _e1143 = phi_1691_;
+                                    let _e1145 = phi_1692_;
+                                    let _e1147 = phi_1693_;
+                                    if _e1145 {
+                                        phi_1697_ = false;
                                     } else {
-                                        phi_1696_ = _e1146;
+                                        phi_1697_ = _e1147;
                                     }
-                                    let _e1148 = phi_1696_;
-                                    phi_1697_ = _e1142;
-                                    phi_1698_ = _e1148;
+                                    let _e1149 = phi_1697_;
+                                    phi_1698_ = _e1143;
+                                    phi_1699_ = _e1149;
                                 } else {
-                                    phi_1697_ = _e1127;
-                                    phi_1698_ = true;
+                                    phi_1698_ = _e1128;
+                                    phi_1699_ = true;
                                 }
-                                let _e1150 = phi_1697_;
-                                let _e1152 = phi_1698_;
-                                if _e1152 {
-                                    let _e1153 = (_e1150 == 0f);
-                                    if _e1153 {
-                                        phi_2014_ = lt_bvh_triangle_Intersection();
-                                        phi_2015_ = false;
+                                let _e1151 = phi_1698_;
+                                let _e1153 = phi_1699_;
+                                if _e1153 {
+                                    let _e1154 = (_e1151 == 0f);
+                                    if _e1154 {
+                                        phi_2015_ = lt_bvh_triangle_Intersection();
+                                        phi_2016_ = false;
                                     } else {
-                                        let _e1155 = triangles.member[(0u + _e966)].v0_;
-                                        let _e1157 = (_e1155.x - _e126);
-                                        let _e1159 = (_e1155.y - _e128);
-                                        let _e1161 = (_e1155.z - _e130);
-                                        if (_e352 == 0u) {
-                                            phi_1727_ = vec3<f32>(_e1159, _e1161, _e1157);
+                                        let _e1156 = triangles.member[(0u + _e967)].v0_;
+                                        let _e1158 = (_e1156.x - _e127);
+                                        let _e1160 = (_e1156.y - _e129);
+                                        let _e1162 = (_e1156.z - _e131);
+                                        if (_e353 == 0u) {
+                                            phi_1728_ = vec3<f32>(_e1160, _e1162, _e1158);
                                         } else {
-                                            if (_e352 == 1u) {
-                                                phi_1726_ = vec3<f32>(_e1161, _e1157, _e1159);
+                                            if (_e353 == 1u) {
+                                                phi_1727_ = vec3<f32>(_e1162, _e1158, _e1160);
                                             } else {
-                                                phi_1726_ = (_e1155 - vec3<f32>(_e126, _e128, _e130));
+                                                phi_1727_ = (_e1156 - vec3<f32>(_e127, _e129, _e131));
                                             }
-                                            let _e1169 = phi_1726_;
-                                            phi_1727_ = _e1169;
+                                            let _e1170 = phi_1727_;
+                                            phi_1728_ = _e1170;
                                         }
-                                        let _e1171 = phi_1727_;
-                                        let _e1173 = triangles.member[(0u + _e966)].v1_;
-                                        let _e1175 = triangles.member[(0u + _e966)].v0_;
-                                        let _e1178 = (_e1173.x - _e1175.x);
-                                        let _e1181 = (_e1173.y - _e1175.y);
-                                        let _e1184 = (_e1173.z - _e1175.z);
-                                        if (_e352 == 0u) {
-                                            phi_1753_ = vec3<f32>(_e1181, _e1184, _e1178);
+                                        let _e1172 = phi_1728_;
+                                        let _e1174 = triangles.member[(0u + _e967)].v1_;
+                                        let _e1176 = triangles.member[(0u + _e967)].v0_;
+                                        let _e1179 = (_e1174.x - _e1176.x);
+                                        let _e1182 = (_e1174.y - _e1176.y);
+                                        let _e1185 = (_e1174.z - _e1176.z);
+                                        if (_e353 == 0u) {
+                                            phi_1754_ = vec3<f32>(_e1182, _e1185, _e1179);
                                         } else {
-                                            if (_e352 == 1u) {
-                                                phi_1752_ = vec3<f32>(_e1184, _e1178, _e1181);
+                                            if (_e353 == 1u) {
+                                                phi_1753_ = vec3<f32>(_e1185, _e1179, _e1182);
                                             } else {
-                                                phi_1752_ = (_e1173 - _e1175);
+                                                phi_1753_ = (_e1174 - _e1176);
                                             }
-                                            let _e1191 = phi_1752_;
-                                            phi_1753_ = _e1191;
+                                            let _e1192 = phi_1753_;
+                                            phi_1754_ = _e1192;
                                         }
-                                        let _e1193 = phi_1753_;
-                                        let _e1195 = triangles.member[(0u + _e966)].v2_;
-                                        let _e1197 = triangles.member[(0u + _e966)].v0_;
-                                        let _e1200 = (_e1195.x - _e1197.x);
-                                        let _e1203 = (_e1195.y - _e1197.y);
-                                        let _e1206 = (_e1195.z - _e1197.z);
-                                        if (_e352 == 0u) {
-                                            phi_1779_ = vec3<f32>(_e1203, _e1206, _e1200);
+                                        let _e1194 = phi_1754_;
+                                        let _e1196 = triangles.member[(0u + _e967)].v2_;
+                                        let _e1198 = triangles.member[(0u + _e967)].v0_;
+                                        let _e1201 = (_e1196.x - _e1198.x);
+                                        let _e1204 = (_e1196.y - _e1198.y);
+                                        let _e1207 = (_e1196.z - _e1198.z);
+                                        if (_e353 == 0u) {
+                                            phi_1780_ = vec3<f32>(_e1204, _e1207, _e1201);
                                         } else {
-                                            if (_e352 == 1u) {
-                                                phi_1778_ = vec3<f32>(_e1206, _e1200, _e1203);
+                                            if (_e353 == 1u) {
+                                                phi_1779_ = vec3<f32>(_e1207, _e1201, _e1204);
                                             } else {
-                                                phi_1778_ = (_e1195 - _e1197);
+                                                phi_1779_ = (_e1196 - _e1198);
                                             }
-                                            let _e1213 = phi_1778_;
-                                            phi_1779_ = _e1213;
+                                            let _e1214 = phi_1779_;
+                                            phi_1780_ = _e1214;
                                         }
-                                        let _e1215 = phi_1779_;
-                                        let _e1222 = ((_e1193.y * _e1215.z) - (_e1193.z * _e1215.y));
-                                        let _e1229 = ((_e1193.z * _e1215.x) - (_e1193.x * _e1215.z));
-                                        let _e1236 = ((_e1193.x * _e1215.y) - (_e1193.y * _e1215.x));
-                                        let _e1250 = (((1f / _e360.z) * (((_e1222 * _e1171.x) + (_e1229 * _e1171.y)) + (_e1236 * _e1171.z))) / (((_e1222 * _e363) + (_e1229 * _e366)) + _e1236));
-                                        if (_e1250 > 0f) {
-                                            if (_e1250 < _e136) {
-                                                let _e1254 = triangles.member[(0u + _e966)].v0_;
-                                                let _e1256 = triangles.member[(0u + _e966)].v1_;
-                                                if (_e1254.x < _e1256.x) {
-                                                    phi_1835_ = _e1254.x;
+                                        let _e1216 = phi_1780_;
+                                        let _e1223 = ((_e1194.y * _e1216.z) - (_e1194.z * _e1216.y));
+                                        let _e1230 = ((_e1194.z * _e1216.x) - (_e1194.x * _e1216.z));
+                                        let _e1237 = ((_e1194.x * _e1216.y) - (_e1194.y * _e1216.x));
+                                        let _e1251 = (((1f / _e361.z) * (((_e1223 * _e1172.x) + (_e1230 * _e1172.y)) + (_e1237 * _e1172.z))) / (((_e1223 * _e364) + (_e1230 * _e367)) + _e1237));
+                                        if (_e1251 > 0f) {
+                                            if (_e1251 < _e137) {
+                                                let _e1255 = triangles.member[(0u + _e967)].v0_;
+                                                let _e1257 = triangles.member[(0u + _e967)].v1_;
+                                                if (_e1255.x < _e1257.x) {
+                                                    phi_1836_ = _e1255.x;
                                                 } else {
-                                                    phi_1835_ = _e1256.x;
+                                                    phi_1836_ = _e1257.x;
                                                 }
-                                                let _e1263 = phi_1835_;
-                                                if (_e1254.y < _e1256.y) {
-                                                    phi_1844_ = _e1254.y;
+                                                let _e1264 = phi_1836_;
+                                                if (_e1255.y < _e1257.y) {
+                                                    phi_1845_ = _e1255.y;
                                                 } else {
-                                                    phi_1844_ = _e1256.y;
+                                                    phi_1845_ = _e1257.y;
                                                 }
-                                                let _e1270 = phi_1844_;
-                                                if (_e1254.z < _e1256.z) {
-                                                    phi_1853_ = _e1254.z;
+                                                let _e1271 = phi_1845_;
+                                                if (_e1255.z < _e1257.z) {
+                                                    phi_1854_ = _e1255.z;
                                                 } else {
-                                                    phi_1853_ = _e1256.z;
+                                                    phi_1854_ = _e1257.z;
                                                 }
-                                                let _e1277 = phi_1853_;
-                                                let _e1279 = triangles.member[(0u + _e966)].v2_;
-                                                if (_e1263 < _e1279.x) {
-                                                    phi_1862_ = _e1263;
+                                                let _e1278 = phi_1854_;
+                                                let _e1280 = triangles.member[(0u + _e967)].v2_;
+                                                if (_e1264 < _e1280.x) {
+                                                    phi_1863_ = _e1264;
                                                 } else {
-                                                    phi_1862_ = _e1279.x;
+                                                    phi_1863_ = _e1280.x;
                                                 }
-                                                let _e1284 = phi_1862_;
-                                                if (_e1270 < _e1279.y) {
-                                                    phi_1869_ = _e1270;
+                                                let _e1285 = phi_1863_;
+                                                if (_e1271 < _e1280.y) {
+                                                    phi_1870_ = _e1271;
                                                 } else {
-                                                    phi_1869_ = _e1279.y;
+                                                    phi_1870_ = _e1280.y;
                                                 }
-                                                let _e1289 = phi_1869_;
-                                                if (_e1277 < _e1279.z) {
-                                                    phi_1876_ = _e1277;
+                                                let _e1290 = phi_1870_;
+                                                if (_e1278 < _e1280.z) {
+                                                    phi_1877_ = _e1278;
                                                 } else {
-                                                    phi_1876_ = _e1279.z;
+                                                    phi_1877_ = _e1280.z;
                                                 }
-                                                let _e1294 = phi_1876_;
-                                                let _e1296 = triangles.member[(0u + _e966)].v0_;
-                                                let _e1298 = triangles.member[(0u + _e966)].v1_;
-                                                if (_e1296.x > _e1298.x) {
-                                                    phi_1889_ = _e1296.x;
+                                                let _e1295 = phi_1877_;
+                                                let _e1297 = triangles.member[(0u + _e967)].v0_;
+                                                let _e1299 = triangles.member[(0u + _e967)].v1_;
+                                                if (_e1297.x > _e1299.x) {
+                                                    phi_1890_ = _e1297.x;
                                                 } else {
-                                                    phi_1889_ = _e1298.x;
+                                                    phi_1890_ = _e1299.x;
                                                 }
-                                                let _e1305 = phi_1889_;
-                                                if (_e1296.y > _e1298.y) {
-                                                    phi_1898_ = _e1296.y;
+                                                let _e1306 = phi_1890_;
+                                                if (_e1297.y > _e1299.y) {
+                                                    phi_1899_ = _e1297.y;
                                                 } else {
-                                                    phi_1898_ = _e1298.y;
+                                                    phi_1899_ = _e1299.y;
                                                 }
-                                                let _e1312 = phi_1898_;
-                                                if (_e1296.z > _e1298.z) {
-                                                    phi_1907_ = _e1296.z;
+                                                let _e1313 = phi_1899_;
+                                                if (_e1297.z > _e1299.z) {
+                                                    phi_1908_ = _e1297.z;
                                                 } else {
-                                                    phi_1907_ = _e1298.z;
+                                                    phi_1908_ = _e1299.z;
                                                 }
-                                                let _e1319 = phi_1907_;
-                                                let _e1321 = triangles.member[(0u + _e966)].v2_;
-                                                if (_e1305 > _e1321.x) {
-                                                    phi_1916_ = _e1305;
+                                                let _e1320 = phi_1908_;
+                                                let _e1322 = triangles.member[(0u + _e967)].v2_;
+                                                if (_e1306 > _e1322.x) {
+                                                    phi_1917_ = _e1306;
                                                 } else {
-                                                    phi_1916_ = _e1321.x;
+                                                    phi_1917_ = _e1322.x;
                                                 }
-                                                let _e1326 = phi_1916_;
-                                                if (_e1312 > _e1321.y) {
-                                                    phi_1923_ = _e1312;
+                                                let _e1327 = phi_1917_;
+                                                if (_e1313 > _e1322.y) {
+                                                    phi_1924_ = _e1313;
                                                 } else {
-                                                    phi_1923_ = _e1321.y;
+                                                    phi_1924_ = _e1322.y;
                                                 }
-                                                let _e1331 = phi_1923_;
-                                                if (_e1319 > _e1321.z) {
-                                                    phi_1930_ = _e1319;
+                                                let _e1332 = phi_1924_;
+                                                if (_e1320 > _e1322.z) {
+                                                    phi_1931_ = _e1320;
                                                 } else {
-                                                    phi_1930_ = _e1321.z;
+                                                    phi_1931_ = _e1322.z;
                                                 }
-                                                let _e1336 = phi_1930_;
-                                                let _e1340 = ((_e1284 - _e126) * _e277);
-                                                let _e1341 = ((_e1289 - _e128) * _e287);
-                                                let _e1342 = ((_e1294 - _e130) * _e297);
-                                                let _e1346 = ((_e1326 - _e126) * _e277);
-                                                let _e1347 = ((_e1331 - _e128) * _e287);
-                                                let _e1348 = ((_e1336 - _e130) * _e297);
-                                                if (_e1340 < _e1346) {
-                                                    phi_1947_ = _e1340;
-                                                } else {
-                                                    phi_1947_ = _e1346;
-                                                }
-                                                let _e1351 = phi_1947_;
+                                                let _e1337 = phi_1931_;
+                                                let _e1341 = ((_e1285 - _e127) * _e278);
+                                                let _e1342 = ((_e1290 - _e129) * _e288);
+                                                let _e1343 = ((_e1295 - _e131) * _e298);
+                                                let _e1347 = ((_e1327 - _e127) * _e278);
+                                                let _e1348 = ((_e1332 - _e129) * _e288);
+                                                let _e1349 = ((_e1337 - _e131) * _e298);
                                                 if (_e1341 < _e1347) {
-                                                    phi_1952_ = _e1341;
+                                                    phi_1948_ = _e1341;
                                                 } else {
-                                                    phi_1952_ = _e1347;
+                                                    phi_1948_ = _e1347;
                                                 }
-                                                let _e1354 = phi_1952_;
+                                                let _e1352 = phi_1948_;
                                                 if (_e1342 < _e1348) {
-                                                    phi_1957_ = _e1342;
+                                                    phi_1953_ = _e1342;
                                                 } else {
-                                                    phi_1957_ = _e1348;
+                                                    phi_1953_ = _e1348;
                                                 }
-                                                let _e1357 = phi_1957_;
-                                                if (_e1340 > _e1346) {
-                                                    phi_1965_ = _e1340;
+                                                let _e1355 = phi_1953_;
+                                                if (_e1343 < _e1349) {
+                                                    phi_1958_ = _e1343;
                                                 } else {
-                                                    phi_1965_ = _e1346;
+                                                    phi_1958_ = _e1349;
                                                 }
-                                                let _e1363 = phi_1965_;
+                                                let _e1358 = phi_1958_;
                                                 if (_e1341 > _e1347) {
-                                                    phi_1970_ = _e1341;
+                                                    phi_1966_ = _e1341;
                                                 } else {
-                                                    phi_1970_ = _e1347;
+                                                    phi_1966_ = _e1347;
                                                 }
-                                                let _e1366 = phi_1970_;
+                                                let _e1364 = phi_1966_;
                                                 if (_e1342 > _e1348) {
-                                                    phi_1975_ = _e1342;
+                                                    phi_1971_ = _e1342;
                                                 } else {
-                                                    phi_1975_ = _e1348;
+                                                    phi_1971_ = _e1348;
                                                 }
-                                                let _e1369 = phi_1975_;
-                                                let _e1373 = core_intrinsics_maximum_number_nsz_f32_((_e1351 - _e336), (_e1354 - _e337));
-                                                let _e1374 = core_intrinsics_maximum_number_nsz_f32_(_e1373, (_e1357 - _e338));
-                                                let _e1375 = core_intrinsics_minimum_number_nsz_f32_((_e1363 + _e336), (_e1366 + _e337));
-                                                let _e1376 = core_intrinsics_minimum_number_nsz_f32_(_e1375, (_e1369 + _e338));
-                                                if (_e1374 > -300000000000000000000000000000000000000f) {
-                                                    phi_1987_ = _e1374;
+                                                let _e1367 = phi_1971_;
+                                                if (_e1343 > _e1349) {
+                                                    phi_1976_ = _e1343;
                                                 } else {
-                                                    phi_1987_ = -300000000000000000000000000000000000000f;
+                                                    phi_1976_ = _e1349;
                                                 }
-                                                let _e1379 = phi_1987_;
-                                                if (_e1376 < 300000000000000000000000000000000000000f) {
-                                                    phi_1992_ = _e1376;
+                                                let _e1370 = phi_1976_;
+                                                let _e1374 = core_intrinsics_maximum_number_nsz_f32_((_e1352 - _e337), (_e1355 - _e338));
+                                                let _e1375 = core_intrinsics_maximum_number_nsz_f32_(_e1374, (_e1358 - _e339));
+                                                let _e1376 = core_intrinsics_minimum_number_nsz_f32_((_e1364 + _e337), (_e1367 + _e338));
+                                                let _e1377 = core_intrinsics_minimum_number_nsz_f32_(_e1376, (_e1370 + _e339));
+                                                if (_e1375 > -300000000000000000000000000000000000000f) {
+                                                    phi_1988_ = _e1375;
                                                 } else {
-                                                    phi_1992_ = 300000000000000000000000000000000000000f;
+                                                    phi_1988_ = -300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1382 = phi_1992_;
-                                                if (_e1250 < _e1379) {
-                                                    phi_1997_ = _e1379;
+                                                let _e1380 = phi_1988_;
+                                                if (_e1377 < 300000000000000000000000000000000000000f) {
+                                                    phi_1993_ = _e1377;
                                                 } else {
-                                                    phi_1997_ = _e1250;
+                                                    phi_1993_ = 300000000000000000000000000000000000000f;
                                                 }
-                                                let _e1385 = phi_1997_;
-                                                if (_e1385 > _e1382) {
-                                                    phi_2002_ = _e1382;
+                                                let _e1383 = phi_1993_;
+                                                if (_e1251 < _e1380) {
+                                                    phi_1998_ = _e1380;
                                                 } else {
-                                                    phi_2002_ = _e1385;
+                                                    phi_1998_ = _e1251;
                                                 }
-                                                let _e1388 = phi_2002_;
-                                                phi_2007_ = lt_bvh_triangle_Intersection(_e1388, (_e1091 / _e1150), (_e1112 / _e1150), (_e1379 <= _e1382));
-                                                phi_2008_ = false;
+                                                let _e1386 = phi_1998_;
+                                                if (_e1386 > _e1383) {
+                                                    phi_2003_ = _e1383;
+                                                } else {
+                                                    phi_2003_ = _e1386;
+                                                }
+                                                let _e1389 = phi_2003_;
+                                                phi_2008_ = lt_bvh_triangle_Intersection(_e1389, (_e1092 / _e1151), (_e1113 / _e1151), (_e1380 <= _e1383));
+                                                phi_2009_ = false;
                                             } else {
-                                                phi_2007_ = lt_bvh_triangle_Intersection();
-                                                phi_2008_ = true;
+                                                phi_2008_ = lt_bvh_triangle_Intersection();
+                                                phi_2009_ = true;
                                             }
-                                            let _e1394 = phi_2007_;
-                                            let _e1396 = phi_2008_;
-                                            phi_2009_ = _e1394;
-                                            phi_2010_ = _e1396;
+                                            let _e1395 = phi_2008_;
+                                            let _e1397 = phi_2009_;
+                                            phi_2010_ = _e1395;
+                                            phi_2011_ = _e1397;
                                         } else {
-                                            phi_2009_ = lt_bvh_triangle_Intersection();
-                                            phi_2010_ = true;
+                                            phi_2010_ = lt_bvh_triangle_Intersection();
+                                            phi_2011_ = true;
                                         }
-                                        let _e1398 = phi_2009_;
-                                        let _e1400 = phi_2010_;
-                                        if _e1400 {
+                                        let _e1399 = phi_2010_;
+                                        let _e1401 = phi_2011_;
+                                        if _e1401 {
                                         }
-                                        phi_2014_ = _e1398;
-                                        phi_2015_ = _e1400;
+                                        phi_2015_ = _e1399;
+                                        phi_2016_ = _e1401;
                                     }
-                                    let _e1402 = phi_2014_;
-                                    let _e1404 = phi_2015_;
-                                    phi_2016_ = _e1402;
-                                    phi_2017_ = _e1153;
-                                    phi_2018_ = _e1404;
+                                    let _e1403 = phi_2015_;
+                                    let _e1405 = phi_2016_;
+                                    phi_2017_ = _e1403;
+                                    phi_2018_ = _e1154;
+                                    phi_2019_ = _e1405;
                                 } else {
-                                    phi_2016_ = lt_bvh_triangle_Intersection();
-                                    phi_2017_ = true;
-                                    phi_2018_ = false;
+                                    phi_2017_ = lt_bvh_triangle_Intersection();
+                                    phi_2018_ = true;
+                                    phi_2019_ = false;
                                 }
-                                let _e1406 = phi_2016_;
-                                let _e1408 = phi_2017_;
-                                let _e1410 = phi_2018_;
-                                if _e1408 {
-                                    phi_2022_ = true;
+                                let _e1407 = phi_2017_;
+                                let _e1409 = phi_2018_;
+                                let _e1411 = phi_2019_;
+                                if _e1409 {
+                                    phi_2023_ = true;
                                 } else {
-                                    phi_2022_ = _e1410;
+                                    phi_2023_ = _e1411;
                                 }
-                                let _e1412 = phi_2022_;
-                                if _e1412 {
-                                    phi_2026_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                let _e1413 = phi_2023_;
+                                if _e1413 {
+                                    phi_2027_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                 } else {
-                                    phi_2026_ = _e1406;
+                                    phi_2027_ = _e1407;
                                 }
-                                let _e1414 = phi_2026_;
-                                if _e1414.is_hit {
-                                    if (_e1414.t > 0f) {
-                                        if (_e1414.t < _e136) {
-                                            let _e1421 = triangles.member[(0u + _e966)].i0_;
-                                            if ((_e1421 & 2147483648u) == 0u) {
-                                                phi_2245_ = true;
+                                let _e1415 = phi_2027_;
+                                if _e1415.is_hit {
+                                    if (_e1415.t > 0f) {
+                                        if (_e1415.t < _e137) {
+                                            let _e1422 = triangles.member[(0u + _e967)].i0_;
+                                            if ((_e1422 & 2147483648u) == 0u) {
+                                                phi_2246_ = true;
                                             } else {
-                                                if (_e966 < _e78) {
+                                                if (_e967 < _e78) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1430 = triangles.member[(0u + _e966)].i0_;
-                                                let _e1431 = (_e1430 & 2147483647u);
-                                                let _e1433 = triangles.member[(0u + _e966)].i1_;
-                                                let _e1435 = triangles.member[(0u + _e966)].i2_;
-                                                if (_e1431 < _e87) {
+                                                let _e1431 = triangles.member[(0u + _e967)].i0_;
+                                                let _e1432 = (_e1431 & 2147483647u);
+                                                let _e1434 = triangles.member[(0u + _e967)].i1_;
+                                                let _e1436 = triangles.member[(0u + _e967)].i2_;
+                                                if (_e1432 < _e87) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1439 = vertices.member[(0u + _e1431)];
-                                                if (_e1433 < _e87) {
+                                                let _e1440 = vertices.member[(0u + _e1432)];
+                                                if (_e1434 < _e87) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1443 = vertices.member[(0u + _e1433)];
-                                                if (_e1435 < _e87) {
+                                                let _e1444 = vertices.member[(0u + _e1434)];
+                                                if (_e1436 < _e87) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1447 = vertices.member[(0u + _e1435)];
-                                                let _e1448 = array<abi_Vertex, 3>(_e1439, _e1443, _e1447);
-                                                if (_e1448[0].material < arrayLength((&materials.member))) {
+                                                let _e1448 = vertices.member[(0u + _e1436)];
+                                                let _e1449 = array<abi_Vertex, 3>(_e1440, _e1444, _e1448);
+                                                if (_e1449[0].material < arrayLength((&materials.member))) {
                                                 } else {
                                                     return;
                                                 }
-                                                let _e1454 = materials.member[(0u + _e1448[0].material)];
-                                                if ((_e1454.flags & 1u) == 1u) {
-                                                    let _e1459 = ((1f - _e1414.u) - _e1414.v);
-                                                    if (_e1454.cutoff <= 0f) {
-                                                        phi_2243_ = true;
+                                                let _e1455 = materials.member[(0u + _e1449[0].material)];
+                                                if ((_e1455.flags & 1u) == 1u) {
+                                                    let _e1460 = ((1f - _e1415.u) - _e1415.v);
+                                                    if (_e1455.cutoff <= 0f) {
+                                                        phi_2244_ = true;
                                                     } else {
-                                                        let _e1486 = (_e1454.base_color.w * ((((f32((_e1448[0].color >> bitcast<u32>(24i))) * _e1459) + (f32((_e1448[1].color >> bitcast<u32>(24i))) * _e1414.u)) + (f32((_e1448[2].color >> bitcast<u32>(24i))) * _e1414.v)) * (1f / 255f)));
-                                                        if (_e1454.alpha_size == 0u) {
-                                                            phi_2240_ = _e1486;
+                                                        let _e1487 = (_e1455.base_color.w * ((((f32((_e1449[0].color >> bitcast<u32>(24i))) * _e1460) + (f32((_e1449[1].color >> bitcast<u32>(24i))) * _e1415.u)) + (f32((_e1449[2].color >> bitcast<u32>(24i))) * _e1415.v)) * (1f / 255f)));
+                                                        if (_e1455.alpha_size == 0u) {
+                                                            phi_2241_ = _e1487;
                                                         } else {
-                                                            local.offset = _e1454.alpha_offset;
-                                                            local.size = _e1454.alpha_size;
-                                                            local.flags = _e1454.flags;
-                                                            let _e1517 = _lt_shaders_texture_TextureView_quad((&local), (((_e1448[0].u * _e1459) + (_e1448[1].u * _e1414.u)) + (_e1448[2].u * _e1414.v)), (((_e1448[0].v * _e1459) + (_e1448[1].v * _e1414.u)) + (_e1448[2].v * _e1414.v)));
-                                                            let _e1521 = (_e1517.indices[0] >> bitcast<u32>(2i));
-                                                            if (_e1521 < _e93) {
+                                                            local.offset = _e1455.alpha_offset;
+                                                            local.size = _e1455.alpha_size;
+                                                            local.flags = _e1455.flags;
+                                                            let _e1518 = _lt_shaders_texture_TextureView_quad((&local), (((_e1449[0].u * _e1460) + (_e1449[1].u * _e1415.u)) + (_e1449[2].u * _e1415.v)), (((_e1449[0].v * _e1460) + (_e1449[1].v * _e1415.u)) + (_e1449[2].v * _e1415.v)));
+                                                            let _e1522 = (_e1518.indices[0] >> bitcast<u32>(2i));
+                                                            if (_e1522 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1525 = alpha_texels.member[(0u + _e1521)];
-                                                            let _e1541 = (_e1517.indices[1] >> bitcast<u32>(2i));
-                                                            if (_e1541 < _e93) {
+                                                            let _e1526 = alpha_texels.member[(0u + _e1522)];
+                                                            let _e1542 = (_e1518.indices[1] >> bitcast<u32>(2i));
+                                                            if (_e1542 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1545 = alpha_texels.member[(0u + _e1541)];
-                                                            let _e1562 = (_e1517.indices[2] >> bitcast<u32>(2i));
-                                                            if (_e1562 < _e93) {
+                                                            let _e1546 = alpha_texels.member[(0u + _e1542)];
+                                                            let _e1563 = (_e1518.indices[2] >> bitcast<u32>(2i));
+                                                            if (_e1563 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1566 = alpha_texels.member[(0u + _e1562)];
-                                                            let _e1583 = (_e1517.indices[3] >> bitcast<u32>(2i));
-                                                            if (_e1583 < _e93) {
+                                                            let _e1567 = alpha_texels.member[(0u + _e1563)];
+                                                            let _e1584 = (_e1518.indices[3] >> bitcast<u32>(2i));
+                                                            if (_e1584 < _e93) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1587 = alpha_texels.member[(0u + _e1583)];
-                                                            phi_2240_ = (_e1486 * (((((f32(((_e1525 >> bitcast<u32>((((_e1517.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1517.weights.x) + ((f32(((_e1545 >> bitcast<u32>((((_e1517.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1517.weights.y)) + ((f32(((_e1566 >> bitcast<u32>((((_e1517.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1517.weights.z)) + ((f32(((_e1587 >> bitcast<u32>((((_e1517.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1517.weights.w)));
+                                                            let _e1588 = alpha_texels.member[(0u + _e1584)];
+                                                            phi_2241_ = (_e1487 * (((((f32(((_e1526 >> bitcast<u32>((((_e1518.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1518.weights.x) + ((f32(((_e1546 >> bitcast<u32>((((_e1518.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1518.weights.y)) + ((f32(((_e1567 >> bitcast<u32>((((_e1518.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1518.weights.z)) + ((f32(((_e1588 >> bitcast<u32>((((_e1518.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e1518.weights.w)));
                                                         }
-                                                        let _e1603 = phi_2240_;
-                                                        phi_2243_ = (_e1603 >= _e1454.cutoff);
+                                                        let _e1604 = phi_2241_;
+                                                        phi_2244_ = (_e1604 >= _e1455.cutoff);
                                                     }
-                                                    let _e1607 = phi_2243_;
-                                                    phi_2244_ = _e1607;
+                                                    let _e1608 = phi_2244_;
+                                                    phi_2245_ = _e1608;
                                                 } else {
-                                                    phi_2244_ = false;
+                                                    phi_2245_ = false;
                                                 }
-                                                let _e1609 = phi_2244_;
-                                                phi_2245_ = _e1609;
+                                                let _e1610 = phi_2245_;
+                                                phi_2246_ = _e1610;
                                             }
-                                            let _e1611 = phi_2245_;
-                                            if _e1611 {
-                                                phi_2249_ = false;
+                                            let _e1612 = phi_2246_;
+                                            if _e1612 {
+                                                phi_2250_ = false;
                                             } else {
-                                                phi_2249_ = true;
+                                                phi_2250_ = true;
                                             }
-                                            let _e1613 = phi_2249_;
-                                            phi_2250_ = _e1611;
-                                            phi_2251_ = _e1611;
-                                            phi_2252_ = _e1613;
+                                            let _e1614 = phi_2250_;
+                                            phi_2251_ = _e1612;
+                                            phi_2252_ = _e1612;
+                                            phi_2253_ = _e1614;
                                         } else {
-                                            phi_2250_ = bool();
-                                            phi_2251_ = _e957;
-                                            phi_2252_ = true;
+                                            phi_2251_ = bool();
+                                            phi_2252_ = _e958;
+                                            phi_2253_ = true;
                                         }
-                                        let _e1615 = phi_2250_;
-                                        let _e1617 = phi_2251_;
-                                        let _e1619 = phi_2252_;
-                                        phi_2253_ = _e1615;
-                                        phi_2254_ = _e1617;
-                                        phi_2255_ = _e1619;
+                                        let _e1616 = phi_2251_;
+                                        let _e1618 = phi_2252_;
+                                        let _e1620 = phi_2253_;
+                                        phi_2254_ = _e1616;
+                                        phi_2255_ = _e1618;
+                                        phi_2256_ = _e1620;
                                     } else {
-                                        phi_2253_ = bool();
-                                        phi_2254_ = _e957;
-                                        phi_2255_ = true;
+                                        phi_2254_ = bool();
+                                        phi_2255_ = _e958;
+                                        phi_2256_ = true;
                                     }
-                                    let _e1621 = phi_2253_;
-                                    let _e1623 = phi_2254_;
-                                    let _e1625 = phi_2255_;
-                                    phi_2256_ = _e1621;
-                                    phi_2257_ = _e1623;
-                                    phi_2258_ = _e1625;
+                                    let _e1622 = phi_2254_;
+                                    let _e1624 = phi_2255_;
+                                    let _e1626 = phi_2256_;
+                                    phi_2257_ = _e1622;
+                                    phi_2258_ = _e1624;
+                                    phi_2259_ = _e1626;
                                 } else {
-                                    phi_2256_ = bool();
-                                    phi_2257_ = _e957;
-                                    phi_2258_ = true;
+                                    phi_2257_ = bool();
+                                    phi_2258_ = _e958;
+                                    phi_2259_ = true;
                                 }
-                                let _e1627 = phi_2256_;
-                                let _e1629 = phi_2257_;
-                                let _e1631 = phi_2258_;
-                                if _e1631 {
+                                let _e1628 = phi_2257_;
+                                let _e1630 = phi_2258_;
+                                let _e1632 = phi_2259_;
+                                if _e1632 {
                                 }
-                                phi_1456_ = (_e955 & (_e955 - 1u));
-                                phi_1459_ = _e1629;
-                                phi_2262_ = _e1627;
-                                phi_2263_ = _e1631;
+                                phi_1457_ = (_e956 & (_e956 - 1u));
+                                phi_1460_ = _e1630;
+                                phi_2263_ = _e1628;
+                                phi_2264_ = _e1632;
                             }
-                            let _e1633 = phi_1456_;
-                            let _e1635 = phi_1459_;
-                            let _e1637 = phi_2262_;
-                            let _e1639 = phi_2263_;
-                            local_8 = _e1637;
+                            let _e1634 = phi_1457_;
+                            let _e1636 = phi_1460_;
+                            let _e1638 = phi_2263_;
+                            let _e1640 = phi_2264_;
+                            local_8 = _e1638;
                             continue;
                             continuing {
-                                phi_1455_ = _e1633;
-                                phi_1458_ = _e1635;
-                                break if !(_e1639);
+                                phi_1456_ = _e1634;
+                                phi_1459_ = _e1636;
+                                break if !(_e1640);
                             }
                         }
-                        let _e1642 = local_5;
-                        if _e1642 {
-                            let _e1644 = local_1.group_mask;
-                            if ((_e1644 & 4278190080u) == 0u) {
-                                let _e1648 = local_1.len;
-                                if (_e1648 == 0u) {
-                                    phi_2305_ = false;
+                        let _e1643 = local_5;
+                        if _e1643 {
+                            let _e1645 = local_1.group_mask;
+                            if ((_e1645 & 4278190080u) == 0u) {
+                                let _e1649 = local_1.len;
+                                if (_e1649 == 0u) {
+                                    phi_2306_ = false;
                                 } else {
-                                    let _e1652 = local_1.len;
-                                    local_1.len = (_e1652 - 1u);
-                                    let _e1655 = local_1.len;
-                                    if (_e1655 < 32u) {
+                                    let _e1653 = local_1.len;
+                                    local_1.len = (_e1653 - 1u);
+                                    let _e1656 = local_1.len;
+                                    if (_e1656 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1660 = local_1.first[(0u + _e1655)];
-                                    local_1.group = _e1660;
-                                    let _e1663 = local_1.len;
-                                    if (_e1663 < 32u) {
+                                    let _e1661 = local_1.first[(0u + _e1656)];
+                                    local_1.group = _e1661;
+                                    let _e1664 = local_1.len;
+                                    if (_e1664 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e1668 = local_1.mask[(0u + _e1663)];
-                                    local_1.group_mask = _e1668;
-                                    phi_2305_ = true;
+                                    let _e1669 = local_1.mask[(0u + _e1664)];
+                                    local_1.group_mask = _e1669;
+                                    phi_2306_ = true;
                                 }
-                                let _e1671 = phi_2305_;
-                                phi_2306_ = _e1671;
+                                let _e1672 = phi_2306_;
+                                phi_2307_ = _e1672;
                             } else {
-                                phi_2306_ = true;
+                                phi_2307_ = true;
                             }
-                            let _e1673 = phi_2306_;
-                            if _e1673 {
-                                let _e1675 = local_1.group_mask;
-                                let _e1681 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1675)), 32u, (_e1675 == 0u)));
-                                let _e1685 = local_1.group_mask;
-                                let _e1699 = local_1.group_mask;
-                                local_1.group_mask = (_e1699 & ~((1u << bitcast<u32>((_e1681 & 31u)))));
-                                let _e1702 = local_1.group;
-                                phi_2337_ = (_e1702 + countOneBits(((_e1685 & ~((4294967295u << bitcast<u32>((((_e1681 - 24u) ^ _e379) & 31u))))) & 255u)));
+                            let _e1674 = phi_2307_;
+                            if _e1674 {
+                                let _e1676 = local_1.group_mask;
+                                let _e1682 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1676)), 32u, (_e1676 == 0u)));
+                                let _e1686 = local_1.group_mask;
+                                let _e1700 = local_1.group_mask;
+                                local_1.group_mask = (_e1700 & ~((1u << bitcast<u32>((_e1682 & 31u)))));
+                                let _e1703 = local_1.group;
+                                phi_2338_ = (_e1703 + countOneBits(((_e1686 & ~((4294967295u << bitcast<u32>((((_e1682 - 24u) ^ _e380) & 31u))))) & 255u)));
                             } else {
-                                phi_2337_ = 4294967295u;
+                                phi_2338_ = 4294967295u;
                             }
-                            let _e1705 = phi_2337_;
-                            phi_2338_ = _e1705;
+                            let _e1706 = phi_2338_;
+                            phi_2339_ = _e1706;
                         } else {
-                            phi_2338_ = u32();
+                            phi_2339_ = u32();
                         }
-                        let _e1707 = phi_2338_;
-                        phi_1124_ = _e1707;
-                        let _e1913 = local_7;
-                        phi_1127_ = _e1913;
-                        let _e1916 = local_8;
-                        phi_2339_ = _e1916;
-                        let _e1919 = local_9;
-                        phi_2340_ = _e1919;
-                        phi_2341_ = false;
+                        let _e1708 = phi_2339_;
+                        phi_1125_ = _e1708;
+                        let _e1914 = local_7;
+                        phi_1128_ = _e1914;
+                        let _e1917 = local_8;
+                        phi_2340_ = _e1917;
+                        let _e1920 = local_9;
+                        phi_2341_ = _e1920;
+                        phi_2342_ = false;
                     } else {
-                        phi_1124_ = u32();
-                        phi_1127_ = bool();
-                        phi_2339_ = bool();
-                        phi_2340_ = false;
-                        phi_2341_ = true;
+                        phi_1125_ = u32();
+                        phi_1128_ = bool();
+                        phi_2340_ = bool();
+                        phi_2341_ = false;
+                        phi_2342_ = true;
                     }
-                    let _e1709 = phi_1124_;
-                    let _e1711 = phi_1127_;
-                    let _e1713 = phi_2339_;
-                    let _e1715 = phi_2340_;
-                    let _e1717 = phi_2341_;
-                    local_6 = _e1717;
-                    local_10 = _e1713;
+                    let _e1710 = phi_1125_;
+                    let _e1712 = phi_1128_;
+                    let _e1714 = phi_2340_;
+                    let _e1716 = phi_2341_;
+                    let _e1718 = phi_2342_;
+                    local_6 = _e1718;
+                    local_10 = _e1714;
                     continue;
                     continuing {
-                        phi_1123_ = _e1709;
-                        phi_1126_ = _e1711;
-                        break if !(_e1715);
+                        phi_1124_ = _e1710;
+                        phi_1127_ = _e1712;
+                        break if !(_e1716);
                     }
                 }
-                let _e1720 = local_6;
-                if _e1720 {
-                    phi_2345_ = false;
+                let _e1721 = local_6;
+                if _e1721 {
+                    phi_2346_ = false;
                 } else {
-                    phi_2345_ = true;
+                    phi_2346_ = true;
                 }
-                let _e1722 = phi_2345_;
-                if _e1722 {
-                    let _e1925 = local_10;
-                    phi_2349_ = _e1925;
+                let _e1723 = phi_2346_;
+                if _e1723 {
+                    let _e1926 = local_10;
+                    phi_2350_ = _e1926;
                 } else {
-                    let _e1927 = local_11;
-                    phi_2349_ = _e1927;
+                    let _e1928 = local_11;
+                    phi_2350_ = _e1928;
                 }
-                let _e1724 = phi_2349_;
-                phi_2350_ = _e1724;
+                let _e1725 = phi_2350_;
+                phi_2351_ = _e1725;
             }
-            let _e1726 = phi_2350_;
-            phi_2351_ = _e1726;
-            phi_2352_ = _e201;
+            let _e1727 = phi_2351_;
+            phi_2352_ = _e1727;
+            phi_2353_ = _e202;
         } else {
-            phi_2351_ = bool();
-            phi_2352_ = true;
+            phi_2352_ = bool();
+            phi_2353_ = true;
         }
-        let _e1728 = phi_2351_;
-        let _e1730 = phi_2352_;
-        if _e1730 {
-            phi_2356_ = false;
+        let _e1729 = phi_2352_;
+        let _e1731 = phi_2353_;
+        if _e1731 {
+            phi_2357_ = false;
         } else {
-            phi_2356_ = _e1728;
+            phi_2357_ = _e1729;
         }
-        let _e1732 = phi_2356_;
-        if _e1732 {
-            phi_2360_ = 0f;
+        let _e1733 = phi_2357_;
+        if _e1733 {
+            phi_2361_ = 0f;
         } else {
-            phi_2360_ = 1f;
+            phi_2361_ = 1f;
         }
-        let _e1734 = phi_2360_;
-        if (_e106 < arrayLength((&visibility.member))) {
+        let _e1735 = phi_2361_;
+        if (_e107 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e106)] = _e1734;
+        visibility.member[(0u + _e107)] = _e1735;
     }
     return;
 }

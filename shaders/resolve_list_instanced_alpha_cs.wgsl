@@ -582,227 +582,226 @@ fn function_() {
     var local: texture_TextureView;
     var local_1: lt_bvh_traverse_Stack;
     var local_2: lt_bvh_traverse_Stack;
-    var phi_698_: f32;
-    var phi_730_: bool;
+    var phi_699_: f32;
     var phi_731_: bool;
     var phi_732_: bool;
     var phi_733_: bool;
-    var phi_737_: bool;
-    var phi_750_: bool;
+    var phi_734_: bool;
+    var phi_738_: bool;
     var phi_751_: bool;
     var phi_752_: bool;
     var phi_753_: bool;
-    var phi_757_: bool;
-    var phi_770_: bool;
+    var phi_754_: bool;
+    var phi_758_: bool;
     var phi_771_: bool;
     var phi_772_: bool;
-    var phi_776_: bool;
+    var phi_773_: bool;
     var phi_777_: bool;
     var phi_778_: bool;
     var phi_779_: bool;
     var phi_780_: bool;
-    var phi_784_: bool;
-    var phi_854_: f32;
-    var phi_861_: f32;
-    var phi_868_: f32;
-    var phi_875_: f32;
-    var phi_882_: f32;
-    var phi_889_: f32;
-    var phi_906_: f32;
-    var phi_911_: f32;
-    var phi_916_: f32;
-    var phi_921_: f32;
-    var phi_926_: f32;
-    var phi_945_: u32;
-    var phi_950_: u32;
-    var phi_955_: u32;
-    var phi_1069_: bool;
+    var phi_781_: bool;
+    var phi_785_: bool;
+    var phi_855_: f32;
+    var phi_862_: f32;
+    var phi_869_: f32;
+    var phi_876_: f32;
+    var phi_883_: f32;
+    var phi_890_: f32;
+    var phi_907_: f32;
+    var phi_912_: f32;
+    var phi_917_: f32;
+    var phi_922_: f32;
+    var phi_927_: f32;
+    var phi_946_: u32;
+    var phi_951_: u32;
+    var phi_956_: u32;
     var phi_1070_: bool;
-    var phi_1101_: u32;
-    var phi_1103_: u32;
-    var phi_1106_: bool;
-    var phi_1186_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1213_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1240_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_1246_: u32;
-    var phi_1249_: u32;
-    var phi_1263_: u32;
-    var phi_1273_: u32;
-    var phi_1283_: u32;
-    var phi_1301_: u32;
-    var phi_1311_: u32;
-    var phi_1321_: u32;
-    var phi_1357_: u32;
-    var phi_1370_: u32;
-    var phi_1375_: u32;
-    var phi_1376_: u32;
-    var phi_1377_: u32;
+    var phi_1071_: bool;
+    var phi_1102_: u32;
+    var phi_1104_: u32;
+    var phi_1107_: bool;
+    var phi_1187_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1214_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_1241_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_1247_: u32;
     var phi_1250_: u32;
+    var phi_1264_: u32;
+    var phi_1274_: u32;
+    var phi_1284_: u32;
+    var phi_1302_: u32;
+    var phi_1312_: u32;
+    var phi_1322_: u32;
+    var phi_1358_: u32;
+    var phi_1371_: u32;
+    var phi_1376_: u32;
+    var phi_1377_: u32;
+    var phi_1378_: u32;
+    var phi_1248_: u32;
+    var phi_1251_: u32;
     var local_3: u32;
     var local_4: u32;
     var local_5: u32;
-    var phi_1435_: u32;
-    var phi_1438_: bool;
-    var phi_1487_: f32;
-    var phi_1492_: f32;
-    var phi_1497_: f32;
-    var phi_1505_: f32;
-    var phi_1510_: f32;
-    var phi_1515_: f32;
-    var phi_1635_: bool;
+    var phi_1436_: u32;
+    var phi_1439_: bool;
+    var phi_1488_: f32;
+    var phi_1493_: f32;
+    var phi_1498_: f32;
+    var phi_1506_: f32;
+    var phi_1511_: f32;
+    var phi_1516_: f32;
     var phi_1636_: bool;
     var phi_1637_: bool;
     var phi_1638_: bool;
-    var phi_1642_: bool;
-    var phi_1655_: bool;
+    var phi_1639_: bool;
+    var phi_1643_: bool;
     var phi_1656_: bool;
     var phi_1657_: bool;
     var phi_1658_: bool;
-    var phi_1662_: bool;
-    var phi_1675_: bool;
+    var phi_1659_: bool;
+    var phi_1663_: bool;
     var phi_1676_: bool;
     var phi_1677_: bool;
-    var phi_1681_: bool;
+    var phi_1678_: bool;
     var phi_1682_: bool;
     var phi_1683_: bool;
     var phi_1684_: bool;
     var phi_1685_: bool;
-    var phi_1689_: bool;
-    var phi_1759_: f32;
-    var phi_1766_: f32;
-    var phi_1773_: f32;
-    var phi_1780_: f32;
-    var phi_1787_: f32;
-    var phi_1794_: f32;
-    var phi_1811_: f32;
-    var phi_1816_: f32;
-    var phi_1821_: f32;
-    var phi_1826_: f32;
-    var phi_1831_: f32;
-    var phi_1857_: bool;
+    var phi_1686_: bool;
+    var phi_1690_: bool;
+    var phi_1760_: f32;
+    var phi_1767_: f32;
+    var phi_1774_: f32;
+    var phi_1781_: f32;
+    var phi_1788_: f32;
+    var phi_1795_: f32;
+    var phi_1812_: f32;
+    var phi_1817_: f32;
+    var phi_1822_: f32;
+    var phi_1827_: f32;
+    var phi_1832_: f32;
     var phi_1858_: bool;
-    var phi_1866_: u32;
+    var phi_1859_: bool;
     var phi_1867_: u32;
-    var phi_1878_: vec3<f32>;
+    var phi_1868_: u32;
     var phi_1879_: vec3<f32>;
-    var phi_1892_: u32;
-    var phi_1897_: u32;
-    var phi_1902_: u32;
-    var phi_2016_: bool;
+    var phi_1880_: vec3<f32>;
+    var phi_1893_: u32;
+    var phi_1898_: u32;
+    var phi_1903_: u32;
     var phi_2017_: bool;
-    var phi_2048_: u32;
-    var phi_2050_: u32;
-    var phi_2053_: bool;
-    var phi_2133_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2160_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2187_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
-    var phi_2193_: u32;
-    var phi_2196_: u32;
-    var phi_2210_: u32;
-    var phi_2220_: u32;
-    var phi_2230_: u32;
-    var phi_2248_: u32;
-    var phi_2258_: u32;
-    var phi_2268_: u32;
-    var phi_2304_: u32;
-    var phi_2317_: u32;
-    var phi_2322_: u32;
-    var phi_2323_: u32;
-    var phi_2324_: u32;
+    var phi_2018_: bool;
+    var phi_2049_: u32;
+    var phi_2051_: u32;
+    var phi_2054_: bool;
+    var phi_2134_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2161_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
+    var phi_2188_: u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_;
     var phi_2194_: u32;
     var phi_2197_: u32;
+    var phi_2211_: u32;
+    var phi_2221_: u32;
+    var phi_2231_: u32;
+    var phi_2249_: u32;
+    var phi_2259_: u32;
+    var phi_2269_: u32;
+    var phi_2305_: u32;
+    var phi_2318_: u32;
+    var phi_2323_: u32;
+    var phi_2324_: u32;
+    var phi_2325_: u32;
+    var phi_2195_: u32;
+    var phi_2198_: u32;
     var local_6: u32;
     var local_7: u32;
     var local_8: u32;
-    var phi_2382_: u32;
-    var phi_2385_: bool;
-    var phi_2429_: vec3<f32>;
+    var phi_2383_: u32;
+    var phi_2386_: bool;
     var phi_2430_: vec3<f32>;
-    var phi_2459_: vec3<f32>;
+    var phi_2431_: vec3<f32>;
     var phi_2460_: vec3<f32>;
-    var phi_2489_: vec3<f32>;
+    var phi_2461_: vec3<f32>;
     var phi_2490_: vec3<f32>;
-    var phi_2508_: bool;
+    var phi_2491_: vec3<f32>;
     var phi_2509_: bool;
-    var phi_2513_: f32;
+    var phi_2510_: bool;
     var phi_2514_: f32;
     var phi_2515_: f32;
     var phi_2516_: f32;
-    var phi_2524_: f32;
-    var phi_2534_: bool;
+    var phi_2517_: f32;
+    var phi_2525_: f32;
     var phi_2535_: bool;
-    var phi_2539_: f32;
+    var phi_2536_: bool;
     var phi_2540_: f32;
     var phi_2541_: f32;
     var phi_2542_: f32;
-    var phi_2550_: f32;
-    var phi_2560_: bool;
+    var phi_2543_: f32;
+    var phi_2551_: f32;
     var phi_2561_: bool;
-    var phi_2565_: f32;
+    var phi_2562_: bool;
     var phi_2566_: f32;
     var phi_2567_: f32;
     var phi_2568_: f32;
-    var phi_2576_: f32;
-    var phi_2591_: f32;
-    var phi_2592_: bool;
-    var phi_2593_: f32;
-    var phi_2594_: bool;
-    var phi_2595_: f32;
-    var phi_2596_: bool;
-    var phi_2614_: f32;
-    var phi_2615_: bool;
+    var phi_2569_: f32;
+    var phi_2577_: f32;
+    var phi_2592_: f32;
+    var phi_2593_: bool;
+    var phi_2594_: f32;
+    var phi_2595_: bool;
+    var phi_2596_: f32;
+    var phi_2597_: bool;
+    var phi_2615_: f32;
     var phi_2616_: bool;
-    var phi_2617_: f32;
-    var phi_2618_: bool;
+    var phi_2617_: bool;
+    var phi_2618_: f32;
     var phi_2619_: bool;
-    var phi_2623_: bool;
-    var phi_2624_: f32;
-    var phi_2625_: bool;
-    var phi_2653_: vec3<f32>;
+    var phi_2620_: bool;
+    var phi_2624_: bool;
+    var phi_2625_: f32;
+    var phi_2626_: bool;
     var phi_2654_: vec3<f32>;
-    var phi_2679_: vec3<f32>;
+    var phi_2655_: vec3<f32>;
     var phi_2680_: vec3<f32>;
-    var phi_2705_: vec3<f32>;
+    var phi_2681_: vec3<f32>;
     var phi_2706_: vec3<f32>;
-    var phi_2762_: f32;
-    var phi_2771_: f32;
-    var phi_2780_: f32;
-    var phi_2789_: f32;
-    var phi_2796_: f32;
-    var phi_2803_: f32;
-    var phi_2816_: f32;
-    var phi_2825_: f32;
-    var phi_2834_: f32;
-    var phi_2843_: f32;
-    var phi_2850_: f32;
-    var phi_2857_: f32;
-    var phi_2874_: f32;
-    var phi_2879_: f32;
-    var phi_2884_: f32;
-    var phi_2892_: f32;
-    var phi_2897_: f32;
-    var phi_2902_: f32;
-    var phi_2914_: f32;
-    var phi_2919_: f32;
-    var phi_2924_: f32;
-    var phi_2929_: f32;
-    var phi_2934_: lt_bvh_triangle_Intersection;
-    var phi_2935_: bool;
-    var phi_2936_: lt_bvh_triangle_Intersection;
-    var phi_2937_: bool;
-    var phi_2941_: lt_bvh_triangle_Intersection;
-    var phi_2942_: bool;
-    var phi_2943_: lt_bvh_triangle_Intersection;
-    var phi_2944_: bool;
+    var phi_2707_: vec3<f32>;
+    var phi_2763_: f32;
+    var phi_2772_: f32;
+    var phi_2781_: f32;
+    var phi_2790_: f32;
+    var phi_2797_: f32;
+    var phi_2804_: f32;
+    var phi_2817_: f32;
+    var phi_2826_: f32;
+    var phi_2835_: f32;
+    var phi_2844_: f32;
+    var phi_2851_: f32;
+    var phi_2858_: f32;
+    var phi_2875_: f32;
+    var phi_2880_: f32;
+    var phi_2885_: f32;
+    var phi_2893_: f32;
+    var phi_2898_: f32;
+    var phi_2903_: f32;
+    var phi_2915_: f32;
+    var phi_2920_: f32;
+    var phi_2925_: f32;
+    var phi_2930_: f32;
+    var phi_2935_: lt_bvh_triangle_Intersection;
+    var phi_2936_: bool;
+    var phi_2937_: lt_bvh_triangle_Intersection;
+    var phi_2938_: bool;
+    var phi_2942_: lt_bvh_triangle_Intersection;
+    var phi_2943_: bool;
+    var phi_2944_: lt_bvh_triangle_Intersection;
     var phi_2945_: bool;
-    var phi_2949_: bool;
-    var phi_2953_: lt_bvh_triangle_Intersection;
-    var phi_3167_: f32;
-    var phi_3170_: bool;
+    var phi_2946_: bool;
+    var phi_2950_: bool;
+    var phi_2954_: lt_bvh_triangle_Intersection;
+    var phi_3168_: f32;
     var phi_3171_: bool;
     var phi_3172_: bool;
-    var phi_3176_: bool;
+    var phi_3173_: bool;
     var phi_3177_: bool;
     var phi_3178_: bool;
     var phi_3179_: bool;
@@ -812,55 +811,56 @@ fn function_() {
     var phi_3183_: bool;
     var phi_3184_: bool;
     var phi_3185_: bool;
-    var phi_2383_: u32;
-    var phi_2386_: bool;
-    var phi_3189_: bool;
+    var phi_3186_: bool;
+    var phi_2384_: u32;
+    var phi_2387_: bool;
     var phi_3190_: bool;
+    var phi_3191_: bool;
     var local_9: bool;
-    var phi_3232_: bool;
     var phi_3233_: bool;
-    var phi_3264_: u32;
+    var phi_3234_: bool;
     var phi_3265_: u32;
-    var phi_2051_: u32;
-    var phi_2054_: bool;
-    var phi_3266_: bool;
+    var phi_3266_: u32;
+    var phi_2052_: u32;
+    var phi_2055_: bool;
     var phi_3267_: bool;
     var phi_3268_: bool;
+    var phi_3269_: bool;
     var local_10: bool;
-    var phi_3272_: bool;
-    var phi_3276_: bool;
+    var phi_3273_: bool;
     var phi_3277_: bool;
     var phi_3278_: bool;
     var phi_3279_: bool;
-    var phi_3283_: bool;
-    var phi_3287_: bool;
+    var phi_3280_: bool;
+    var phi_3284_: bool;
     var phi_3288_: bool;
     var phi_3289_: bool;
     var phi_3290_: bool;
     var phi_3291_: bool;
     var phi_3292_: bool;
     var phi_3293_: bool;
-    var phi_1436_: u32;
-    var phi_1439_: bool;
-    var phi_3297_: bool;
+    var phi_3294_: bool;
+    var phi_1437_: u32;
+    var phi_1440_: bool;
+    var phi_3298_: bool;
     var local_11: bool;
-    var phi_3339_: bool;
     var phi_3340_: bool;
-    var phi_3371_: u32;
+    var phi_3341_: bool;
     var phi_3372_: u32;
-    var phi_1104_: u32;
-    var phi_1107_: bool;
-    var phi_3373_: bool;
+    var phi_3373_: u32;
+    var phi_1105_: u32;
+    var phi_1108_: bool;
     var phi_3374_: bool;
+    var phi_3375_: bool;
     var local_12: bool;
-    var phi_3378_: bool;
-    var phi_3382_: bool;
+    var phi_3379_: bool;
     var phi_3383_: bool;
     var phi_3384_: bool;
-    var phi_3388_: bool;
+    var phi_3385_: bool;
     var phi_3389_: bool;
-    var phi_3393_: bool;
-    var phi_3397_: f32;
+    var phi_3390_: bool;
+    var phi_3394_: bool;
+    var phi_3398_: f32;
     var local_13: bool;
     var local_14: bool;
     var local_15: bool;
@@ -888,1981 +888,1982 @@ fn function_() {
             return;
         }
         let _e110 = list.member[(0u + _e106)];
-        let _e112 = p.member.root;
-        if (_e110 < arrayLength((&samples.member))) {
+        let _e111 = (_e110 & 2147483647u);
+        let _e113 = p.member.root;
+        if (_e111 < arrayLength((&samples.member))) {
         } else {
             return;
         }
-        let _e118 = samples.member[(0u + _e110)].position;
-        let _e120 = samples.member[(0u + _e110)].normal;
-        let _e122 = samples.member[(0u + _e110)].magnitude;
-        let _e124 = ((8f / 8388608f) * _e122);
-        let _e132 = (_e118.x + (_e120.x * _e124));
-        let _e134 = (_e118.y + (_e120.y * _e124));
-        let _e136 = (_e118.z + (_e120.z * _e124));
-        let _e138 = p.member.light.place;
-        if (_e138.w == 0f) {
-            phi_698_ = 300000000000000000000000000000000000000f;
+        let _e119 = samples.member[(0u + _e111)].position;
+        let _e121 = samples.member[(0u + _e111)].normal;
+        let _e123 = samples.member[(0u + _e111)].magnitude;
+        let _e125 = ((8f / 8388608f) * _e123);
+        let _e133 = (_e119.x + (_e121.x * _e125));
+        let _e135 = (_e119.y + (_e121.y * _e125));
+        let _e137 = (_e119.z + (_e121.z * _e125));
+        let _e139 = p.member.light.place;
+        if (_e139.w == 0f) {
+            phi_699_ = 300000000000000000000000000000000000000f;
         } else {
-            phi_698_ = 1f;
+            phi_699_ = 1f;
         }
-        let _e142 = phi_698_;
-        let _e150 = (_e138.x - (_e132 * _e138.w));
-        let _e151 = (_e138.y - (_e134 * _e138.w));
-        let _e152 = (_e138.z - (_e136 * _e138.w));
-        let _e153 = abs(_e150);
+        let _e143 = phi_699_;
+        let _e151 = (_e139.x - (_e133 * _e139.w));
+        let _e152 = (_e139.y - (_e135 * _e139.w));
+        let _e153 = (_e139.z - (_e137 * _e139.w));
         let _e154 = abs(_e151);
         let _e155 = abs(_e152);
-        if (abs(_e132) < 1000000000000000f) {
-            if (abs(_e134) < 1000000000000000f) {
-                phi_730_ = (abs(_e136) < 1000000000000000f);
-                phi_731_ = false;
+        let _e156 = abs(_e153);
+        if (abs(_e133) < 1000000000000000f) {
+            if (abs(_e135) < 1000000000000000f) {
+                phi_731_ = (abs(_e137) < 1000000000000000f);
+                phi_732_ = false;
             } else {
-                phi_730_ = bool();
-                phi_731_ = true;
+                phi_731_ = bool();
+                phi_732_ = true;
             }
-            let _e163 = phi_730_;
-            let _e165 = phi_731_;
-            phi_732_ = _e163;
-            phi_733_ = _e165;
+            let _e164 = phi_731_;
+            let _e166 = phi_732_;
+            phi_733_ = _e164;
+            phi_734_ = _e166;
         } else {
-            phi_732_ = bool();
-            phi_733_ = true;
+            phi_733_ = bool();
+            phi_734_ = true;
         }
-        let _e167 = phi_732_;
-        let _e169 = phi_733_;
-        if _e169 {
-            phi_737_ = false;
+        let _e168 = phi_733_;
+        let _e170 = phi_734_;
+        if _e170 {
+            phi_738_ = false;
         } else {
-            phi_737_ = _e167;
+            phi_738_ = _e168;
         }
-        let _e171 = phi_737_;
-        if _e171 {
-            if (_e153 < 1000000000000000f) {
-                if (_e154 < 1000000000000000f) {
-                    phi_750_ = (_e155 < 1000000000000000f);
-                    phi_751_ = false;
+        let _e172 = phi_738_;
+        if _e172 {
+            if (_e154 < 1000000000000000f) {
+                if (_e155 < 1000000000000000f) {
+                    phi_751_ = (_e156 < 1000000000000000f);
+                    phi_752_ = false;
                 } else {
-                    phi_750_ = bool();
-                    phi_751_ = true;
+                    phi_751_ = bool();
+                    phi_752_ = true;
                 }
-                let _e176 = phi_750_;
-                let _e178 = phi_751_;
-                phi_752_ = _e176;
-                phi_753_ = _e178;
+                let _e177 = phi_751_;
+                let _e179 = phi_752_;
+                phi_753_ = _e177;
+                phi_754_ = _e179;
             } else {
-                phi_752_ = bool();
-                phi_753_ = true;
+                phi_753_ = bool();
+                phi_754_ = true;
             }
-            let _e180 = phi_752_;
-            let _e182 = phi_753_;
-            if _e182 {
-                phi_757_ = false;
+            let _e181 = phi_753_;
+            let _e183 = phi_754_;
+            if _e183 {
+                phi_758_ = false;
             } else {
-                phi_757_ = _e180;
+                phi_758_ = _e181;
             }
-            let _e184 = phi_757_;
-            if _e184 {
-                if (_e153 > 0f) {
-                    phi_771_ = bool();
-                    phi_772_ = true;
+            let _e185 = phi_758_;
+            if _e185 {
+                if (_e154 > 0f) {
+                    phi_772_ = bool();
+                    phi_773_ = true;
                 } else {
-                    let _e186 = (_e154 > 0f);
-                    if _e186 {
-                        phi_770_ = bool();
+                    let _e187 = (_e155 > 0f);
+                    if _e187 {
+                        phi_771_ = bool();
                     } else {
-                        phi_770_ = (_e155 > 0f);
+                        phi_771_ = (_e156 > 0f);
                     }
-                    let _e189 = phi_770_;
-                    phi_771_ = _e189;
-                    phi_772_ = _e186;
+                    let _e190 = phi_771_;
+                    phi_772_ = _e190;
+                    phi_773_ = _e187;
                 }
-                let _e191 = phi_771_;
-                let _e193 = phi_772_;
-                if _e193 {
-                    phi_776_ = true;
+                let _e192 = phi_772_;
+                let _e194 = phi_773_;
+                if _e194 {
+                    phi_777_ = true;
                 } else {
-                    phi_776_ = _e191;
+                    phi_777_ = _e192;
                 }
-                let _e195 = phi_776_;
-                phi_777_ = _e195;
-                phi_778_ = false;
+                let _e196 = phi_777_;
+                phi_778_ = _e196;
+                phi_779_ = false;
             } else {
-                phi_777_ = bool();
-                phi_778_ = true;
+                phi_778_ = bool();
+                phi_779_ = true;
             }
-            let _e197 = phi_777_;
-            let _e199 = phi_778_;
-            phi_779_ = _e197;
-            phi_780_ = _e199;
+            let _e198 = phi_778_;
+            let _e200 = phi_779_;
+            phi_780_ = _e198;
+            phi_781_ = _e200;
         } else {
-            phi_779_ = bool();
-            phi_780_ = true;
+            phi_780_ = bool();
+            phi_781_ = true;
         }
-        let _e201 = phi_779_;
-        let _e203 = phi_780_;
-        if _e203 {
-            phi_784_ = false;
+        let _e202 = phi_780_;
+        let _e204 = phi_781_;
+        if _e204 {
+            phi_785_ = false;
         } else {
-            phi_784_ = _e201;
+            phi_785_ = _e202;
         }
-        let _e205 = phi_784_;
-        if _e205 {
-            let _e206 = (_e112 >= _e76);
-            if _e206 {
-                phi_3382_ = false;
+        let _e206 = phi_785_;
+        if _e206 {
+            let _e207 = (_e113 >= _e76);
+            if _e207 {
+                phi_3383_ = false;
             } else {
-                if (_e112 < _e76) {
+                if (_e113 < _e76) {
                 } else {
                     return;
                 }
-                let _e212 = nodes.member[(0u + _e112)].frame[0u];
-                let _e216 = nodes.member[(0u + _e112)].frame[1u];
-                let _e220 = nodes.member[(0u + _e112)].frame[2u];
-                let _e224 = nodes.member[(0u + _e112)].frame[0u];
-                let _e228 = nodes.member[(0u + _e112)].frame[1u];
-                let _e232 = nodes.member[(0u + _e112)].frame[2u];
-                let _e236 = nodes.member[(0u + _e112)].frame[3u];
-                let _e270 = core_intrinsics_maximum_number_nsz_f32_(abs(_e150), abs(_e151));
-                let _e271 = core_intrinsics_maximum_number_nsz_f32_(_e270, abs(_e152));
-                let _e272 = (_e271 * 0.0000000000009094947f);
-                if (abs(_e150) < _e272) {
-                    phi_854_ = _e272;
+                let _e213 = nodes.member[(0u + _e113)].frame[0u];
+                let _e217 = nodes.member[(0u + _e113)].frame[1u];
+                let _e221 = nodes.member[(0u + _e113)].frame[2u];
+                let _e225 = nodes.member[(0u + _e113)].frame[0u];
+                let _e229 = nodes.member[(0u + _e113)].frame[1u];
+                let _e233 = nodes.member[(0u + _e113)].frame[2u];
+                let _e237 = nodes.member[(0u + _e113)].frame[3u];
+                let _e271 = core_intrinsics_maximum_number_nsz_f32_(abs(_e151), abs(_e152));
+                let _e272 = core_intrinsics_maximum_number_nsz_f32_(_e271, abs(_e153));
+                let _e273 = (_e272 * 0.0000000000009094947f);
+                if (abs(_e151) < _e273) {
+                    phi_855_ = _e273;
                 } else {
-                    phi_854_ = abs(_e150);
+                    phi_855_ = abs(_e151);
                 }
-                let _e277 = phi_854_;
-                if (_e150 < 0f) {
-                    phi_861_ = (-1f / _e277);
-                } else {
-                    phi_861_ = (1f / _e277);
-                }
-                let _e282 = phi_861_;
-                if (abs(_e151) < _e272) {
-                    phi_868_ = _e272;
-                } else {
-                    phi_868_ = abs(_e151);
-                }
-                let _e287 = phi_868_;
+                let _e278 = phi_855_;
                 if (_e151 < 0f) {
-                    phi_875_ = (-1f / _e287);
+                    phi_862_ = (-1f / _e278);
                 } else {
-                    phi_875_ = (1f / _e287);
+                    phi_862_ = (1f / _e278);
                 }
-                let _e292 = phi_875_;
-                if (abs(_e152) < _e272) {
-                    phi_882_ = _e272;
+                let _e283 = phi_862_;
+                if (abs(_e152) < _e273) {
+                    phi_869_ = _e273;
                 } else {
-                    phi_882_ = abs(_e152);
+                    phi_869_ = abs(_e152);
                 }
-                let _e297 = phi_882_;
+                let _e288 = phi_869_;
                 if (_e152 < 0f) {
-                    phi_889_ = (-1f / _e297);
+                    phi_876_ = (-1f / _e288);
                 } else {
-                    phi_889_ = (1f / _e297);
+                    phi_876_ = (1f / _e288);
                 }
-                let _e302 = phi_889_;
-                let _e306 = abs((bitcast<f32>(_e212) - _e132));
-                let _e307 = abs((bitcast<f32>(_e216) - _e134));
-                let _e308 = abs((bitcast<f32>(_e220) - _e136));
-                let _e312 = abs(((bitcast<f32>(_e224) + (bitcast<f32>((((_e236 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e132));
-                let _e313 = abs(((bitcast<f32>(_e228) + (bitcast<f32>((((_e236 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e134));
-                let _e314 = abs(((bitcast<f32>(_e232) + (bitcast<f32>((((_e236 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e136));
-                if (_e306 > _e312) {
-                    phi_906_ = _e306;
+                let _e293 = phi_876_;
+                if (abs(_e153) < _e273) {
+                    phi_883_ = _e273;
                 } else {
-                    phi_906_ = _e312;
+                    phi_883_ = abs(_e153);
                 }
-                let _e317 = phi_906_;
+                let _e298 = phi_883_;
+                if (_e153 < 0f) {
+                    phi_890_ = (-1f / _e298);
+                } else {
+                    phi_890_ = (1f / _e298);
+                }
+                let _e303 = phi_890_;
+                let _e307 = abs((bitcast<f32>(_e213) - _e133));
+                let _e308 = abs((bitcast<f32>(_e217) - _e135));
+                let _e309 = abs((bitcast<f32>(_e221) - _e137));
+                let _e313 = abs(((bitcast<f32>(_e225) + (bitcast<f32>((((_e237 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e133));
+                let _e314 = abs(((bitcast<f32>(_e229) + (bitcast<f32>((((_e237 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e135));
+                let _e315 = abs(((bitcast<f32>(_e233) + (bitcast<f32>((((_e237 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e137));
                 if (_e307 > _e313) {
-                    phi_911_ = _e307;
+                    phi_907_ = _e307;
                 } else {
-                    phi_911_ = _e313;
+                    phi_907_ = _e313;
                 }
-                let _e320 = phi_911_;
+                let _e318 = phi_907_;
                 if (_e308 > _e314) {
-                    phi_916_ = _e308;
+                    phi_912_ = _e308;
                 } else {
-                    phi_916_ = _e314;
+                    phi_912_ = _e314;
                 }
-                let _e323 = phi_916_;
-                if (_e317 > _e320) {
-                    phi_921_ = _e317;
+                let _e321 = phi_912_;
+                if (_e309 > _e315) {
+                    phi_917_ = _e309;
                 } else {
-                    phi_921_ = _e320;
+                    phi_917_ = _e315;
                 }
-                let _e326 = phi_921_;
-                if (_e326 > _e323) {
-                    phi_926_ = _e326;
+                let _e324 = phi_917_;
+                if (_e318 > _e321) {
+                    phi_922_ = _e318;
                 } else {
-                    phi_926_ = _e323;
+                    phi_922_ = _e321;
                 }
-                let _e329 = phi_926_;
-                let _e333 = (_e329 * 0.0000019073486f);
-                let _e334 = (abs(_e282) * _e333);
-                let _e335 = (abs(_e292) * _e333);
-                let _e336 = (abs(_e302) * _e333);
-                let _e340 = (_e329 * 0.0000009536743f);
-                let _e341 = (abs(_e282) * _e340);
-                let _e342 = (abs(_e292) * _e340);
-                let _e343 = (abs(_e302) * _e340);
-                if (_e282 < 0f) {
-                    phi_945_ = 0u;
+                let _e327 = phi_922_;
+                if (_e327 > _e324) {
+                    phi_927_ = _e327;
                 } else {
-                    phi_945_ = 1u;
+                    phi_927_ = _e324;
                 }
-                let _e346 = phi_945_;
-                if (_e292 < 0f) {
-                    phi_950_ = 0u;
+                let _e330 = phi_927_;
+                let _e334 = (_e330 * 0.0000019073486f);
+                let _e335 = (abs(_e283) * _e334);
+                let _e336 = (abs(_e293) * _e334);
+                let _e337 = (abs(_e303) * _e334);
+                let _e341 = (_e330 * 0.0000009536743f);
+                let _e342 = (abs(_e283) * _e341);
+                let _e343 = (abs(_e293) * _e341);
+                let _e344 = (abs(_e303) * _e341);
+                if (_e283 < 0f) {
+                    phi_946_ = 0u;
                 } else {
-                    phi_950_ = 2u;
+                    phi_946_ = 1u;
                 }
-                let _e349 = phi_950_;
-                if (_e302 < 0f) {
-                    phi_955_ = 0u;
+                let _e347 = phi_946_;
+                if (_e293 < 0f) {
+                    phi_951_ = 0u;
                 } else {
-                    phi_955_ = 4u;
+                    phi_951_ = 2u;
                 }
-                let _e352 = phi_955_;
-                let _e354 = ((_e346 | _e349) | _e352);
-                let _e355 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e112, 2147483648u);
-                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e355.first[0], _e355.first[1], _e355.first[2], _e355.first[3], _e355.first[4], _e355.first[5], _e355.first[6], _e355.first[7], _e355.first[8], _e355.first[9], _e355.first[10], _e355.first[11], _e355.first[12], _e355.first[13], _e355.first[14], _e355.first[15], _e355.first[16], _e355.first[17], _e355.first[18], _e355.first[19], _e355.first[20], _e355.first[21], _e355.first[22], _e355.first[23], _e355.first[24], _e355.first[25], _e355.first[26], _e355.first[27], _e355.first[28], _e355.first[29], _e355.first[30], _e355.first[31]), array<u32, 32>(_e355.mask[0], _e355.mask[1], _e355.mask[2], _e355.mask[3], _e355.mask[4], _e355.mask[5], _e355.mask[6], _e355.mask[7], _e355.mask[8], _e355.mask[9], _e355.mask[10], _e355.mask[11], _e355.mask[12], _e355.mask[13], _e355.mask[14], _e355.mask[15], _e355.mask[16], _e355.mask[17], _e355.mask[18], _e355.mask[19], _e355.mask[20], _e355.mask[21], _e355.mask[22], _e355.mask[23], _e355.mask[24], _e355.mask[25], _e355.mask[26], _e355.mask[27], _e355.mask[28], _e355.mask[29], _e355.mask[30], _e355.mask[31]), _e355.len, _e355.group, _e355.group_mask);
-                let _e429 = local_2.group_mask;
-                if ((_e429 & 4278190080u) == 0u) {
-                    let _e433 = local_2.len;
-                    if (_e433 == 0u) {
-                        phi_1069_ = false;
+                let _e350 = phi_951_;
+                if (_e303 < 0f) {
+                    phi_956_ = 0u;
+                } else {
+                    phi_956_ = 4u;
+                }
+                let _e353 = phi_956_;
+                let _e355 = ((_e347 | _e350) | _e353);
+                let _e356 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e113, 2147483648u);
+                local_2 = lt_bvh_traverse_Stack(array<u32, 32>(_e356.first[0], _e356.first[1], _e356.first[2], _e356.first[3], _e356.first[4], _e356.first[5], _e356.first[6], _e356.first[7], _e356.first[8], _e356.first[9], _e356.first[10], _e356.first[11], _e356.first[12], _e356.first[13], _e356.first[14], _e356.first[15], _e356.first[16], _e356.first[17], _e356.first[18], _e356.first[19], _e356.first[20], _e356.first[21], _e356.first[22], _e356.first[23], _e356.first[24], _e356.first[25], _e356.first[26], _e356.first[27], _e356.first[28], _e356.first[29], _e356.first[30], _e356.first[31]), array<u32, 32>(_e356.mask[0], _e356.mask[1], _e356.mask[2], _e356.mask[3], _e356.mask[4], _e356.mask[5], _e356.mask[6], _e356.mask[7], _e356.mask[8], _e356.mask[9], _e356.mask[10], _e356.mask[11], _e356.mask[12], _e356.mask[13], _e356.mask[14], _e356.mask[15], _e356.mask[16], _e356.mask[17], _e356.mask[18], _e356.mask[19], _e356.mask[20], _e356.mask[21], _e356.mask[22], _e356.mask[23], _e356.mask[24], _e356.mask[25], _e356.mask[26], _e356.mask[27], _e356.mask[28], _e356.mask[29], _e356.mask[30], _e356.mask[31]), _e356.len, _e356.group, _e356.group_mask);
+                let _e430 = local_2.group_mask;
+                if ((_e430 & 4278190080u) == 0u) {
+                    let _e434 = local_2.len;
+                    if (_e434 == 0u) {
+                        phi_1070_ = false;
                     } else {
-                        let _e437 = local_2.len;
-                        local_2.len = (_e437 - 1u);
-                        let _e440 = local_2.len;
-                        if (_e440 < 32u) {
+                        let _e438 = local_2.len;
+                        local_2.len = (_e438 - 1u);
+                        let _e441 = local_2.len;
+                        if (_e441 < 32u) {
                         } else {
                             return;
                         }
-                        let _e445 = local_2.first[(0u + _e440)];
-                        local_2.group = _e445;
-                        let _e448 = local_2.len;
-                        if (_e448 < 32u) {
+                        let _e446 = local_2.first[(0u + _e441)];
+                        local_2.group = _e446;
+                        let _e449 = local_2.len;
+                        if (_e449 < 32u) {
                         } else {
                             return;
                         }
-                        let _e453 = local_2.mask[(0u + _e448)];
-                        local_2.group_mask = _e453;
-                        phi_1069_ = true;
+                        let _e454 = local_2.mask[(0u + _e449)];
+                        local_2.group_mask = _e454;
+                        phi_1070_ = true;
                     }
-                    let _e456 = phi_1069_;
-                    phi_1070_ = _e456;
+                    let _e457 = phi_1070_;
+                    phi_1071_ = _e457;
                 } else {
-                    phi_1070_ = true;
+                    phi_1071_ = true;
                 }
-                let _e458 = phi_1070_;
-                if _e458 {
-                    let _e460 = local_2.group_mask;
-                    let _e466 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e460)), 32u, (_e460 == 0u)));
-                    let _e470 = local_2.group_mask;
-                    let _e484 = local_2.group_mask;
-                    local_2.group_mask = (_e484 & ~((1u << bitcast<u32>((_e466 & 31u)))));
-                    let _e487 = local_2.group;
-                    phi_1101_ = (_e487 + countOneBits(((_e470 & ~((4294967295u << bitcast<u32>((((_e466 - 24u) ^ 7u) & 31u))))) & 255u)));
+                let _e459 = phi_1071_;
+                if _e459 {
+                    let _e461 = local_2.group_mask;
+                    let _e467 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e461)), 32u, (_e461 == 0u)));
+                    let _e471 = local_2.group_mask;
+                    let _e485 = local_2.group_mask;
+                    local_2.group_mask = (_e485 & ~((1u << bitcast<u32>((_e467 & 31u)))));
+                    let _e488 = local_2.group;
+                    phi_1102_ = (_e488 + countOneBits(((_e471 & ~((4294967295u << bitcast<u32>((((_e467 - 24u) ^ 7u) & 31u))))) & 255u)));
                 } else {
-                    phi_1101_ = 4294967295u;
+                    phi_1102_ = 4294967295u;
                 }
-                let _e490 = phi_1101_;
-                phi_1103_ = _e490;
-                phi_1106_ = false;
+                let _e491 = phi_1102_;
+                phi_1104_ = _e491;
+                phi_1107_ = false;
                 loop {
-                    let _e492 = phi_1103_;
-                    let _e494 = phi_1106_;
-                    if (_e492 != 4294967295u) {
-                        if (_e492 < _e76) {
+                    let _e493 = phi_1104_;
+                    let _e495 = phi_1107_;
+                    if (_e493 != 4294967295u) {
+                        if (_e493 < _e76) {
                         } else {
                             return;
                         }
-                        let _e501 = nodes.member[(0u + _e492)].frame[3u];
-                        let _e526 = (bitcast<f32>((((_e501 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e282);
-                        let _e527 = (bitcast<f32>((((_e501 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e292);
-                        let _e528 = (bitcast<f32>((((_e501 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e302);
-                        let _e531 = nodes.member[(0u + _e492)].frame[0u];
-                        let _e535 = nodes.member[(0u + _e492)].frame[1u];
-                        let _e539 = nodes.member[(0u + _e492)].frame[2u];
-                        let _e544 = ((bitcast<f32>(_e531) - _e132) * _e282);
-                        let _e545 = ((bitcast<f32>(_e535) - _e134) * _e292);
-                        let _e546 = ((bitcast<f32>(_e539) - _e136) * _e302);
-                        let _e554 = nodes.member[(0u + _e492)].x;
-                        if (_e282 < 0f) {
-                            let _e565 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e554.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e571 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e565.unnamed.root, _e554.w), _e565.unnamed_1);
-                            let _e577 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e571.unnamed, lt_bvh_traverse_Tree(_e554.x, _e571.unnamed_1.first_primitive));
-                            phi_1186_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e577.unnamed, lt_bvh_traverse_Tree(_e577.unnamed_1.root, _e554.y));
+                        let _e502 = nodes.member[(0u + _e493)].frame[3u];
+                        let _e527 = (bitcast<f32>((((_e502 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e283);
+                        let _e528 = (bitcast<f32>((((_e502 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e293);
+                        let _e529 = (bitcast<f32>((((_e502 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e303);
+                        let _e532 = nodes.member[(0u + _e493)].frame[0u];
+                        let _e536 = nodes.member[(0u + _e493)].frame[1u];
+                        let _e540 = nodes.member[(0u + _e493)].frame[2u];
+                        let _e545 = ((bitcast<f32>(_e532) - _e133) * _e283);
+                        let _e546 = ((bitcast<f32>(_e536) - _e135) * _e293);
+                        let _e547 = ((bitcast<f32>(_e540) - _e137) * _e303);
+                        let _e555 = nodes.member[(0u + _e493)].x;
+                        if (_e283 < 0f) {
+                            let _e566 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e555.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e572 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e566.unnamed.root, _e555.w), _e566.unnamed_1);
+                            let _e578 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e572.unnamed, lt_bvh_traverse_Tree(_e555.x, _e572.unnamed_1.first_primitive));
+                            phi_1187_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e578.unnamed, lt_bvh_traverse_Tree(_e578.unnamed_1.root, _e555.y));
                         } else {
-                            let _e593 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e554.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e599 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e593.unnamed.root, _e554.y), _e593.unnamed_1);
-                            let _e605 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e599.unnamed, lt_bvh_traverse_Tree(_e554.z, _e599.unnamed_1.first_primitive));
-                            phi_1186_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e605.unnamed, lt_bvh_traverse_Tree(_e605.unnamed_1.root, _e554.w));
+                            let _e594 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e555.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e600 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e594.unnamed.root, _e555.y), _e594.unnamed_1);
+                            let _e606 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e600.unnamed, lt_bvh_traverse_Tree(_e555.z, _e600.unnamed_1.first_primitive));
+                            phi_1187_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e606.unnamed, lt_bvh_traverse_Tree(_e606.unnamed_1.root, _e555.w));
                         }
-                        let _e613 = phi_1186_;
-                        let _e623 = nodes.member[(0u + _e492)].y;
-                        if (_e292 < 0f) {
-                            let _e634 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e623.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e640 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e634.unnamed.root, _e623.w), _e634.unnamed_1);
-                            let _e646 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e640.unnamed, lt_bvh_traverse_Tree(_e623.x, _e640.unnamed_1.first_primitive));
-                            phi_1213_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e646.unnamed, lt_bvh_traverse_Tree(_e646.unnamed_1.root, _e623.y));
+                        let _e614 = phi_1187_;
+                        let _e624 = nodes.member[(0u + _e493)].y;
+                        if (_e293 < 0f) {
+                            let _e635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e624.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e641 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e635.unnamed.root, _e624.w), _e635.unnamed_1);
+                            let _e647 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e641.unnamed, lt_bvh_traverse_Tree(_e624.x, _e641.unnamed_1.first_primitive));
+                            phi_1214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e647.unnamed, lt_bvh_traverse_Tree(_e647.unnamed_1.root, _e624.y));
                         } else {
-                            let _e662 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e623.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e668 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e662.unnamed.root, _e623.y), _e662.unnamed_1);
-                            let _e674 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e668.unnamed, lt_bvh_traverse_Tree(_e623.z, _e668.unnamed_1.first_primitive));
-                            phi_1213_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e674.unnamed, lt_bvh_traverse_Tree(_e674.unnamed_1.root, _e623.w));
+                            let _e663 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e624.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e669 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e663.unnamed.root, _e624.y), _e663.unnamed_1);
+                            let _e675 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e669.unnamed, lt_bvh_traverse_Tree(_e624.z, _e669.unnamed_1.first_primitive));
+                            phi_1214_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e675.unnamed, lt_bvh_traverse_Tree(_e675.unnamed_1.root, _e624.w));
                         }
-                        let _e682 = phi_1213_;
-                        let _e692 = nodes.member[(0u + _e492)].z;
-                        if (_e302 < 0f) {
-                            let _e703 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e692.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e709 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e703.unnamed.root, _e692.w), _e703.unnamed_1);
-                            let _e715 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e709.unnamed, lt_bvh_traverse_Tree(_e692.x, _e709.unnamed_1.first_primitive));
-                            phi_1240_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e715.unnamed, lt_bvh_traverse_Tree(_e715.unnamed_1.root, _e692.y));
+                        let _e683 = phi_1214_;
+                        let _e693 = nodes.member[(0u + _e493)].z;
+                        if (_e303 < 0f) {
+                            let _e704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e693.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e710 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e704.unnamed.root, _e693.w), _e704.unnamed_1);
+                            let _e716 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e710.unnamed, lt_bvh_traverse_Tree(_e693.x, _e710.unnamed_1.first_primitive));
+                            phi_1241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e716.unnamed, lt_bvh_traverse_Tree(_e716.unnamed_1.root, _e693.y));
                         } else {
-                            let _e731 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e692.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                            let _e737 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e731.unnamed.root, _e692.y), _e731.unnamed_1);
-                            let _e743 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e737.unnamed, lt_bvh_traverse_Tree(_e692.z, _e737.unnamed_1.first_primitive));
-                            phi_1240_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e743.unnamed, lt_bvh_traverse_Tree(_e743.unnamed_1.root, _e692.w));
+                            let _e732 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e693.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                            let _e738 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e732.unnamed.root, _e693.y), _e732.unnamed_1);
+                            let _e744 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e738.unnamed, lt_bvh_traverse_Tree(_e693.z, _e738.unnamed_1.first_primitive));
+                            phi_1241_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e744.unnamed, lt_bvh_traverse_Tree(_e744.unnamed_1.root, _e693.w));
                         }
-                        let _e751 = phi_1240_;
-                        phi_1246_ = 0u;
-                        phi_1249_ = 0u;
+                        let _e752 = phi_1241_;
+                        phi_1247_ = 0u;
+                        phi_1250_ = 0u;
                         loop {
-                            let _e761 = phi_1246_;
-                            let _e763 = phi_1249_;
-                            local_3 = _e763;
-                            local_4 = _e763;
-                            local_5 = _e763;
-                            let _e764 = (_e761 < 8u);
-                            if _e764 {
-                                let _e766 = (_e761 >> bitcast<u32>(2i));
-                                let _e767 = (_e761 & 3u);
-                                if (_e766 == 0u) {
-                                    phi_1263_ = _e613.unnamed.root;
+                            let _e762 = phi_1247_;
+                            let _e764 = phi_1250_;
+                            local_3 = _e764;
+                            local_4 = _e764;
+                            local_5 = _e764;
+                            let _e765 = (_e762 < 8u);
+                            if _e765 {
+                                let _e767 = (_e762 >> bitcast<u32>(2i));
+                                let _e768 = (_e762 & 3u);
+                                if (_e767 == 0u) {
+                                    phi_1264_ = _e614.unnamed.root;
                                 } else {
-                                    phi_1263_ = _e613.unnamed.first_primitive;
+                                    phi_1264_ = _e614.unnamed.first_primitive;
                                 }
-                                let _e770 = phi_1263_;
-                                if (_e766 == 0u) {
-                                    phi_1273_ = _e682.unnamed.root;
+                                let _e771 = phi_1264_;
+                                if (_e767 == 0u) {
+                                    phi_1274_ = _e683.unnamed.root;
                                 } else {
-                                    phi_1273_ = _e682.unnamed.first_primitive;
+                                    phi_1274_ = _e683.unnamed.first_primitive;
                                 }
-                                let _e779 = phi_1273_;
-                                if (_e766 == 0u) {
-                                    phi_1283_ = _e751.unnamed.root;
+                                let _e780 = phi_1274_;
+                                if (_e767 == 0u) {
+                                    phi_1284_ = _e752.unnamed.root;
                                 } else {
-                                    phi_1283_ = _e751.unnamed.first_primitive;
+                                    phi_1284_ = _e752.unnamed.first_primitive;
                                 }
-                                let _e788 = phi_1283_;
-                                let _e801 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e770 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e526) + (_e544 - _e334)), ((f32(((_e779 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e527) + (_e545 - _e335)));
-                                let _e802 = core_intrinsics_maximum_number_nsz_f32_(_e801, ((f32(((_e788 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e528) + (_e546 - _e336)));
-                                if (_e766 == 0u) {
-                                    phi_1301_ = _e613.unnamed_1.root;
+                                let _e789 = phi_1284_;
+                                let _e802 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e771 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e527) + (_e545 - _e335)), ((f32(((_e780 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e528) + (_e546 - _e336)));
+                                let _e803 = core_intrinsics_maximum_number_nsz_f32_(_e802, ((f32(((_e789 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e529) + (_e547 - _e337)));
+                                if (_e767 == 0u) {
+                                    phi_1302_ = _e614.unnamed_1.root;
                                 } else {
-                                    phi_1301_ = _e613.unnamed_1.first_primitive;
+                                    phi_1302_ = _e614.unnamed_1.first_primitive;
                                 }
-                                let _e805 = phi_1301_;
-                                if (_e766 == 0u) {
-                                    phi_1311_ = _e682.unnamed_1.root;
+                                let _e806 = phi_1302_;
+                                if (_e767 == 0u) {
+                                    phi_1312_ = _e683.unnamed_1.root;
                                 } else {
-                                    phi_1311_ = _e682.unnamed_1.first_primitive;
+                                    phi_1312_ = _e683.unnamed_1.first_primitive;
                                 }
-                                let _e814 = phi_1311_;
-                                if (_e766 == 0u) {
-                                    phi_1321_ = _e751.unnamed_1.root;
+                                let _e815 = phi_1312_;
+                                if (_e767 == 0u) {
+                                    phi_1322_ = _e752.unnamed_1.root;
                                 } else {
-                                    phi_1321_ = _e751.unnamed_1.first_primitive;
+                                    phi_1322_ = _e752.unnamed_1.first_primitive;
                                 }
-                                let _e823 = phi_1321_;
-                                let _e836 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e805 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e526) + (_e544 + _e334)), ((f32(((_e814 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e527) + (_e545 + _e335)));
-                                let _e837 = core_intrinsics_minimum_number_nsz_f32_(_e836, ((f32(((_e823 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u)) * _e528) + (_e546 + _e336)));
-                                if (_e802 <= _e837) {
-                                    if (_e802 <= _e142) {
-                                        if (_e837 >= 0f) {
-                                            if (_e766 == 0u) {
-                                                let _e844 = nodes.member[(0u + _e492)].links[2u];
-                                                phi_1357_ = _e844;
+                                let _e824 = phi_1322_;
+                                let _e837 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e806 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e527) + (_e545 + _e335)), ((f32(((_e815 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e528) + (_e546 + _e336)));
+                                let _e838 = core_intrinsics_minimum_number_nsz_f32_(_e837, ((f32(((_e824 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u)) * _e529) + (_e547 + _e337)));
+                                if (_e803 <= _e838) {
+                                    if (_e803 <= _e143) {
+                                        if (_e838 >= 0f) {
+                                            if (_e767 == 0u) {
+                                                let _e845 = nodes.member[(0u + _e493)].links[2u];
+                                                phi_1358_ = _e845;
                                             } else {
-                                                let _e847 = nodes.member[(0u + _e492)].links[3u];
-                                                phi_1357_ = _e847;
+                                                let _e848 = nodes.member[(0u + _e493)].links[3u];
+                                                phi_1358_ = _e848;
                                             }
-                                            let _e849 = phi_1357_;
-                                            let _e854 = ((_e849 >> bitcast<u32>(((_e767 * 8u) & 31u))) & 255u);
-                                            let _e855 = (_e854 & 31u);
-                                            if (_e855 >= 24u) {
-                                                phi_1370_ = (24u + ((_e855 - 24u) ^ _e354));
+                                            let _e850 = phi_1358_;
+                                            let _e855 = ((_e850 >> bitcast<u32>(((_e768 * 8u) & 31u))) & 255u);
+                                            let _e856 = (_e855 & 31u);
+                                            if (_e856 >= 24u) {
+                                                phi_1371_ = (24u + ((_e856 - 24u) ^ _e355));
                                             } else {
-                                                phi_1370_ = _e855;
+                                                phi_1371_ = _e856;
                                             }
-                                            let _e861 = phi_1370_;
-                                            phi_1375_ = (_e763 | ((_e854 >> bitcast<u32>(5i)) << bitcast<u32>((_e861 & 31u))));
+                                            let _e862 = phi_1371_;
+                                            phi_1376_ = (_e764 | ((_e855 >> bitcast<u32>(5i)) << bitcast<u32>((_e862 & 31u))));
                                         } else {
-                                            phi_1375_ = _e763;
+                                            phi_1376_ = _e764;
                                         }
-                                        let _e869 = phi_1375_;
-                                        phi_1376_ = _e869;
+                                        let _e870 = phi_1376_;
+                                        phi_1377_ = _e870;
                                     } else {
-                                        phi_1376_ = _e763;
+                                        phi_1377_ = _e764;
                                     }
-                                    let _e871 = phi_1376_;
-                                    phi_1377_ = _e871;
+                                    let _e872 = phi_1377_;
+                                    phi_1378_ = _e872;
                                 } else {
-                                    phi_1377_ = _e763;
+                                    phi_1378_ = _e764;
                                 }
-                                let _e873 = phi_1377_;
-                                phi_1247_ = (_e761 + 1u);
-                                phi_1250_ = _e873;
+                                let _e874 = phi_1378_;
+                                phi_1248_ = (_e762 + 1u);
+                                phi_1251_ = _e874;
                             } else {
-                                phi_1247_ = u32();
-                                phi_1250_ = u32();
+                                phi_1248_ = u32();
+                                phi_1251_ = u32();
                             }
-                            let _e876 = phi_1247_;
-                            let _e878 = phi_1250_;
+                            let _e877 = phi_1248_;
+                            let _e879 = phi_1251_;
                             continue;
                             continuing {
-                                phi_1246_ = _e876;
-                                phi_1249_ = _e878;
-                                break if !(_e764);
+                                phi_1247_ = _e877;
+                                phi_1250_ = _e879;
+                                break if !(_e765);
                             }
                         }
-                        let _e882 = nodes.member[(0u + _e492)].links[0u];
-                        let _e886 = nodes.member[(0u + _e492)].frame[3u];
-                        let _e890 = local_3;
-                        if ((_e890 & 4278190080u) == 0u) {
+                        let _e883 = nodes.member[(0u + _e493)].links[0u];
+                        let _e887 = nodes.member[(0u + _e493)].frame[3u];
+                        let _e891 = local_3;
+                        if ((_e891 & 4278190080u) == 0u) {
                         } else {
-                            let _e894 = local_2.group_mask;
-                            if ((_e894 & 4278190080u) == 0u) {
+                            let _e895 = local_2.group_mask;
+                            if ((_e895 & 4278190080u) == 0u) {
                             } else {
-                                let _e898 = local_2.len;
-                                if (_e898 < 32u) {
-                                    let _e901 = local_2.group;
-                                    let _e903 = local_2.len;
-                                    if (_e903 < 32u) {
+                                let _e899 = local_2.len;
+                                if (_e899 < 32u) {
+                                    let _e902 = local_2.group;
+                                    let _e904 = local_2.len;
+                                    if (_e904 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.first[(0u + _e903)] = _e901;
-                                    let _e909 = local_2.group_mask;
-                                    let _e911 = local_2.len;
-                                    if (_e911 < 32u) {
+                                    local_2.first[(0u + _e904)] = _e902;
+                                    let _e910 = local_2.group_mask;
+                                    let _e912 = local_2.len;
+                                    if (_e912 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    local_2.mask[(0u + _e911)] = _e909;
-                                    let _e918 = local_2.len;
-                                    local_2.len = (_e918 + 1u);
+                                    local_2.mask[(0u + _e912)] = _e910;
+                                    let _e919 = local_2.len;
+                                    local_2.len = (_e919 + 1u);
                                 }
                             }
-                            local_2.group = (_e112 + _e882);
-                            let _e922 = local_4;
-                            local_2.group_mask = ((_e922 & 4278190080u) | (_e886 >> bitcast<u32>(24i)));
+                            local_2.group = (_e113 + _e883);
+                            let _e923 = local_4;
+                            local_2.group_mask = ((_e923 & 4278190080u) | (_e887 >> bitcast<u32>(24i)));
                         }
-                        let _e927 = local_5;
-                        phi_1435_ = (_e927 & 16777215u);
-                        phi_1438_ = _e494;
+                        let _e928 = local_5;
+                        phi_1436_ = (_e928 & 16777215u);
+                        phi_1439_ = _e495;
                         loop {
-                            let _e930 = phi_1435_;
-                            let _e932 = phi_1438_;
-                            local_18 = _e932;
-                            let _e933 = (_e930 == 0u);
-                            local_11 = _e933;
-                            local_19 = _e933;
-                            if _e933 {
-                                phi_1436_ = u32();
-                                phi_1439_ = bool();
-                                phi_3297_ = false;
+                            let _e931 = phi_1436_;
+                            let _e933 = phi_1439_;
+                            local_18 = _e933;
+                            let _e934 = (_e931 == 0u);
+                            local_11 = _e934;
+                            local_19 = _e934;
+                            if _e934 {
+                                phi_1437_ = u32();
+                                phi_1440_ = bool();
+                                phi_3298_ = false;
                             } else {
-                                let _e936 = nodes.member[(0u + _e492)].links[1u];
-                                let _e940 = (_e936 + select(firstTrailingBit(_e930), 32u, (_e930 == 0u)));
-                                if (_e940 < arrayLength((&instances.member))) {
+                                let _e937 = nodes.member[(0u + _e493)].links[1u];
+                                let _e941 = (_e937 + select(firstTrailingBit(_e931), 32u, (_e931 == 0u)));
+                                if (_e941 < arrayLength((&instances.member))) {
                                 } else {
                                     return;
                                 }
-                                let _e947 = instances.member[(0u + _e940)].low_world;
-                                let _e949 = instances.member[(0u + _e940)].high_world;
-                                let _e956 = ((_e947.x - _e132) * _e282);
-                                let _e957 = ((_e947.y - _e134) * _e292);
-                                let _e958 = ((_e947.z - _e136) * _e302);
-                                let _e965 = ((_e949.x - _e132) * _e282);
-                                let _e966 = ((_e949.y - _e134) * _e292);
-                                let _e967 = ((_e949.z - _e136) * _e302);
-                                if (_e956 < _e965) {
-                                    phi_1487_ = _e956;
-                                } else {
-                                    phi_1487_ = _e965;
-                                }
-                                let _e970 = phi_1487_;
+                                let _e948 = instances.member[(0u + _e941)].low_world;
+                                let _e950 = instances.member[(0u + _e941)].high_world;
+                                let _e957 = ((_e948.x - _e133) * _e283);
+                                let _e958 = ((_e948.y - _e135) * _e293);
+                                let _e959 = ((_e948.z - _e137) * _e303);
+                                let _e966 = ((_e950.x - _e133) * _e283);
+                                let _e967 = ((_e950.y - _e135) * _e293);
+                                let _e968 = ((_e950.z - _e137) * _e303);
                                 if (_e957 < _e966) {
-                                    phi_1492_ = _e957;
+                                    phi_1488_ = _e957;
                                 } else {
-                                    phi_1492_ = _e966;
+                                    phi_1488_ = _e966;
                                 }
-                                let _e973 = phi_1492_;
+                                let _e971 = phi_1488_;
                                 if (_e958 < _e967) {
-                                    phi_1497_ = _e958;
+                                    phi_1493_ = _e958;
                                 } else {
-                                    phi_1497_ = _e967;
+                                    phi_1493_ = _e967;
                                 }
-                                let _e976 = phi_1497_;
-                                if (_e956 > _e965) {
-                                    phi_1505_ = _e956;
+                                let _e974 = phi_1493_;
+                                if (_e959 < _e968) {
+                                    phi_1498_ = _e959;
                                 } else {
-                                    phi_1505_ = _e965;
+                                    phi_1498_ = _e968;
                                 }
-                                let _e982 = phi_1505_;
+                                let _e977 = phi_1498_;
                                 if (_e957 > _e966) {
-                                    phi_1510_ = _e957;
+                                    phi_1506_ = _e957;
                                 } else {
-                                    phi_1510_ = _e966;
+                                    phi_1506_ = _e966;
                                 }
-                                let _e985 = phi_1510_;
+                                let _e983 = phi_1506_;
                                 if (_e958 > _e967) {
-                                    phi_1515_ = _e958;
+                                    phi_1511_ = _e958;
                                 } else {
-                                    phi_1515_ = _e967;
+                                    phi_1511_ = _e967;
                                 }
-                                let _e988 = phi_1515_;
-                                let _e992 = core_intrinsics_maximum_number_nsz_f32_((_e970 - _e341), (_e973 - _e342));
-                                let _e993 = core_intrinsics_maximum_number_nsz_f32_(_e992, (_e976 - _e343));
-                                let _e994 = core_intrinsics_minimum_number_nsz_f32_((_e982 + _e341), (_e985 + _e342));
-                                let _e995 = core_intrinsics_minimum_number_nsz_f32_(_e994, (_e988 + _e343));
-                                if (_e993 <= _e995) {
-                                    if (_e993 <= _e142) {
-                                        if (_e995 >= 0f) {
-                                            let _e1001 = instances.member[(0u + _e940)].world_to_object[0u];
-                                            let _e1012 = ((((_e1001.x * _e132) + (_e1001.y * _e134)) + (_e1001.z * _e136)) + (_e1001.w * 1f));
-                                            let _e1014 = instances.member[(0u + _e940)].world_to_object[1u];
-                                            let _e1025 = ((((_e1014.x * _e132) + (_e1014.y * _e134)) + (_e1014.z * _e136)) + (_e1014.w * 1f));
-                                            let _e1027 = instances.member[(0u + _e940)].world_to_object[2u];
-                                            let _e1038 = ((((_e1027.x * _e132) + (_e1027.y * _e134)) + (_e1027.z * _e136)) + (_e1027.w * 1f));
-                                            let _e1041 = instances.member[(0u + _e940)].world_to_object[0u];
-                                            let _e1052 = ((((_e1041.x * _e150) + (_e1041.y * _e151)) + (_e1041.z * _e152)) + (_e1041.w * 0f));
-                                            let _e1054 = instances.member[(0u + _e940)].world_to_object[1u];
-                                            let _e1065 = ((((_e1054.x * _e150) + (_e1054.y * _e151)) + (_e1054.z * _e152)) + (_e1054.w * 0f));
-                                            let _e1067 = instances.member[(0u + _e940)].world_to_object[2u];
-                                            let _e1078 = ((((_e1067.x * _e150) + (_e1067.y * _e151)) + (_e1067.z * _e152)) + (_e1067.w * 0f));
-                                            let _e1081 = instances.member[(0u + _e940)].root;
-                                            let _e1083 = instances.member[(0u + _e940)].first_triangle;
-                                            let _e1084 = abs(_e1052);
-                                            let _e1085 = abs(_e1065);
-                                            let _e1086 = abs(_e1078);
-                                            if (abs(_e1012) < 1000000000000000f) {
-                                                if (abs(_e1025) < 1000000000000000f) {
-                                                    phi_1635_ = (abs(_e1038) < 1000000000000000f);
-                                                    phi_1636_ = false;
+                                let _e986 = phi_1511_;
+                                if (_e959 > _e968) {
+                                    phi_1516_ = _e959;
+                                } else {
+                                    phi_1516_ = _e968;
+                                }
+                                let _e989 = phi_1516_;
+                                let _e993 = core_intrinsics_maximum_number_nsz_f32_((_e971 - _e342), (_e974 - _e343));
+                                let _e994 = core_intrinsics_maximum_number_nsz_f32_(_e993, (_e977 - _e344));
+                                let _e995 = core_intrinsics_minimum_number_nsz_f32_((_e983 + _e342), (_e986 + _e343));
+                                let _e996 = core_intrinsics_minimum_number_nsz_f32_(_e995, (_e989 + _e344));
+                                if (_e994 <= _e996) {
+                                    if (_e994 <= _e143) {
+                                        if (_e996 >= 0f) {
+                                            let _e1002 = instances.member[(0u + _e941)].world_to_object[0u];
+                                            let _e1013 = ((((_e1002.x * _e133) + (_e1002.y * _e135)) + (_e1002.z * _e137)) + (_e1002.w * 1f));
+                                            let _e1015 = instances.member[(0u + _e941)].world_to_object[1u];
+                                            let _e1026 = ((((_e1015.x * _e133) + (_e1015.y * _e135)) + (_e1015.z * _e137)) + (_e1015.w * 1f));
+                                            let _e1028 = instances.member[(0u + _e941)].world_to_object[2u];
+                                            let _e1039 = ((((_e1028.x * _e133) + (_e1028.y * _e135)) + (_e1028.z * _e137)) + (_e1028.w * 1f));
+                                            let _e1042 = instances.member[(0u + _e941)].world_to_object[0u];
+                                            let _e1053 = ((((_e1042.x * _e151) + (_e1042.y * _e152)) + (_e1042.z * _e153)) + (_e1042.w * 0f));
+                                            let _e1055 = instances.member[(0u + _e941)].world_to_object[1u];
+                                            let _e1066 = ((((_e1055.x * _e151) + (_e1055.y * _e152)) + (_e1055.z * _e153)) + (_e1055.w * 0f));
+                                            let _e1068 = instances.member[(0u + _e941)].world_to_object[2u];
+                                            let _e1079 = ((((_e1068.x * _e151) + (_e1068.y * _e152)) + (_e1068.z * _e153)) + (_e1068.w * 0f));
+                                            let _e1082 = instances.member[(0u + _e941)].root;
+                                            let _e1084 = instances.member[(0u + _e941)].first_triangle;
+                                            let _e1085 = abs(_e1053);
+                                            let _e1086 = abs(_e1066);
+                                            let _e1087 = abs(_e1079);
+                                            if (abs(_e1013) < 1000000000000000f) {
+                                                if (abs(_e1026) < 1000000000000000f) {
+                                                    phi_1636_ = (abs(_e1039) < 1000000000000000f);
+                                                    phi_1637_ = false;
                                                 } else {
-                                                    phi_1635_ = bool();
-                                                    phi_1636_ = true;
+                                                    phi_1636_ = bool();
+                                                    phi_1637_ = true;
                                                 }
-                                                let _e1094 = phi_1635_;
-                                                let _e1096 = phi_1636_;
-                                                phi_1637_ = _e1094;
-                                                phi_1638_ = _e1096;
+                                                let _e1095 = phi_1636_;
+                                                let _e1097 = phi_1637_;
+                                                phi_1638_ = _e1095;
+                                                phi_1639_ = _e1097;
                                             } else {
-                                                phi_1637_ = bool();
-                                                phi_1638_ = true;
+                                                phi_1638_ = bool();
+                                                phi_1639_ = true;
                                             }
-                                            let _e1098 = phi_1637_;
-                                            let _e1100 = phi_1638_;
-                                            if _e1100 {
-                                                phi_1642_ = false;
+                                            let _e1099 = phi_1638_;
+                                            let _e1101 = phi_1639_;
+                                            if _e1101 {
+                                                phi_1643_ = false;
                                             } else {
-                                                phi_1642_ = _e1098;
+                                                phi_1643_ = _e1099;
                                             }
-                                            let _e1102 = phi_1642_;
-                                            if _e1102 {
-                                                if (_e1084 < 1000000000000000f) {
-                                                    if (_e1085 < 1000000000000000f) {
-                                                        phi_1655_ = (_e1086 < 1000000000000000f);
-                                                        phi_1656_ = false;
+                                            let _e1103 = phi_1643_;
+                                            if _e1103 {
+                                                if (_e1085 < 1000000000000000f) {
+                                                    if (_e1086 < 1000000000000000f) {
+                                                        phi_1656_ = (_e1087 < 1000000000000000f);
+                                                        phi_1657_ = false;
                                                     } else {
-                                                        phi_1655_ = bool();
-                                                        phi_1656_ = true;
+                                                        phi_1656_ = bool();
+                                                        phi_1657_ = true;
                                                     }
-                                                    let _e1107 = phi_1655_;
-                                                    let _e1109 = phi_1656_;
-                                                    phi_1657_ = _e1107;
-                                                    phi_1658_ = _e1109;
+                                                    let _e1108 = phi_1656_;
+                                                    let _e1110 = phi_1657_;
+                                                    phi_1658_ = _e1108;
+                                                    phi_1659_ = _e1110;
                                                 } else {
-                                                    phi_1657_ = bool();
-                                                    phi_1658_ = true;
+                                                    phi_1658_ = bool();
+                                                    phi_1659_ = true;
                                                 }
-                                                let _e1111 = phi_1657_;
-                                                let _e1113 = phi_1658_;
-                                                if _e1113 {
-                                                    phi_1662_ = false;
+                                                let _e1112 = phi_1658_;
+                                                let _e1114 = phi_1659_;
+                                                if _e1114 {
+                                                    phi_1663_ = false;
                                                 } else {
-                                                    phi_1662_ = _e1111;
+                                                    phi_1663_ = _e1112;
                                                 }
-                                                let _e1115 = phi_1662_;
-                                                if _e1115 {
-                                                    if (_e1084 > 0f) {
-                                                        phi_1676_ = bool();
-                                                        phi_1677_ = true;
+                                                let _e1116 = phi_1663_;
+                                                if _e1116 {
+                                                    if (_e1085 > 0f) {
+                                                        phi_1677_ = bool();
+                                                        phi_1678_ = true;
                                                     } else {
-                                                        let _e1117 = (_e1085 > 0f);
-                                                        if _e1117 {
-                                                            phi_1675_ = bool();
+                                                        let _e1118 = (_e1086 > 0f);
+                                                        if _e1118 {
+                                                            phi_1676_ = bool();
                                                         } else {
-                                                            phi_1675_ = (_e1086 > 0f);
+                                                            phi_1676_ = (_e1087 > 0f);
                                                         }
-                                                        let _e1120 = phi_1675_;
-                                                        phi_1676_ = _e1120;
-                                                        phi_1677_ = _e1117;
+                                                        let _e1121 = phi_1676_;
+                                                        phi_1677_ = _e1121;
+                                                        phi_1678_ = _e1118;
                                                     }
-                                                    let _e1122 = phi_1676_;
-                                                    let _e1124 = phi_1677_;
-                                                    if _e1124 {
-                                                        phi_1681_ = true;
+                                                    let _e1123 = phi_1677_;
+                                                    let _e1125 = phi_1678_;
+                                                    if _e1125 {
+                                                        phi_1682_ = true;
                                                     } else {
-                                                        phi_1681_ = _e1122;
+                                                        phi_1682_ = _e1123;
                                                     }
-                                                    let _e1126 = phi_1681_;
-                                                    phi_1682_ = _e1126;
-                                                    phi_1683_ = false;
+                                                    let _e1127 = phi_1682_;
+                                                    phi_1683_ = _e1127;
+                                                    phi_1684_ = false;
                                                 } else {
-                                                    phi_1682_ = bool();
-                                                    phi_1683_ = true;
+                                                    phi_1683_ = bool();
+                                                    phi_1684_ = true;
                                                 }
-                                                let _e1128 = phi_1682_;
-                                                let _e1130 = phi_1683_;
-                                                phi_1684_ = _e1128;
-                                                phi_1685_ = _e1130;
+                                                let _e1129 = phi_1683_;
+                                                let _e1131 = phi_1684_;
+                                                phi_1685_ = _e1129;
+                                                phi_1686_ = _e1131;
                                             } else {
-                                                phi_1684_ = bool();
-                                                phi_1685_ = true;
+                                                phi_1685_ = bool();
+                                                phi_1686_ = true;
                                             }
-                                            let _e1132 = phi_1684_;
-                                            let _e1134 = phi_1685_;
-                                            if _e1134 {
-                                                phi_1689_ = false;
+                                            let _e1133 = phi_1685_;
+                                            let _e1135 = phi_1686_;
+                                            if _e1135 {
+                                                phi_1690_ = false;
                                             } else {
-                                                phi_1689_ = _e1132;
+                                                phi_1690_ = _e1133;
                                             }
-                                            let _e1136 = phi_1689_;
-                                            if _e1136 {
-                                                let _e1137 = (_e1081 >= _e76);
-                                                if _e1137 {
-                                                    phi_3277_ = bool();
+                                            let _e1137 = phi_1690_;
+                                            if _e1137 {
+                                                let _e1138 = (_e1082 >= _e76);
+                                                if _e1138 {
+                                                    phi_3278_ = bool();
                                                 } else {
-                                                    if (_e1081 < _e76) {
+                                                    if (_e1082 < _e76) {
                                                     } else {
                                                         return;
                                                     }
-                                                    let _e1143 = nodes.member[(0u + _e1081)].frame[0u];
-                                                    let _e1147 = nodes.member[(0u + _e1081)].frame[1u];
-                                                    let _e1151 = nodes.member[(0u + _e1081)].frame[2u];
-                                                    let _e1155 = nodes.member[(0u + _e1081)].frame[0u];
-                                                    let _e1159 = nodes.member[(0u + _e1081)].frame[1u];
-                                                    let _e1163 = nodes.member[(0u + _e1081)].frame[2u];
-                                                    let _e1167 = nodes.member[(0u + _e1081)].frame[3u];
-                                                    let _e1201 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1052), abs(_e1065));
-                                                    let _e1202 = core_intrinsics_maximum_number_nsz_f32_(_e1201, abs(_e1078));
-                                                    let _e1203 = (_e1202 * 0.0000000000009094947f);
-                                                    if (abs(_e1052) < _e1203) {
-                                                        phi_1759_ = _e1203;
+                                                    let _e1144 = nodes.member[(0u + _e1082)].frame[0u];
+                                                    let _e1148 = nodes.member[(0u + _e1082)].frame[1u];
+                                                    let _e1152 = nodes.member[(0u + _e1082)].frame[2u];
+                                                    let _e1156 = nodes.member[(0u + _e1082)].frame[0u];
+                                                    let _e1160 = nodes.member[(0u + _e1082)].frame[1u];
+                                                    let _e1164 = nodes.member[(0u + _e1082)].frame[2u];
+                                                    let _e1168 = nodes.member[(0u + _e1082)].frame[3u];
+                                                    let _e1202 = core_intrinsics_maximum_number_nsz_f32_(abs(_e1053), abs(_e1066));
+                                                    let _e1203 = core_intrinsics_maximum_number_nsz_f32_(_e1202, abs(_e1079));
+                                                    let _e1204 = (_e1203 * 0.0000000000009094947f);
+                                                    if (abs(_e1053) < _e1204) {
+                                                        phi_1760_ = _e1204;
                                                     } else {
-                                                        phi_1759_ = abs(_e1052);
+                                                        phi_1760_ = abs(_e1053);
                                                     }
-                                                    let _e1208 = phi_1759_;
-                                                    if (_e1052 < 0f) {
-                                                        phi_1766_ = (-1f / _e1208);
+                                                    let _e1209 = phi_1760_;
+                                                    if (_e1053 < 0f) {
+                                                        phi_1767_ = (-1f / _e1209);
                                                     } else {
-                                                        phi_1766_ = (1f / _e1208);
+                                                        phi_1767_ = (1f / _e1209);
                                                     }
-                                                    let _e1213 = phi_1766_;
-                                                    if (abs(_e1065) < _e1203) {
-                                                        phi_1773_ = _e1203;
+                                                    let _e1214 = phi_1767_;
+                                                    if (abs(_e1066) < _e1204) {
+                                                        phi_1774_ = _e1204;
                                                     } else {
-                                                        phi_1773_ = abs(_e1065);
+                                                        phi_1774_ = abs(_e1066);
                                                     }
-                                                    let _e1218 = phi_1773_;
-                                                    if (_e1065 < 0f) {
-                                                        phi_1780_ = (-1f / _e1218);
+                                                    let _e1219 = phi_1774_;
+                                                    if (_e1066 < 0f) {
+                                                        phi_1781_ = (-1f / _e1219);
                                                     } else {
-                                                        phi_1780_ = (1f / _e1218);
+                                                        phi_1781_ = (1f / _e1219);
                                                     }
-                                                    let _e1223 = phi_1780_;
-                                                    if (abs(_e1078) < _e1203) {
-                                                        phi_1787_ = _e1203;
+                                                    let _e1224 = phi_1781_;
+                                                    if (abs(_e1079) < _e1204) {
+                                                        phi_1788_ = _e1204;
                                                     } else {
-                                                        phi_1787_ = abs(_e1078);
+                                                        phi_1788_ = abs(_e1079);
                                                     }
-                                                    let _e1228 = phi_1787_;
-                                                    if (_e1078 < 0f) {
-                                                        phi_1794_ = (-1f / _e1228);
+                                                    let _e1229 = phi_1788_;
+                                                    if (_e1079 < 0f) {
+                                                        phi_1795_ = (-1f / _e1229);
                                                     } else {
-                                                        phi_1794_ = (1f / _e1228);
+                                                        phi_1795_ = (1f / _e1229);
                                                     }
-                                                    let _e1233 = phi_1794_;
-                                                    let _e1237 = abs((bitcast<f32>(_e1143) - _e1012));
-                                                    let _e1238 = abs((bitcast<f32>(_e1147) - _e1025));
-                                                    let _e1239 = abs((bitcast<f32>(_e1151) - _e1038));
-                                                    let _e1243 = abs(((bitcast<f32>(_e1155) + (bitcast<f32>((((_e1167 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1012));
-                                                    let _e1244 = abs(((bitcast<f32>(_e1159) + (bitcast<f32>((((_e1167 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1025));
-                                                    let _e1245 = abs(((bitcast<f32>(_e1163) + (bitcast<f32>((((_e1167 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1038));
-                                                    if (_e1237 > _e1243) {
-                                                        phi_1811_ = _e1237;
-                                                    } else {
-                                                        phi_1811_ = _e1243;
-                                                    }
-                                                    let _e1248 = phi_1811_;
+                                                    let _e1234 = phi_1795_;
+                                                    let _e1238 = abs((bitcast<f32>(_e1144) - _e1013));
+                                                    let _e1239 = abs((bitcast<f32>(_e1148) - _e1026));
+                                                    let _e1240 = abs((bitcast<f32>(_e1152) - _e1039));
+                                                    let _e1244 = abs(((bitcast<f32>(_e1156) + (bitcast<f32>((((_e1168 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1013));
+                                                    let _e1245 = abs(((bitcast<f32>(_e1160) + (bitcast<f32>((((_e1168 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1026));
+                                                    let _e1246 = abs(((bitcast<f32>(_e1164) + (bitcast<f32>((((_e1168 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * 255f)) - _e1039));
                                                     if (_e1238 > _e1244) {
-                                                        phi_1816_ = _e1238;
+                                                        phi_1812_ = _e1238;
                                                     } else {
-                                                        phi_1816_ = _e1244;
+                                                        phi_1812_ = _e1244;
                                                     }
-                                                    let _e1251 = phi_1816_;
+                                                    let _e1249 = phi_1812_;
                                                     if (_e1239 > _e1245) {
-                                                        phi_1821_ = _e1239;
+                                                        phi_1817_ = _e1239;
                                                     } else {
-                                                        phi_1821_ = _e1245;
+                                                        phi_1817_ = _e1245;
                                                     }
-                                                    let _e1254 = phi_1821_;
-                                                    if (_e1248 > _e1251) {
-                                                        phi_1826_ = _e1248;
+                                                    let _e1252 = phi_1817_;
+                                                    if (_e1240 > _e1246) {
+                                                        phi_1822_ = _e1240;
                                                     } else {
-                                                        phi_1826_ = _e1251;
+                                                        phi_1822_ = _e1246;
                                                     }
-                                                    let _e1257 = phi_1826_;
-                                                    if (_e1257 > _e1254) {
-                                                        phi_1831_ = _e1257;
+                                                    let _e1255 = phi_1822_;
+                                                    if (_e1249 > _e1252) {
+                                                        phi_1827_ = _e1249;
                                                     } else {
-                                                        phi_1831_ = _e1254;
+                                                        phi_1827_ = _e1252;
                                                     }
-                                                    let _e1260 = phi_1831_;
-                                                    let _e1264 = (_e1260 * 0.0000019073486f);
-                                                    let _e1265 = (abs(_e1213) * _e1264);
-                                                    let _e1266 = (abs(_e1223) * _e1264);
-                                                    let _e1267 = (abs(_e1233) * _e1264);
-                                                    let _e1271 = (_e1260 * 0.0000009536743f);
-                                                    let _e1272 = (abs(_e1213) * _e1271);
-                                                    let _e1273 = (abs(_e1223) * _e1271);
-                                                    let _e1274 = (abs(_e1233) * _e1271);
-                                                    let _e1275 = abs(_e1052);
-                                                    let _e1276 = abs(_e1065);
-                                                    let _e1277 = abs(_e1078);
-                                                    if (_e1275 >= _e1276) {
-                                                        if (_e1275 >= _e1277) {
-                                                            phi_1857_ = false;
+                                                    let _e1258 = phi_1827_;
+                                                    if (_e1258 > _e1255) {
+                                                        phi_1832_ = _e1258;
+                                                    } else {
+                                                        phi_1832_ = _e1255;
+                                                    }
+                                                    let _e1261 = phi_1832_;
+                                                    let _e1265 = (_e1261 * 0.0000019073486f);
+                                                    let _e1266 = (abs(_e1214) * _e1265);
+                                                    let _e1267 = (abs(_e1224) * _e1265);
+                                                    let _e1268 = (abs(_e1234) * _e1265);
+                                                    let _e1272 = (_e1261 * 0.0000009536743f);
+                                                    let _e1273 = (abs(_e1214) * _e1272);
+                                                    let _e1274 = (abs(_e1224) * _e1272);
+                                                    let _e1275 = (abs(_e1234) * _e1272);
+                                                    let _e1276 = abs(_e1053);
+                                                    let _e1277 = abs(_e1066);
+                                                    let _e1278 = abs(_e1079);
+                                                    if (_e1276 >= _e1277) {
+                                                        if (_e1276 >= _e1278) {
+                                                            phi_1858_ = false;
                                                         } else {
-                                                            phi_1857_ = true;
+                                                            phi_1858_ = true;
                                                         }
-                                                        let _e1281 = phi_1857_;
-                                                        phi_1858_ = _e1281;
+                                                        let _e1282 = phi_1858_;
+                                                        phi_1859_ = _e1282;
                                                     } else {
-                                                        phi_1858_ = true;
+                                                        phi_1859_ = true;
                                                     }
-                                                    let _e1283 = phi_1858_;
-                                                    if _e1283 {
-                                                        if (_e1276 >= _e1277) {
-                                                            phi_1866_ = 1u;
+                                                    let _e1284 = phi_1859_;
+                                                    if _e1284 {
+                                                        if (_e1277 >= _e1278) {
+                                                            phi_1867_ = 1u;
                                                         } else {
-                                                            phi_1866_ = 2u;
+                                                            phi_1867_ = 2u;
                                                         }
-                                                        let _e1286 = phi_1866_;
-                                                        phi_1867_ = _e1286;
+                                                        let _e1287 = phi_1867_;
+                                                        phi_1868_ = _e1287;
                                                     } else {
-                                                        phi_1867_ = 0u;
+                                                        phi_1868_ = 0u;
                                                     }
-                                                    let _e1288 = phi_1867_;
-                                                    if (_e1288 == 0u) {
-                                                        phi_1879_ = vec3<f32>(_e1065, _e1078, _e1052);
+                                                    let _e1289 = phi_1868_;
+                                                    if (_e1289 == 0u) {
+                                                        phi_1880_ = vec3<f32>(_e1066, _e1079, _e1053);
                                                     } else {
-                                                        if (_e1288 == 1u) {
-                                                            phi_1878_ = vec3<f32>(_e1078, _e1052, _e1065);
+                                                        if (_e1289 == 1u) {
+                                                            phi_1879_ = vec3<f32>(_e1079, _e1053, _e1066);
                                                         } else {
-                                                            phi_1878_ = vec3<f32>(_e1052, _e1065, _e1078);
+                                                            phi_1879_ = vec3<f32>(_e1053, _e1066, _e1079);
                                                         }
-                                                        let _e1294 = phi_1878_;
-                                                        phi_1879_ = _e1294;
+                                                        let _e1295 = phi_1879_;
+                                                        phi_1880_ = _e1295;
                                                     }
-                                                    let _e1296 = phi_1879_;
-                                                    let _e1299 = (_e1296.x / _e1296.z);
-                                                    let _e1302 = (_e1296.y / _e1296.z);
-                                                    if (_e1213 < 0f) {
-                                                        phi_1892_ = 0u;
+                                                    let _e1297 = phi_1880_;
+                                                    let _e1300 = (_e1297.x / _e1297.z);
+                                                    let _e1303 = (_e1297.y / _e1297.z);
+                                                    if (_e1214 < 0f) {
+                                                        phi_1893_ = 0u;
                                                     } else {
-                                                        phi_1892_ = 1u;
+                                                        phi_1893_ = 1u;
                                                     }
-                                                    let _e1307 = phi_1892_;
-                                                    if (_e1223 < 0f) {
-                                                        phi_1897_ = 0u;
+                                                    let _e1308 = phi_1893_;
+                                                    if (_e1224 < 0f) {
+                                                        phi_1898_ = 0u;
                                                     } else {
-                                                        phi_1897_ = 2u;
+                                                        phi_1898_ = 2u;
                                                     }
-                                                    let _e1310 = phi_1897_;
-                                                    if (_e1233 < 0f) {
-                                                        phi_1902_ = 0u;
+                                                    let _e1311 = phi_1898_;
+                                                    if (_e1234 < 0f) {
+                                                        phi_1903_ = 0u;
                                                     } else {
-                                                        phi_1902_ = 4u;
+                                                        phi_1903_ = 4u;
                                                     }
-                                                    let _e1313 = phi_1902_;
-                                                    let _e1315 = ((_e1307 | _e1310) | _e1313);
-                                                    let _e1316 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1081, 2147483648u);
-                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1316.first[0], _e1316.first[1], _e1316.first[2], _e1316.first[3], _e1316.first[4], _e1316.first[5], _e1316.first[6], _e1316.first[7], _e1316.first[8], _e1316.first[9], _e1316.first[10], _e1316.first[11], _e1316.first[12], _e1316.first[13], _e1316.first[14], _e1316.first[15], _e1316.first[16], _e1316.first[17], _e1316.first[18], _e1316.first[19], _e1316.first[20], _e1316.first[21], _e1316.first[22], _e1316.first[23], _e1316.first[24], _e1316.first[25], _e1316.first[26], _e1316.first[27], _e1316.first[28], _e1316.first[29], _e1316.first[30], _e1316.first[31]), array<u32, 32>(_e1316.mask[0], _e1316.mask[1], _e1316.mask[2], _e1316.mask[3], _e1316.mask[4], _e1316.mask[5], _e1316.mask[6], _e1316.mask[7], _e1316.mask[8], _e1316.mask[9], _e1316.mask[10], _e1316.mask[11], _e1316.mask[12], _e1316.mask[13], _e1316.mask[14], _e1316.mask[15], _e1316.mask[16], _e1316.mask[17], _e1316.mask[18], _e1316.mask[19], _e1316.mask[20], _e1316.mask[21], _e1316.mask[22], _e1316.mask[23], _e1316.mask[24], _e1316.mask[25], _e1316.mask[26], _e1316.mask[27], _e1316.mask[28], _e1316.mask[29], _e1316.mask[30], _e1316.mask[31]), _e1316.len, _e1316.group, _e1316.group_mask);
-                                                    let _e1390 = local_1.group_mask;
-                                                    if ((_e1390 & 4278190080u) == 0u) {
-                                                        let _e1394 = local_1.len;
-                                                        if (_e1394 == 0u) {
-                                                            phi_2016_ = false;
+                                                    let _e1314 = phi_1903_;
+                                                    let _e1316 = ((_e1308 | _e1311) | _e1314);
+                                                    let _e1317 = lt_bvh_traverse_Stack(array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), array<u32, 32>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u), 0u, _e1082, 2147483648u);
+                                                    local_1 = lt_bvh_traverse_Stack(array<u32, 32>(_e1317.first[0], _e1317.first[1], _e1317.first[2], _e1317.first[3], _e1317.first[4], _e1317.first[5], _e1317.first[6], _e1317.first[7], _e1317.first[8], _e1317.first[9], _e1317.first[10], _e1317.first[11], _e1317.first[12], _e1317.first[13], _e1317.first[14], _e1317.first[15], _e1317.first[16], _e1317.first[17], _e1317.first[18], _e1317.first[19], _e1317.first[20], _e1317.first[21], _e1317.first[22], _e1317.first[23], _e1317.first[24], _e1317.first[25], _e1317.first[26], _e1317.first[27], _e1317.first[28], _e1317.first[29], _e1317.first[30], _e1317.first[31]), array<u32, 32>(_e1317.mask[0], _e1317.mask[1], _e1317.mask[2], _e1317.mask[3], _e1317.mask[4], _e1317.mask[5], _e1317.mask[6], _e1317.mask[7], _e1317.mask[8], _e1317.mask[9], _e1317.mask[10], _e1317.mask[11], _e1317.mask[12], _e1317.mask[13], _e1317.mask[14], _e1317.mask[15], _e1317.mask[16], _e1317.mask[17], _e1317.mask[18], _e1317.mask[19], _e1317.mask[20], _e1317.mask[21], _e1317.mask[22], _e1317.mask[23], _e1317.mask[24], _e1317.mask[25], _e1317.mask[26], _e1317.mask[27], _e1317.mask[28], _e1317.mask[29], _e1317.mask[30], _e1317.mask[31]), _e1317.len, _e1317.group, _e1317.group_mask);
+                                                    let _e1391 = local_1.group_mask;
+                                                    if ((_e1391 & 4278190080u) == 0u) {
+                                                        let _e1395 = local_1.len;
+                                                        if (_e1395 == 0u) {
+                                                            phi_2017_ = false;
                                                         } else {
-                                                            let _e1398 = local_1.len;
-                                                            local_1.len = (_e1398 - 1u);
-                                                            let _e1401 = local_1.len;
-                                                            if (_e1401 < 32u) {
+                                                            let _e1399 = local_1.len;
+                                                            local_1.len = (_e1399 - 1u);
+                                                            let _e1402 = local_1.len;
+                                                            if (_e1402 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1406 = local_1.first[(0u + _e1401)];
-                                                            local_1.group = _e1406;
-                                                            let _e1409 = local_1.len;
-                                                            if (_e1409 < 32u) {
+                                                            let _e1407 = local_1.first[(0u + _e1402)];
+                                                            local_1.group = _e1407;
+                                                            let _e1410 = local_1.len;
+                                                            if (_e1410 < 32u) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1414 = local_1.mask[(0u + _e1409)];
-                                                            local_1.group_mask = _e1414;
-                                                            phi_2016_ = true;
+                                                            let _e1415 = local_1.mask[(0u + _e1410)];
+                                                            local_1.group_mask = _e1415;
+                                                            phi_2017_ = true;
                                                         }
-                                                        let _e1417 = phi_2016_;
-                                                        phi_2017_ = _e1417;
+                                                        let _e1418 = phi_2017_;
+                                                        phi_2018_ = _e1418;
                                                     } else {
-                                                        phi_2017_ = true;
+                                                        phi_2018_ = true;
                                                     }
-                                                    let _e1419 = phi_2017_;
-                                                    if _e1419 {
-                                                        let _e1421 = local_1.group_mask;
-                                                        let _e1427 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1421)), 32u, (_e1421 == 0u)));
-                                                        let _e1431 = local_1.group_mask;
-                                                        let _e1445 = local_1.group_mask;
-                                                        local_1.group_mask = (_e1445 & ~((1u << bitcast<u32>((_e1427 & 31u)))));
-                                                        let _e1448 = local_1.group;
-                                                        phi_2048_ = (_e1448 + countOneBits(((_e1431 & ~((4294967295u << bitcast<u32>((((_e1427 - 24u) ^ 7u) & 31u))))) & 255u)));
+                                                    let _e1420 = phi_2018_;
+                                                    if _e1420 {
+                                                        let _e1422 = local_1.group_mask;
+                                                        let _e1428 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e1422)), 32u, (_e1422 == 0u)));
+                                                        let _e1432 = local_1.group_mask;
+                                                        let _e1446 = local_1.group_mask;
+                                                        local_1.group_mask = (_e1446 & ~((1u << bitcast<u32>((_e1428 & 31u)))));
+                                                        let _e1449 = local_1.group;
+                                                        phi_2049_ = (_e1449 + countOneBits(((_e1432 & ~((4294967295u << bitcast<u32>((((_e1428 - 24u) ^ 7u) & 31u))))) & 255u)));
                                                     } else {
-                                                        phi_2048_ = 4294967295u;
+                                                        phi_2049_ = 4294967295u;
                                                     }
-                                                    let _e1451 = phi_2048_;
-                                                    phi_2050_ = _e1451;
-                                                    phi_2053_ = _e932;
+                                                    let _e1452 = phi_2049_;
+                                                    phi_2051_ = _e1452;
+                                                    phi_2054_ = _e933;
                                                     loop {
-                                                        let _e1453 = phi_2050_;
-                                                        let _e1455 = phi_2053_;
-                                                        local_17 = _e1455;
-                                                        if (_e1453 != 4294967295u) {
-                                                            if (_e1453 < _e76) {
+                                                        let _e1454 = phi_2051_;
+                                                        let _e1456 = phi_2054_;
+                                                        local_17 = _e1456;
+                                                        if (_e1454 != 4294967295u) {
+                                                            if (_e1454 < _e76) {
                                                             } else {
                                                                 return;
                                                             }
-                                                            let _e1462 = nodes.member[(0u + _e1453)].frame[3u];
-                                                            let _e1487 = (bitcast<f32>((((_e1462 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1213);
-                                                            let _e1488 = (bitcast<f32>((((_e1462 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1223);
-                                                            let _e1489 = (bitcast<f32>((((_e1462 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1233);
-                                                            let _e1492 = nodes.member[(0u + _e1453)].frame[0u];
-                                                            let _e1496 = nodes.member[(0u + _e1453)].frame[1u];
-                                                            let _e1500 = nodes.member[(0u + _e1453)].frame[2u];
-                                                            let _e1505 = ((bitcast<f32>(_e1492) - _e1012) * _e1213);
-                                                            let _e1506 = ((bitcast<f32>(_e1496) - _e1025) * _e1223);
-                                                            let _e1507 = ((bitcast<f32>(_e1500) - _e1038) * _e1233);
-                                                            let _e1515 = nodes.member[(0u + _e1453)].x;
-                                                            if (_e1213 < 0f) {
-                                                                let _e1526 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1515.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1532 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1526.unnamed.root, _e1515.w), _e1526.unnamed_1);
-                                                                let _e1538 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1532.unnamed, lt_bvh_traverse_Tree(_e1515.x, _e1532.unnamed_1.first_primitive));
-                                                                phi_2133_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1538.unnamed, lt_bvh_traverse_Tree(_e1538.unnamed_1.root, _e1515.y));
+                                                            let _e1463 = nodes.member[(0u + _e1454)].frame[3u];
+                                                            let _e1488 = (bitcast<f32>((((_e1463 >> bitcast<u32>(((0u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1214);
+                                                            let _e1489 = (bitcast<f32>((((_e1463 >> bitcast<u32>(((1u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1224);
+                                                            let _e1490 = (bitcast<f32>((((_e1463 >> bitcast<u32>(((2u * 8u) & 31u))) & 255u) << bitcast<u32>(23i))) * _e1234);
+                                                            let _e1493 = nodes.member[(0u + _e1454)].frame[0u];
+                                                            let _e1497 = nodes.member[(0u + _e1454)].frame[1u];
+                                                            let _e1501 = nodes.member[(0u + _e1454)].frame[2u];
+                                                            let _e1506 = ((bitcast<f32>(_e1493) - _e1013) * _e1214);
+                                                            let _e1507 = ((bitcast<f32>(_e1497) - _e1026) * _e1224);
+                                                            let _e1508 = ((bitcast<f32>(_e1501) - _e1039) * _e1234);
+                                                            let _e1516 = nodes.member[(0u + _e1454)].x;
+                                                            if (_e1214 < 0f) {
+                                                                let _e1527 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1516.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1533 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1527.unnamed.root, _e1516.w), _e1527.unnamed_1);
+                                                                let _e1539 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1533.unnamed, lt_bvh_traverse_Tree(_e1516.x, _e1533.unnamed_1.first_primitive));
+                                                                phi_2134_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1539.unnamed, lt_bvh_traverse_Tree(_e1539.unnamed_1.root, _e1516.y));
                                                             } else {
-                                                                let _e1554 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1515.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1560 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1554.unnamed.root, _e1515.y), _e1554.unnamed_1);
-                                                                let _e1566 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1560.unnamed, lt_bvh_traverse_Tree(_e1515.z, _e1560.unnamed_1.first_primitive));
-                                                                phi_2133_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1566.unnamed, lt_bvh_traverse_Tree(_e1566.unnamed_1.root, _e1515.w));
+                                                                let _e1555 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1516.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1561 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1555.unnamed.root, _e1516.y), _e1555.unnamed_1);
+                                                                let _e1567 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1561.unnamed, lt_bvh_traverse_Tree(_e1516.z, _e1561.unnamed_1.first_primitive));
+                                                                phi_2134_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1567.unnamed, lt_bvh_traverse_Tree(_e1567.unnamed_1.root, _e1516.w));
                                                             }
-                                                            let _e1574 = phi_2133_;
-                                                            let _e1584 = nodes.member[(0u + _e1453)].y;
-                                                            if (_e1223 < 0f) {
-                                                                let _e1595 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1584.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1601 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1595.unnamed.root, _e1584.w), _e1595.unnamed_1);
-                                                                let _e1607 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1601.unnamed, lt_bvh_traverse_Tree(_e1584.x, _e1601.unnamed_1.first_primitive));
-                                                                phi_2160_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1607.unnamed, lt_bvh_traverse_Tree(_e1607.unnamed_1.root, _e1584.y));
+                                                            let _e1575 = phi_2134_;
+                                                            let _e1585 = nodes.member[(0u + _e1454)].y;
+                                                            if (_e1224 < 0f) {
+                                                                let _e1596 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1585.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1602 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1596.unnamed.root, _e1585.w), _e1596.unnamed_1);
+                                                                let _e1608 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1602.unnamed, lt_bvh_traverse_Tree(_e1585.x, _e1602.unnamed_1.first_primitive));
+                                                                phi_2161_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1608.unnamed, lt_bvh_traverse_Tree(_e1608.unnamed_1.root, _e1585.y));
                                                             } else {
-                                                                let _e1623 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1584.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1629 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1623.unnamed.root, _e1584.y), _e1623.unnamed_1);
-                                                                let _e1635 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1629.unnamed, lt_bvh_traverse_Tree(_e1584.z, _e1629.unnamed_1.first_primitive));
-                                                                phi_2160_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1635.unnamed, lt_bvh_traverse_Tree(_e1635.unnamed_1.root, _e1584.w));
+                                                                let _e1624 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1585.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1630 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1624.unnamed.root, _e1585.y), _e1624.unnamed_1);
+                                                                let _e1636 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1630.unnamed, lt_bvh_traverse_Tree(_e1585.z, _e1630.unnamed_1.first_primitive));
+                                                                phi_2161_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1636.unnamed, lt_bvh_traverse_Tree(_e1636.unnamed_1.root, _e1585.w));
                                                             }
-                                                            let _e1643 = phi_2160_;
-                                                            let _e1653 = nodes.member[(0u + _e1453)].z;
-                                                            if (_e1233 < 0f) {
-                                                                let _e1664 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1653.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1670 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1664.unnamed.root, _e1653.w), _e1664.unnamed_1);
-                                                                let _e1676 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1670.unnamed, lt_bvh_traverse_Tree(_e1653.x, _e1670.unnamed_1.first_primitive));
-                                                                phi_2187_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1676.unnamed, lt_bvh_traverse_Tree(_e1676.unnamed_1.root, _e1653.y));
+                                                            let _e1644 = phi_2161_;
+                                                            let _e1654 = nodes.member[(0u + _e1454)].z;
+                                                            if (_e1234 < 0f) {
+                                                                let _e1665 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1654.z, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1671 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1665.unnamed.root, _e1654.w), _e1665.unnamed_1);
+                                                                let _e1677 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1671.unnamed, lt_bvh_traverse_Tree(_e1654.x, _e1671.unnamed_1.first_primitive));
+                                                                phi_2188_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1677.unnamed, lt_bvh_traverse_Tree(_e1677.unnamed_1.root, _e1654.y));
                                                             } else {
-                                                                let _e1692 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1653.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
-                                                                let _e1698 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1692.unnamed.root, _e1653.y), _e1692.unnamed_1);
-                                                                let _e1704 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1698.unnamed, lt_bvh_traverse_Tree(_e1653.z, _e1698.unnamed_1.first_primitive));
-                                                                phi_2187_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1704.unnamed, lt_bvh_traverse_Tree(_e1704.unnamed_1.root, _e1653.w));
+                                                                let _e1693 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1654.x, u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed.first_primitive), u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_().unnamed_1);
+                                                                let _e1699 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(lt_bvh_traverse_Tree(_e1693.unnamed.root, _e1654.y), _e1693.unnamed_1);
+                                                                let _e1705 = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1699.unnamed, lt_bvh_traverse_Tree(_e1654.z, _e1699.unnamed_1.first_primitive));
+                                                                phi_2188_ = u0028_u0028_u32_u0020_u32_u0029_u0020_u0028_u32_u0020_u32_u0029_u0029_(_e1705.unnamed, lt_bvh_traverse_Tree(_e1705.unnamed_1.root, _e1654.w));
                                                             }
-                                                            let _e1712 = phi_2187_;
-                                                            phi_2193_ = 0u;
-                                                            phi_2196_ = 0u;
+                                                            let _e1713 = phi_2188_;
+                                                            phi_2194_ = 0u;
+                                                            phi_2197_ = 0u;
                                                             loop {
-                                                                let _e1722 = phi_2193_;
-                                                                let _e1724 = phi_2196_;
-                                                                local_6 = _e1724;
-                                                                local_7 = _e1724;
-                                                                local_8 = _e1724;
-                                                                let _e1725 = (_e1722 < 8u);
-                                                                if _e1725 {
-                                                                    let _e1727 = (_e1722 >> bitcast<u32>(2i));
-                                                                    let _e1728 = (_e1722 & 3u);
-                                                                    if (_e1727 == 0u) {
-                                                                        phi_2210_ = _e1574.unnamed.root;
+                                                                let _e1723 = phi_2194_;
+                                                                let _e1725 = phi_2197_;
+                                                                local_6 = _e1725;
+                                                                local_7 = _e1725;
+                                                                local_8 = _e1725;
+                                                                let _e1726 = (_e1723 < 8u);
+                                                                if _e1726 {
+                                                                    let _e1728 = (_e1723 >> bitcast<u32>(2i));
+                                                                    let _e1729 = (_e1723 & 3u);
+                                                                    if (_e1728 == 0u) {
+                                                                        phi_2211_ = _e1575.unnamed.root;
                                                                     } else {
-                                                                        phi_2210_ = _e1574.unnamed.first_primitive;
+                                                                        phi_2211_ = _e1575.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1731 = phi_2210_;
-                                                                    if (_e1727 == 0u) {
-                                                                        phi_2220_ = _e1643.unnamed.root;
+                                                                    let _e1732 = phi_2211_;
+                                                                    if (_e1728 == 0u) {
+                                                                        phi_2221_ = _e1644.unnamed.root;
                                                                     } else {
-                                                                        phi_2220_ = _e1643.unnamed.first_primitive;
+                                                                        phi_2221_ = _e1644.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1740 = phi_2220_;
-                                                                    if (_e1727 == 0u) {
-                                                                        phi_2230_ = _e1712.unnamed.root;
+                                                                    let _e1741 = phi_2221_;
+                                                                    if (_e1728 == 0u) {
+                                                                        phi_2231_ = _e1713.unnamed.root;
                                                                     } else {
-                                                                        phi_2230_ = _e1712.unnamed.first_primitive;
+                                                                        phi_2231_ = _e1713.unnamed.first_primitive;
                                                                     }
-                                                                    let _e1749 = phi_2230_;
-                                                                    let _e1762 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1731 >> bitcast<u32>(((_e1728 * 8u) & 31u))) & 255u)) * _e1487) + (_e1505 - _e1265)), ((f32(((_e1740 >> bitcast<u32>(((_e1728 * 8u) & 31u))) & 255u)) * _e1488) + (_e1506 - _e1266)));
-                                                                    let _e1763 = core_intrinsics_maximum_number_nsz_f32_(_e1762, ((f32(((_e1749 >> bitcast<u32>(((_e1728 * 8u) & 31u))) & 255u)) * _e1489) + (_e1507 - _e1267)));
-                                                                    if (_e1727 == 0u) {
-                                                                        phi_2248_ = _e1574.unnamed_1.root;
+                                                                    let _e1750 = phi_2231_;
+                                                                    let _e1763 = core_intrinsics_maximum_number_nsz_f32_(((f32(((_e1732 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1488) + (_e1506 - _e1266)), ((f32(((_e1741 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1489) + (_e1507 - _e1267)));
+                                                                    let _e1764 = core_intrinsics_maximum_number_nsz_f32_(_e1763, ((f32(((_e1750 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1490) + (_e1508 - _e1268)));
+                                                                    if (_e1728 == 0u) {
+                                                                        phi_2249_ = _e1575.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2248_ = _e1574.unnamed_1.first_primitive;
+                                                                        phi_2249_ = _e1575.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1766 = phi_2248_;
-                                                                    if (_e1727 == 0u) {
-                                                                        phi_2258_ = _e1643.unnamed_1.root;
+                                                                    let _e1767 = phi_2249_;
+                                                                    if (_e1728 == 0u) {
+                                                                        phi_2259_ = _e1644.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2258_ = _e1643.unnamed_1.first_primitive;
+                                                                        phi_2259_ = _e1644.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1775 = phi_2258_;
-                                                                    if (_e1727 == 0u) {
-                                                                        phi_2268_ = _e1712.unnamed_1.root;
+                                                                    let _e1776 = phi_2259_;
+                                                                    if (_e1728 == 0u) {
+                                                                        phi_2269_ = _e1713.unnamed_1.root;
                                                                     } else {
-                                                                        phi_2268_ = _e1712.unnamed_1.first_primitive;
+                                                                        phi_2269_ = _e1713.unnamed_1.first_primitive;
                                                                     }
-                                                                    let _e1784 = phi_2268_;
-                                                                    let _e1797 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1766 >> bitcast<u32>(((_e1728 * 8u) & 31u))) & 255u)) * _e1487) + (_e1505 + _e1265)), ((f32(((_e1775 >> bitcast<u32>(((_e1728 * 8u) & 31u))) & 255u)) * _e1488) + (_e1506 + _e1266)));
-                                                                    let _e1798 = core_intrinsics_minimum_number_nsz_f32_(_e1797, ((f32(((_e1784 >> bitcast<u32>(((_e1728 * 8u) & 31u))) & 255u)) * _e1489) + (_e1507 + _e1267)));
-                                                                    if (_e1763 <= _e1798) {
-                                                                        if (_e1763 <= _e142) {
-                                                                            if (_e1798 >= 0f) {
-                                                                                if (_e1727 == 0u) {
-                                                                                    let _e1805 = nodes.member[(0u + _e1453)].links[2u];
-                                                                                    phi_2304_ = _e1805;
+                                                                    let _e1785 = phi_2269_;
+                                                                    let _e1798 = core_intrinsics_minimum_number_nsz_f32_(((f32(((_e1767 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1488) + (_e1506 + _e1266)), ((f32(((_e1776 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1489) + (_e1507 + _e1267)));
+                                                                    let _e1799 = core_intrinsics_minimum_number_nsz_f32_(_e1798, ((f32(((_e1785 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u)) * _e1490) + (_e1508 + _e1268)));
+                                                                    if (_e1764 <= _e1799) {
+                                                                        if (_e1764 <= _e143) {
+                                                                            if (_e1799 >= 0f) {
+                                                                                if (_e1728 == 0u) {
+                                                                                    let _e1806 = nodes.member[(0u + _e1454)].links[2u];
+                                                                                    phi_2305_ = _e1806;
                                                                                 } else {
-                                                                                    let _e1808 = nodes.member[(0u + _e1453)].links[3u];
-                                                                                    phi_2304_ = _e1808;
+                                                                                    let _e1809 = nodes.member[(0u + _e1454)].links[3u];
+                                                                                    phi_2305_ = _e1809;
                                                                                 }
-                                                                                let _e1810 = phi_2304_;
-                                                                                let _e1815 = ((_e1810 >> bitcast<u32>(((_e1728 * 8u) & 31u))) & 255u);
-                                                                                let _e1816 = (_e1815 & 31u);
-                                                                                if (_e1816 >= 24u) {
-                                                                                    phi_2317_ = (24u + ((_e1816 - 24u) ^ _e1315));
+                                                                                let _e1811 = phi_2305_;
+                                                                                let _e1816 = ((_e1811 >> bitcast<u32>(((_e1729 * 8u) & 31u))) & 255u);
+                                                                                let _e1817 = (_e1816 & 31u);
+                                                                                if (_e1817 >= 24u) {
+                                                                                    phi_2318_ = (24u + ((_e1817 - 24u) ^ _e1316));
                                                                                 } else {
-                                                                                    phi_2317_ = _e1816;
+                                                                                    phi_2318_ = _e1817;
                                                                                 }
-                                                                                let _e1822 = phi_2317_;
-                                                                                phi_2322_ = (_e1724 | ((_e1815 >> bitcast<u32>(5i)) << bitcast<u32>((_e1822 & 31u))));
+                                                                                let _e1823 = phi_2318_;
+                                                                                phi_2323_ = (_e1725 | ((_e1816 >> bitcast<u32>(5i)) << bitcast<u32>((_e1823 & 31u))));
                                                                             } else {
-                                                                                phi_2322_ = _e1724;
+                                                                                phi_2323_ = _e1725;
                                                                             }
-                                                                            let _e1830 = phi_2322_;
-                                                                            phi_2323_ = _e1830;
+                                                                            let _e1831 = phi_2323_;
+                                                                            phi_2324_ = _e1831;
                                                                         } else {
-                                                                            phi_2323_ = _e1724;
+                                                                            phi_2324_ = _e1725;
                                                                         }
-                                                                        let _e1832 = phi_2323_;
-                                                                        phi_2324_ = _e1832;
+                                                                        let _e1833 = phi_2324_;
+                                                                        phi_2325_ = _e1833;
                                                                     } else {
-                                                                        phi_2324_ = _e1724;
+                                                                        phi_2325_ = _e1725;
                                                                     }
-                                                                    let _e1834 = phi_2324_;
-                                                                    phi_2194_ = (_e1722 + 1u);
-                                                                    phi_2197_ = _e1834;
+                                                                    let _e1835 = phi_2325_;
+                                                                    phi_2195_ = (_e1723 + 1u);
+                                                                    phi_2198_ = _e1835;
                                                                 } else {
-                                                                    phi_2194_ = u32();
-                                                                    phi_2197_ = u32();
+                                                                    phi_2195_ = u32();
+                                                                    phi_2198_ = u32();
                                                                 }
-                                                                let _e1837 = phi_2194_;
-                                                                let _e1839 = phi_2197_;
+                                                                let _e1838 = phi_2195_;
+                                                                let _e1840 = phi_2198_;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2193_ = _e1837;
-                                                                    phi_2196_ = _e1839;
-                                                                    break if !(_e1725);
+                                                                    phi_2194_ = _e1838;
+                                                                    phi_2197_ = _e1840;
+                                                                    break if !(_e1726);
                                                                 }
                                                             }
-                                                            let _e1843 = nodes.member[(0u + _e1453)].links[0u];
-                                                            let _e1847 = nodes.member[(0u + _e1453)].frame[3u];
-                                                            let _e1851 = local_6;
-                                                            if ((_e1851 & 4278190080u) == 0u) {
+                                                            let _e1844 = nodes.member[(0u + _e1454)].links[0u];
+                                                            let _e1848 = nodes.member[(0u + _e1454)].frame[3u];
+                                                            let _e1852 = local_6;
+                                                            if ((_e1852 & 4278190080u) == 0u) {
                                                             } else {
-                                                                let _e1855 = local_1.group_mask;
-                                                                if ((_e1855 & 4278190080u) == 0u) {
+                                                                let _e1856 = local_1.group_mask;
+                                                                if ((_e1856 & 4278190080u) == 0u) {
                                                                 } else {
-                                                                    let _e1859 = local_1.len;
-                                                                    if (_e1859 < 32u) {
-                                                                        let _e1862 = local_1.group;
-                                                                        let _e1864 = local_1.len;
-                                                                        if (_e1864 < 32u) {
+                                                                    let _e1860 = local_1.len;
+                                                                    if (_e1860 < 32u) {
+                                                                        let _e1863 = local_1.group;
+                                                                        let _e1865 = local_1.len;
+                                                                        if (_e1865 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.first[(0u + _e1864)] = _e1862;
-                                                                        let _e1870 = local_1.group_mask;
-                                                                        let _e1872 = local_1.len;
-                                                                        if (_e1872 < 32u) {
+                                                                        local_1.first[(0u + _e1865)] = _e1863;
+                                                                        let _e1871 = local_1.group_mask;
+                                                                        let _e1873 = local_1.len;
+                                                                        if (_e1873 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        local_1.mask[(0u + _e1872)] = _e1870;
-                                                                        let _e1879 = local_1.len;
-                                                                        local_1.len = (_e1879 + 1u);
+                                                                        local_1.mask[(0u + _e1873)] = _e1871;
+                                                                        let _e1880 = local_1.len;
+                                                                        local_1.len = (_e1880 + 1u);
                                                                     }
                                                                 }
-                                                                local_1.group = (_e1081 + _e1843);
-                                                                let _e1883 = local_7;
-                                                                local_1.group_mask = ((_e1883 & 4278190080u) | (_e1847 >> bitcast<u32>(24i)));
+                                                                local_1.group = (_e1082 + _e1844);
+                                                                let _e1884 = local_7;
+                                                                local_1.group_mask = ((_e1884 & 4278190080u) | (_e1848 >> bitcast<u32>(24i)));
                                                             }
-                                                            let _e1888 = local_8;
-                                                            phi_2382_ = (_e1888 & 16777215u);
-                                                            phi_2385_ = _e1455;
+                                                            let _e1889 = local_8;
+                                                            phi_2383_ = (_e1889 & 16777215u);
+                                                            phi_2386_ = _e1456;
                                                             loop {
-                                                                let _e1891 = phi_2382_;
-                                                                let _e1893 = phi_2385_;
-                                                                local_13 = _e1893;
-                                                                let _e1894 = (_e1891 == 0u);
-                                                                local_9 = _e1894;
-                                                                local_15 = _e1894;
-                                                                if _e1894 {
-                                                                    phi_2383_ = u32();
-                                                                    phi_2386_ = bool();
-                                                                    phi_3189_ = bool();
-                                                                    phi_3190_ = false;
+                                                                let _e1892 = phi_2383_;
+                                                                let _e1894 = phi_2386_;
+                                                                local_13 = _e1894;
+                                                                let _e1895 = (_e1892 == 0u);
+                                                                local_9 = _e1895;
+                                                                local_15 = _e1895;
+                                                                if _e1895 {
+                                                                    phi_2384_ = u32();
+                                                                    phi_2387_ = bool();
+                                                                    phi_3190_ = bool();
+                                                                    phi_3191_ = false;
                                                                 } else {
-                                                                    let _e1897 = nodes.member[(0u + _e1453)].links[1u];
-                                                                    let _e1902 = ((_e1083 + _e1897) + select(firstTrailingBit(_e1891), 32u, (_e1891 == 0u)));
-                                                                    if (_e1902 < _e79) {
+                                                                    let _e1898 = nodes.member[(0u + _e1454)].links[1u];
+                                                                    let _e1903 = ((_e1084 + _e1898) + select(firstTrailingBit(_e1892), 32u, (_e1892 == 0u)));
+                                                                    if (_e1903 < _e79) {
                                                                     } else {
                                                                         return;
                                                                     }
-                                                                    let _e1909 = triangles.member[(0u + _e1902)].v0_;
-                                                                    let _e1911 = (_e1909.x - _e1012);
-                                                                    let _e1913 = (_e1909.y - _e1025);
-                                                                    let _e1915 = (_e1909.z - _e1038);
-                                                                    if (_e1288 == 0u) {
-                                                                        phi_2430_ = vec3<f32>(_e1913, _e1915, _e1911);
+                                                                    let _e1910 = triangles.member[(0u + _e1903)].v0_;
+                                                                    let _e1912 = (_e1910.x - _e1013);
+                                                                    let _e1914 = (_e1910.y - _e1026);
+                                                                    let _e1916 = (_e1910.z - _e1039);
+                                                                    if (_e1289 == 0u) {
+                                                                        phi_2431_ = vec3<f32>(_e1914, _e1916, _e1912);
                                                                     } else {
-                                                                        if (_e1288 == 1u) {
-                                                                            phi_2429_ = vec3<f32>(_e1915, _e1911, _e1913);
+                                                                        if (_e1289 == 1u) {
+                                                                            phi_2430_ = vec3<f32>(_e1916, _e1912, _e1914);
                                                                         } else {
-                                                                            phi_2429_ = (_e1909 - vec3<f32>(_e1012, _e1025, _e1038));
+                                                                            phi_2430_ = (_e1910 - vec3<f32>(_e1013, _e1026, _e1039));
                                                                         }
-                                                                        let _e1923 = phi_2429_;
-                                                                        phi_2430_ = _e1923;
+                                                                        let _e1924 = phi_2430_;
+                                                                        phi_2431_ = _e1924;
                                                                     }
-                                                                    let _e1925 = phi_2430_;
-                                                                    let _e1929 = (_e1925.x - (_e1299 * _e1925.z));
-                                                                    let _e1933 = (_e1925.y - (_e1302 * _e1925.z));
-                                                                    let _e1935 = triangles.member[(0u + _e1902)].v1_;
-                                                                    let _e1937 = (_e1935.x - _e1012);
-                                                                    let _e1939 = (_e1935.y - _e1025);
-                                                                    let _e1941 = (_e1935.z - _e1038);
-                                                                    if (_e1288 == 0u) {
-                                                                        phi_2460_ = vec3<f32>(_e1939, _e1941, _e1937);
+                                                                    let _e1926 = phi_2431_;
+                                                                    let _e1930 = (_e1926.x - (_e1300 * _e1926.z));
+                                                                    let _e1934 = (_e1926.y - (_e1303 * _e1926.z));
+                                                                    let _e1936 = triangles.member[(0u + _e1903)].v1_;
+                                                                    let _e1938 = (_e1936.x - _e1013);
+                                                                    let _e1940 = (_e1936.y - _e1026);
+                                                                    let _e1942 = (_e1936.z - _e1039);
+                                                                    if (_e1289 == 0u) {
+                                                                        phi_2461_ = vec3<f32>(_e1940, _e1942, _e1938);
                                                                     } else {
-                                                                        if (_e1288 == 1u) {
-                                                                            phi_2459_ = vec3<f32>(_e1941, _e1937, _e1939);
+                                                                        if (_e1289 == 1u) {
+                                                                            phi_2460_ = vec3<f32>(_e1942, _e1938, _e1940);
                                                                         } else {
-                                                                            phi_2459_ = (_e1935 - vec3<f32>(_e1012, _e1025, _e1038));
+                                                                            phi_2460_ = (_e1936 - vec3<f32>(_e1013, _e1026, _e1039));
                                                                         }
-                                                                        let _e1949 = phi_2459_;
-                                                                        phi_2460_ = _e1949;
+                                                                        let _e1950 = phi_2460_;
+                                                                        phi_2461_ = _e1950;
                                                                     }
-                                                                    let _e1951 = phi_2460_;
-                                                                    let _e1955 = (_e1951.x - (_e1299 * _e1951.z));
-                                                                    let _e1959 = (_e1951.y - (_e1302 * _e1951.z));
-                                                                    let _e1961 = triangles.member[(0u + _e1902)].v2_;
-                                                                    let _e1963 = (_e1961.x - _e1012);
-                                                                    let _e1965 = (_e1961.y - _e1025);
-                                                                    let _e1967 = (_e1961.z - _e1038);
-                                                                    if (_e1288 == 0u) {
-                                                                        phi_2490_ = vec3<f32>(_e1965, _e1967, _e1963);
+                                                                    let _e1952 = phi_2461_;
+                                                                    let _e1956 = (_e1952.x - (_e1300 * _e1952.z));
+                                                                    let _e1960 = (_e1952.y - (_e1303 * _e1952.z));
+                                                                    let _e1962 = triangles.member[(0u + _e1903)].v2_;
+                                                                    let _e1964 = (_e1962.x - _e1013);
+                                                                    let _e1966 = (_e1962.y - _e1026);
+                                                                    let _e1968 = (_e1962.z - _e1039);
+                                                                    if (_e1289 == 0u) {
+                                                                        phi_2491_ = vec3<f32>(_e1966, _e1968, _e1964);
                                                                     } else {
-                                                                        if (_e1288 == 1u) {
-                                                                            phi_2489_ = vec3<f32>(_e1967, _e1963, _e1965);
+                                                                        if (_e1289 == 1u) {
+                                                                            phi_2490_ = vec3<f32>(_e1968, _e1964, _e1966);
                                                                         } else {
-                                                                            phi_2489_ = (_e1961 - vec3<f32>(_e1012, _e1025, _e1038));
+                                                                            phi_2490_ = (_e1962 - vec3<f32>(_e1013, _e1026, _e1039));
                                                                         }
-                                                                        let _e1975 = phi_2489_;
-                                                                        phi_2490_ = _e1975;
+                                                                        let _e1976 = phi_2490_;
+                                                                        phi_2491_ = _e1976;
                                                                     }
-                                                                    let _e1977 = phi_2490_;
-                                                                    let _e1981 = (_e1977.x - (_e1299 * _e1977.z));
-                                                                    let _e1985 = (_e1977.y - (_e1302 * _e1977.z));
-                                                                    if (_e1955 < _e1981) {
-                                                                        phi_2509_ = true;
+                                                                    let _e1978 = phi_2491_;
+                                                                    let _e1982 = (_e1978.x - (_e1300 * _e1978.z));
+                                                                    let _e1986 = (_e1978.y - (_e1303 * _e1978.z));
+                                                                    if (_e1956 < _e1982) {
+                                                                        phi_2510_ = true;
                                                                     } else {
-                                                                        if (_e1955 == _e1981) {
-                                                                            phi_2508_ = (_e1959 < _e1985);
+                                                                        if (_e1956 == _e1982) {
+                                                                            phi_2509_ = (_e1960 < _e1986);
                                                                         } else {
-                                                                            phi_2508_ = false;
+                                                                            phi_2509_ = false;
                                                                         }
-                                                                        let _e1990 = phi_2508_;
-                                                                        phi_2509_ = _e1990;
+                                                                        let _e1991 = phi_2509_;
+                                                                        phi_2510_ = _e1991;
                                                                     }
-                                                                    let _e1992 = phi_2509_;
-                                                                    if _e1992 {
-                                                                        phi_2513_ = _e1985;
-                                                                        phi_2514_ = _e1981;
-                                                                        phi_2515_ = _e1959;
-                                                                        phi_2516_ = _e1955;
+                                                                    let _e1993 = phi_2510_;
+                                                                    if _e1993 {
+                                                                        phi_2514_ = _e1986;
+                                                                        phi_2515_ = _e1982;
+                                                                        phi_2516_ = _e1960;
+                                                                        phi_2517_ = _e1956;
                                                                     } else {
-                                                                        phi_2513_ = _e1959;
-                                                                        phi_2514_ = _e1955;
-                                                                        phi_2515_ = _e1985;
-                                                                        phi_2516_ = _e1981;
+                                                                        phi_2514_ = _e1960;
+                                                                        phi_2515_ = _e1956;
+                                                                        phi_2516_ = _e1986;
+                                                                        phi_2517_ = _e1982;
                                                                     }
-                                                                    let _e1994 = phi_2513_;
-                                                                    let _e1996 = phi_2514_;
-                                                                    let _e1998 = phi_2515_;
-                                                                    let _e2000 = phi_2516_;
-                                                                    let _e2003 = ((_e2000 * _e1994) - (_e1998 * _e1996));
-                                                                    if _e1992 {
-                                                                        phi_2524_ = -(_e2003);
+                                                                    let _e1995 = phi_2514_;
+                                                                    let _e1997 = phi_2515_;
+                                                                    let _e1999 = phi_2516_;
+                                                                    let _e2001 = phi_2517_;
+                                                                    let _e2004 = ((_e2001 * _e1995) - (_e1999 * _e1997));
+                                                                    if _e1993 {
+                                                                        phi_2525_ = -(_e2004);
                                                                     } else {
-                                                                        phi_2524_ = _e2003;
+                                                                        phi_2525_ = _e2004;
                                                                     }
-                                                                    let _e2006 = phi_2524_;
-                                                                    if (_e1981 < _e1929) {
-                                                                        phi_2535_ = true;
+                                                                    let _e2007 = phi_2525_;
+                                                                    if (_e1982 < _e1930) {
+                                                                        phi_2536_ = true;
                                                                     } else {
-                                                                        if (_e1981 == _e1929) {
-                                                                            phi_2534_ = (_e1985 < _e1933);
+                                                                        if (_e1982 == _e1930) {
+                                                                            phi_2535_ = (_e1986 < _e1934);
                                                                         } else {
-                                                                            phi_2534_ = false;
+                                                                            phi_2535_ = false;
                                                                         }
-                                                                        let _e2011 = phi_2534_;
-                                                                        phi_2535_ = _e2011;
+                                                                        let _e2012 = phi_2535_;
+                                                                        phi_2536_ = _e2012;
                                                                     }
-                                                                    let _e2013 = phi_2535_;
-                                                                    if _e2013 {
-                                                                        phi_2539_ = _e1933;
-                                                                        phi_2540_ = _e1929;
-                                                                        phi_2541_ = _e1985;
-                                                                        phi_2542_ = _e1981;
+                                                                    let _e2014 = phi_2536_;
+                                                                    if _e2014 {
+                                                                        phi_2540_ = _e1934;
+                                                                        phi_2541_ = _e1930;
+                                                                        phi_2542_ = _e1986;
+                                                                        phi_2543_ = _e1982;
                                                                     } else {
-                                                                        phi_2539_ = _e1985;
-                                                                        phi_2540_ = _e1981;
-                                                                        phi_2541_ = _e1933;
-                                                                        phi_2542_ = _e1929;
+                                                                        phi_2540_ = _e1986;
+                                                                        phi_2541_ = _e1982;
+                                                                        phi_2542_ = _e1934;
+                                                                        phi_2543_ = _e1930;
                                                                     }
-                                                                    let _e2015 = phi_2539_;
-                                                                    let _e2017 = phi_2540_;
-                                                                    let _e2019 = phi_2541_;
-                                                                    let _e2021 = phi_2542_;
-                                                                    let _e2024 = ((_e2021 * _e2015) - (_e2019 * _e2017));
-                                                                    if _e2013 {
-                                                                        phi_2550_ = -(_e2024);
+                                                                    let _e2016 = phi_2540_;
+                                                                    let _e2018 = phi_2541_;
+                                                                    let _e2020 = phi_2542_;
+                                                                    let _e2022 = phi_2543_;
+                                                                    let _e2025 = ((_e2022 * _e2016) - (_e2020 * _e2018));
+                                                                    if _e2014 {
+                                                                        phi_2551_ = -(_e2025);
                                                                     } else {
-                                                                        phi_2550_ = _e2024;
+                                                                        phi_2551_ = _e2025;
                                                                     }
-                                                                    let _e2027 = phi_2550_;
-                                                                    if (_e1929 < _e1955) {
-                                                                        phi_2561_ = true;
+                                                                    let _e2028 = phi_2551_;
+                                                                    if (_e1930 < _e1956) {
+                                                                        phi_2562_ = true;
                                                                     } else {
-                                                                        if (_e1929 == _e1955) {
-                                                                            phi_2560_ = (_e1933 < _e1959);
+                                                                        if (_e1930 == _e1956) {
+                                                                            phi_2561_ = (_e1934 < _e1960);
                                                                         } else {
-                                                                            phi_2560_ = false;
+                                                                            phi_2561_ = false;
                                                                         }
-                                                                        let _e2032 = phi_2560_;
-                                                                        phi_2561_ = _e2032;
+                                                                        let _e2033 = phi_2561_;
+                                                                        phi_2562_ = _e2033;
                                                                     }
-                                                                    let _e2034 = phi_2561_;
-                                                                    if _e2034 {
-                                                                        phi_2565_ = _e1959;
-                                                                        phi_2566_ = _e1955;
-                                                                        phi_2567_ = _e1933;
-                                                                        phi_2568_ = _e1929;
+                                                                    let _e2035 = phi_2562_;
+                                                                    if _e2035 {
+                                                                        phi_2566_ = _e1960;
+                                                                        phi_2567_ = _e1956;
+                                                                        phi_2568_ = _e1934;
+                                                                        phi_2569_ = _e1930;
                                                                     } else {
-                                                                        phi_2565_ = _e1933;
-                                                                        phi_2566_ = _e1929;
-                                                                        phi_2567_ = _e1959;
-                                                                        phi_2568_ = _e1955;
+                                                                        phi_2566_ = _e1934;
+                                                                        phi_2567_ = _e1930;
+                                                                        phi_2568_ = _e1960;
+                                                                        phi_2569_ = _e1956;
                                                                     }
-                                                                    let _e2036 = phi_2565_;
-                                                                    let _e2038 = phi_2566_;
-                                                                    let _e2040 = phi_2567_;
-                                                                    let _e2042 = phi_2568_;
-                                                                    let _e2045 = ((_e2042 * _e2036) - (_e2040 * _e2038));
-                                                                    if _e2034 {
-                                                                        phi_2576_ = -(_e2045);
+                                                                    let _e2037 = phi_2566_;
+                                                                    let _e2039 = phi_2567_;
+                                                                    let _e2041 = phi_2568_;
+                                                                    let _e2043 = phi_2569_;
+                                                                    let _e2046 = ((_e2043 * _e2037) - (_e2041 * _e2039));
+                                                                    if _e2035 {
+                                                                        phi_2577_ = -(_e2046);
                                                                     } else {
-                                                                        phi_2576_ = _e2045;
+                                                                        phi_2577_ = _e2046;
                                                                     }
-                                                                    let _e2048 = phi_2576_;
-                                                                    if (_e2006 >= 0f) {
-                                                                        if (_e2027 >= 0f) {
-                                                                            if (_e2048 >= 0f) {
-                                                                                phi_2591_ = ((_e2006 + _e2027) + _e2048);
-                                                                                phi_2592_ = false;
+                                                                    let _e2049 = phi_2577_;
+                                                                    if (_e2007 >= 0f) {
+                                                                        if (_e2028 >= 0f) {
+                                                                            if (_e2049 >= 0f) {
+                                                                                phi_2592_ = ((_e2007 + _e2028) + _e2049);
+                                                                                phi_2593_ = false;
                                                                             } else {
-                                                                                phi_2591_ = f32();
-                                                                                phi_2592_ = true;
+                                                                                phi_2592_ = f32();
+                                                                                phi_2593_ = true;
                                                                             }
-                                                                            let _e2055 = phi_2591_;
-                                                                            let _e2057 = phi_2592_;
-                                                                            phi_2593_ = _e2055;
-                                                                            phi_2594_ = _e2057;
+                                                                            let _e2056 = phi_2592_;
+                                                                            let _e2058 = phi_2593_;
+                                                                            phi_2594_ = _e2056;
+                                                                            phi_2595_ = _e2058;
                                                                         } else {
-                                                                            phi_2593_ = f32();
-                                                                            phi_2594_ = true;
+                                                                            phi_2594_ = f32();
+                                                                            phi_2595_ = true;
                                                                         }
-                                                                        let _e2059 = phi_2593_;
-                                                                        let _e2061 = phi_2594_;
-                                                                        phi_2595_ = _e2059;
-                                                                        phi_2596_ = _e2061;
+                                                                        let _e2060 = phi_2594_;
+                                                                        let _e2062 = phi_2595_;
+                                                                        phi_2596_ = _e2060;
+                                                                        phi_2597_ = _e2062;
                                                                     } else {
-                                                                        phi_2595_ = f32();
-                                                                        phi_2596_ = true;
+                                                                        phi_2596_ = f32();
+                                                                        phi_2597_ = true;
                                                                     }
-                                                                    let _e2063 = phi_2595_;
-                                                                    let _e2065 = phi_2596_;
-                                                                    if _e2065 {
-                                                                        if (_e2006 <= 0f) {
-                                                                            if (_e2027 <= 0f) {
-                                                                                let _e2068 = (_e2048 <= 0f);
-                                                                                if _e2068 {
+                                                                    let _e2064 = phi_2596_;
+                                                                    let _e2066 = phi_2597_;
+                                                                    if _e2066 {
+                                                                        if (_e2007 <= 0f) {
+                                                                            if (_e2028 <= 0f) {
+                                                                                let _e2069 = (_e2049 <= 0f);
+                                                                                if _e2069 {
                                                                                 }
-                                                                                phi_2614_ = ((_e2006 + _e2027) + _e2048);
-                                                                                phi_2615_ = false;
-                                                                                phi_2616_ = _e2068;
-                                                                            } else {
-                                                                                phi_2614_ = f32();
-                                                                                phi_2615_ = true;
+                                                                                phi_2615_ = ((_e2007 + _e2028) + _e2049);
                                                                                 phi_2616_ = false;
+                                                                                phi_2617_ = _e2069;
+                                                                            } else {
+                                                                                phi_2615_ = f32();
+                                                                                phi_2616_ = true;
+                                                                                phi_2617_ = false;
                                                                             }
-                                                                            let _e2072 = phi_2614_;
-                                                                            let _e2074 = phi_2615_;
-                                                                            let _e2076 = phi_2616_;
-                                                                            phi_2617_ = _e2072;
-                                                                            phi_2618_ = _e2074;
-                                                                            phi_2619_ = _e2076;
+                                                                            let _e2073 = phi_2615_;
+                                                                            let _e2075 = phi_2616_;
+                                                                            let _e2077 = phi_2617_;
+                                                                            phi_2618_ = _e2073;
+                                                                            phi_2619_ = _e2075;
+                                                                            phi_2620_ = _e2077;
                                                                         } else {
-                                                                            phi_2617_ = f32();
-                                                                            phi_2618_ = true;
-                                                                            phi_2619_ = false;
+                                                                            phi_2618_ = f32();
+                                                                            phi_2619_ = true;
+                                                                            phi_2620_ = false;
                                                                         }
-                                                                        let _e2078 = phi_2617_;
-                                                                        let _e2080 = phi_2618_;
-                                                                        let _e2082 = phi_2619_;
-                                                                        if _e2080 {
-                                                                            phi_2623_ = false;
+                                                                        let _e2079 = phi_2618_;
+                                                                        let _e2081 = phi_2619_;
+                                                                        let _e2083 = phi_2620_;
+                                                                        if _e2081 {
+                                                                            phi_2624_ = false;
                                                                         } else {
-                                                                            phi_2623_ = _e2082;
+                                                                            phi_2624_ = _e2083;
                                                                         }
-                                                                        let _e2084 = phi_2623_;
-                                                                        phi_2624_ = _e2078;
-                                                                        phi_2625_ = _e2084;
+                                                                        let _e2085 = phi_2624_;
+                                                                        phi_2625_ = _e2079;
+                                                                        phi_2626_ = _e2085;
                                                                     } else {
-                                                                        phi_2624_ = _e2063;
-                                                                        phi_2625_ = true;
+                                                                        phi_2625_ = _e2064;
+                                                                        phi_2626_ = true;
                                                                     }
-                                                                    let _e2086 = phi_2624_;
-                                                                    let _e2088 = phi_2625_;
-                                                                    if _e2088 {
-                                                                        let _e2089 = (_e2086 == 0f);
-                                                                        if _e2089 {
-                                                                            phi_2941_ = lt_bvh_triangle_Intersection();
-                                                                            phi_2942_ = false;
+                                                                    let _e2087 = phi_2625_;
+                                                                    let _e2089 = phi_2626_;
+                                                                    if _e2089 {
+                                                                        let _e2090 = (_e2087 == 0f);
+                                                                        if _e2090 {
+                                                                            phi_2942_ = lt_bvh_triangle_Intersection();
+                                                                            phi_2943_ = false;
                                                                         } else {
-                                                                            let _e2091 = triangles.member[(0u + _e1902)].v0_;
-                                                                            let _e2093 = (_e2091.x - _e1012);
-                                                                            let _e2095 = (_e2091.y - _e1025);
-                                                                            let _e2097 = (_e2091.z - _e1038);
-                                                                            if (_e1288 == 0u) {
-                                                                                phi_2654_ = vec3<f32>(_e2095, _e2097, _e2093);
+                                                                            let _e2092 = triangles.member[(0u + _e1903)].v0_;
+                                                                            let _e2094 = (_e2092.x - _e1013);
+                                                                            let _e2096 = (_e2092.y - _e1026);
+                                                                            let _e2098 = (_e2092.z - _e1039);
+                                                                            if (_e1289 == 0u) {
+                                                                                phi_2655_ = vec3<f32>(_e2096, _e2098, _e2094);
                                                                             } else {
-                                                                                if (_e1288 == 1u) {
-                                                                                    phi_2653_ = vec3<f32>(_e2097, _e2093, _e2095);
+                                                                                if (_e1289 == 1u) {
+                                                                                    phi_2654_ = vec3<f32>(_e2098, _e2094, _e2096);
                                                                                 } else {
-                                                                                    phi_2653_ = (_e2091 - vec3<f32>(_e1012, _e1025, _e1038));
+                                                                                    phi_2654_ = (_e2092 - vec3<f32>(_e1013, _e1026, _e1039));
                                                                                 }
-                                                                                let _e2105 = phi_2653_;
-                                                                                phi_2654_ = _e2105;
+                                                                                let _e2106 = phi_2654_;
+                                                                                phi_2655_ = _e2106;
                                                                             }
-                                                                            let _e2107 = phi_2654_;
-                                                                            let _e2109 = triangles.member[(0u + _e1902)].v1_;
-                                                                            let _e2111 = triangles.member[(0u + _e1902)].v0_;
-                                                                            let _e2114 = (_e2109.x - _e2111.x);
-                                                                            let _e2117 = (_e2109.y - _e2111.y);
-                                                                            let _e2120 = (_e2109.z - _e2111.z);
-                                                                            if (_e1288 == 0u) {
-                                                                                phi_2680_ = vec3<f32>(_e2117, _e2120, _e2114);
+                                                                            let _e2108 = phi_2655_;
+                                                                            let _e2110 = triangles.member[(0u + _e1903)].v1_;
+                                                                            let _e2112 = triangles.member[(0u + _e1903)].v0_;
+                                                                            let _e2115 = (_e2110.x - _e2112.x);
+                                                                            let _e2118 = (_e2110.y - _e2112.y);
+                                                                            let _e2121 = (_e2110.z - _e2112.z);
+                                                                            if (_e1289 == 0u) {
+                                                                                phi_2681_ = vec3<f32>(_e2118, _e2121, _e2115);
                                                                             } else {
-                                                                                if (_e1288 == 1u) {
-                                                                                    phi_2679_ = vec3<f32>(_e2120, _e2114, _e2117);
+                                                                                if (_e1289 == 1u) {
+                                                                                    phi_2680_ = vec3<f32>(_e2121, _e2115, _e2118);
                                                                                 } else {
-                                                                                    phi_2679_ = (_e2109 - _e2111);
+                                                                                    phi_2680_ = (_e2110 - _e2112);
                                                                                 }
-                                                                                let _e2127 = phi_2679_;
-                                                                                phi_2680_ = _e2127;
+                                                                                let _e2128 = phi_2680_;
+                                                                                phi_2681_ = _e2128;
                                                                             }
-                                                                            let _e2129 = phi_2680_;
-                                                                            let _e2131 = triangles.member[(0u + _e1902)].v2_;
-                                                                            let _e2133 = triangles.member[(0u + _e1902)].v0_;
-                                                                            let _e2136 = (_e2131.x - _e2133.x);
-                                                                            let _e2139 = (_e2131.y - _e2133.y);
-                                                                            let _e2142 = (_e2131.z - _e2133.z);
-                                                                            if (_e1288 == 0u) {
-                                                                                phi_2706_ = vec3<f32>(_e2139, _e2142, _e2136);
+                                                                            let _e2130 = phi_2681_;
+                                                                            let _e2132 = triangles.member[(0u + _e1903)].v2_;
+                                                                            let _e2134 = triangles.member[(0u + _e1903)].v0_;
+                                                                            let _e2137 = (_e2132.x - _e2134.x);
+                                                                            let _e2140 = (_e2132.y - _e2134.y);
+                                                                            let _e2143 = (_e2132.z - _e2134.z);
+                                                                            if (_e1289 == 0u) {
+                                                                                phi_2707_ = vec3<f32>(_e2140, _e2143, _e2137);
                                                                             } else {
-                                                                                if (_e1288 == 1u) {
-                                                                                    phi_2705_ = vec3<f32>(_e2142, _e2136, _e2139);
+                                                                                if (_e1289 == 1u) {
+                                                                                    phi_2706_ = vec3<f32>(_e2143, _e2137, _e2140);
                                                                                 } else {
-                                                                                    phi_2705_ = (_e2131 - _e2133);
+                                                                                    phi_2706_ = (_e2132 - _e2134);
                                                                                 }
-                                                                                let _e2149 = phi_2705_;
-                                                                                phi_2706_ = _e2149;
+                                                                                let _e2150 = phi_2706_;
+                                                                                phi_2707_ = _e2150;
                                                                             }
-                                                                            let _e2151 = phi_2706_;
-                                                                            let _e2158 = ((_e2129.y * _e2151.z) - (_e2129.z * _e2151.y));
-                                                                            let _e2165 = ((_e2129.z * _e2151.x) - (_e2129.x * _e2151.z));
-                                                                            let _e2172 = ((_e2129.x * _e2151.y) - (_e2129.y * _e2151.x));
-                                                                            let _e2186 = (((1f / _e1296.z) * (((_e2158 * _e2107.x) + (_e2165 * _e2107.y)) + (_e2172 * _e2107.z))) / (((_e2158 * _e1299) + (_e2165 * _e1302)) + _e2172));
-                                                                            if (_e2186 > 0f) {
-                                                                                if (_e2186 < _e142) {
-                                                                                    let _e2190 = triangles.member[(0u + _e1902)].v0_;
-                                                                                    let _e2192 = triangles.member[(0u + _e1902)].v1_;
-                                                                                    if (_e2190.x < _e2192.x) {
-                                                                                        phi_2762_ = _e2190.x;
+                                                                            let _e2152 = phi_2707_;
+                                                                            let _e2159 = ((_e2130.y * _e2152.z) - (_e2130.z * _e2152.y));
+                                                                            let _e2166 = ((_e2130.z * _e2152.x) - (_e2130.x * _e2152.z));
+                                                                            let _e2173 = ((_e2130.x * _e2152.y) - (_e2130.y * _e2152.x));
+                                                                            let _e2187 = (((1f / _e1297.z) * (((_e2159 * _e2108.x) + (_e2166 * _e2108.y)) + (_e2173 * _e2108.z))) / (((_e2159 * _e1300) + (_e2166 * _e1303)) + _e2173));
+                                                                            if (_e2187 > 0f) {
+                                                                                if (_e2187 < _e143) {
+                                                                                    let _e2191 = triangles.member[(0u + _e1903)].v0_;
+                                                                                    let _e2193 = triangles.member[(0u + _e1903)].v1_;
+                                                                                    if (_e2191.x < _e2193.x) {
+                                                                                        phi_2763_ = _e2191.x;
                                                                                     } else {
-                                                                                        phi_2762_ = _e2192.x;
+                                                                                        phi_2763_ = _e2193.x;
                                                                                     }
-                                                                                    let _e2199 = phi_2762_;
-                                                                                    if (_e2190.y < _e2192.y) {
-                                                                                        phi_2771_ = _e2190.y;
+                                                                                    let _e2200 = phi_2763_;
+                                                                                    if (_e2191.y < _e2193.y) {
+                                                                                        phi_2772_ = _e2191.y;
                                                                                     } else {
-                                                                                        phi_2771_ = _e2192.y;
+                                                                                        phi_2772_ = _e2193.y;
                                                                                     }
-                                                                                    let _e2206 = phi_2771_;
-                                                                                    if (_e2190.z < _e2192.z) {
-                                                                                        phi_2780_ = _e2190.z;
+                                                                                    let _e2207 = phi_2772_;
+                                                                                    if (_e2191.z < _e2193.z) {
+                                                                                        phi_2781_ = _e2191.z;
                                                                                     } else {
-                                                                                        phi_2780_ = _e2192.z;
+                                                                                        phi_2781_ = _e2193.z;
                                                                                     }
-                                                                                    let _e2213 = phi_2780_;
-                                                                                    let _e2215 = triangles.member[(0u + _e1902)].v2_;
-                                                                                    if (_e2199 < _e2215.x) {
-                                                                                        phi_2789_ = _e2199;
+                                                                                    let _e2214 = phi_2781_;
+                                                                                    let _e2216 = triangles.member[(0u + _e1903)].v2_;
+                                                                                    if (_e2200 < _e2216.x) {
+                                                                                        phi_2790_ = _e2200;
                                                                                     } else {
-                                                                                        phi_2789_ = _e2215.x;
+                                                                                        phi_2790_ = _e2216.x;
                                                                                     }
-                                                                                    let _e2220 = phi_2789_;
-                                                                                    if (_e2206 < _e2215.y) {
-                                                                                        phi_2796_ = _e2206;
+                                                                                    let _e2221 = phi_2790_;
+                                                                                    if (_e2207 < _e2216.y) {
+                                                                                        phi_2797_ = _e2207;
                                                                                     } else {
-                                                                                        phi_2796_ = _e2215.y;
+                                                                                        phi_2797_ = _e2216.y;
                                                                                     }
-                                                                                    let _e2225 = phi_2796_;
-                                                                                    if (_e2213 < _e2215.z) {
-                                                                                        phi_2803_ = _e2213;
+                                                                                    let _e2226 = phi_2797_;
+                                                                                    if (_e2214 < _e2216.z) {
+                                                                                        phi_2804_ = _e2214;
                                                                                     } else {
-                                                                                        phi_2803_ = _e2215.z;
+                                                                                        phi_2804_ = _e2216.z;
                                                                                     }
-                                                                                    let _e2230 = phi_2803_;
-                                                                                    let _e2232 = triangles.member[(0u + _e1902)].v0_;
-                                                                                    let _e2234 = triangles.member[(0u + _e1902)].v1_;
-                                                                                    if (_e2232.x > _e2234.x) {
-                                                                                        phi_2816_ = _e2232.x;
+                                                                                    let _e2231 = phi_2804_;
+                                                                                    let _e2233 = triangles.member[(0u + _e1903)].v0_;
+                                                                                    let _e2235 = triangles.member[(0u + _e1903)].v1_;
+                                                                                    if (_e2233.x > _e2235.x) {
+                                                                                        phi_2817_ = _e2233.x;
                                                                                     } else {
-                                                                                        phi_2816_ = _e2234.x;
+                                                                                        phi_2817_ = _e2235.x;
                                                                                     }
-                                                                                    let _e2241 = phi_2816_;
-                                                                                    if (_e2232.y > _e2234.y) {
-                                                                                        phi_2825_ = _e2232.y;
+                                                                                    let _e2242 = phi_2817_;
+                                                                                    if (_e2233.y > _e2235.y) {
+                                                                                        phi_2826_ = _e2233.y;
                                                                                     } else {
-                                                                                        phi_2825_ = _e2234.y;
+                                                                                        phi_2826_ = _e2235.y;
                                                                                     }
-                                                                                    let _e2248 = phi_2825_;
-                                                                                    if (_e2232.z > _e2234.z) {
-                                                                                        phi_2834_ = _e2232.z;
+                                                                                    let _e2249 = phi_2826_;
+                                                                                    if (_e2233.z > _e2235.z) {
+                                                                                        phi_2835_ = _e2233.z;
                                                                                     } else {
-                                                                                        phi_2834_ = _e2234.z;
+                                                                                        phi_2835_ = _e2235.z;
                                                                                     }
-                                                                                    let _e2255 = phi_2834_;
-                                                                                    let _e2257 = triangles.member[(0u + _e1902)].v2_;
-                                                                                    if (_e2241 > _e2257.x) {
-                                                                                        phi_2843_ = _e2241;
+                                                                                    let _e2256 = phi_2835_;
+                                                                                    let _e2258 = triangles.member[(0u + _e1903)].v2_;
+                                                                                    if (_e2242 > _e2258.x) {
+                                                                                        phi_2844_ = _e2242;
                                                                                     } else {
-                                                                                        phi_2843_ = _e2257.x;
+                                                                                        phi_2844_ = _e2258.x;
                                                                                     }
-                                                                                    let _e2262 = phi_2843_;
-                                                                                    if (_e2248 > _e2257.y) {
-                                                                                        phi_2850_ = _e2248;
+                                                                                    let _e2263 = phi_2844_;
+                                                                                    if (_e2249 > _e2258.y) {
+                                                                                        phi_2851_ = _e2249;
                                                                                     } else {
-                                                                                        phi_2850_ = _e2257.y;
+                                                                                        phi_2851_ = _e2258.y;
                                                                                     }
-                                                                                    let _e2267 = phi_2850_;
-                                                                                    if (_e2255 > _e2257.z) {
-                                                                                        phi_2857_ = _e2255;
+                                                                                    let _e2268 = phi_2851_;
+                                                                                    if (_e2256 > _e2258.z) {
+                                                                                        phi_2858_ = _e2256;
                                                                                     } else {
-                                                                                        phi_2857_ = _e2257.z;
+                                                                                        phi_2858_ = _e2258.z;
                                                                                     }
-                                                                                    let _e2272 = phi_2857_;
-                                                                                    let _e2276 = ((_e2220 - _e1012) * _e1213);
-                                                                                    let _e2277 = ((_e2225 - _e1025) * _e1223);
-                                                                                    let _e2278 = ((_e2230 - _e1038) * _e1233);
-                                                                                    let _e2282 = ((_e2262 - _e1012) * _e1213);
-                                                                                    let _e2283 = ((_e2267 - _e1025) * _e1223);
-                                                                                    let _e2284 = ((_e2272 - _e1038) * _e1233);
-                                                                                    if (_e2276 < _e2282) {
-                                                                                        phi_2874_ = _e2276;
-                                                                                    } else {
-                                                                                        phi_2874_ = _e2282;
-                                                                                    }
-                                                                                    let _e2287 = phi_2874_;
+                                                                                    let _e2273 = phi_2858_;
+                                                                                    let _e2277 = ((_e2221 - _e1013) * _e1214);
+                                                                                    let _e2278 = ((_e2226 - _e1026) * _e1224);
+                                                                                    let _e2279 = ((_e2231 - _e1039) * _e1234);
+                                                                                    let _e2283 = ((_e2263 - _e1013) * _e1214);
+                                                                                    let _e2284 = ((_e2268 - _e1026) * _e1224);
+                                                                                    let _e2285 = ((_e2273 - _e1039) * _e1234);
                                                                                     if (_e2277 < _e2283) {
-                                                                                        phi_2879_ = _e2277;
+                                                                                        phi_2875_ = _e2277;
                                                                                     } else {
-                                                                                        phi_2879_ = _e2283;
+                                                                                        phi_2875_ = _e2283;
                                                                                     }
-                                                                                    let _e2290 = phi_2879_;
+                                                                                    let _e2288 = phi_2875_;
                                                                                     if (_e2278 < _e2284) {
-                                                                                        phi_2884_ = _e2278;
+                                                                                        phi_2880_ = _e2278;
                                                                                     } else {
-                                                                                        phi_2884_ = _e2284;
+                                                                                        phi_2880_ = _e2284;
                                                                                     }
-                                                                                    let _e2293 = phi_2884_;
-                                                                                    if (_e2276 > _e2282) {
-                                                                                        phi_2892_ = _e2276;
+                                                                                    let _e2291 = phi_2880_;
+                                                                                    if (_e2279 < _e2285) {
+                                                                                        phi_2885_ = _e2279;
                                                                                     } else {
-                                                                                        phi_2892_ = _e2282;
+                                                                                        phi_2885_ = _e2285;
                                                                                     }
-                                                                                    let _e2299 = phi_2892_;
+                                                                                    let _e2294 = phi_2885_;
                                                                                     if (_e2277 > _e2283) {
-                                                                                        phi_2897_ = _e2277;
+                                                                                        phi_2893_ = _e2277;
                                                                                     } else {
-                                                                                        phi_2897_ = _e2283;
+                                                                                        phi_2893_ = _e2283;
                                                                                     }
-                                                                                    let _e2302 = phi_2897_;
+                                                                                    let _e2300 = phi_2893_;
                                                                                     if (_e2278 > _e2284) {
-                                                                                        phi_2902_ = _e2278;
+                                                                                        phi_2898_ = _e2278;
                                                                                     } else {
-                                                                                        phi_2902_ = _e2284;
+                                                                                        phi_2898_ = _e2284;
                                                                                     }
-                                                                                    let _e2305 = phi_2902_;
-                                                                                    let _e2309 = core_intrinsics_maximum_number_nsz_f32_((_e2287 - _e1272), (_e2290 - _e1273));
-                                                                                    let _e2310 = core_intrinsics_maximum_number_nsz_f32_(_e2309, (_e2293 - _e1274));
-                                                                                    let _e2311 = core_intrinsics_minimum_number_nsz_f32_((_e2299 + _e1272), (_e2302 + _e1273));
-                                                                                    let _e2312 = core_intrinsics_minimum_number_nsz_f32_(_e2311, (_e2305 + _e1274));
-                                                                                    if (_e2310 > _e993) {
-                                                                                        phi_2914_ = _e2310;
+                                                                                    let _e2303 = phi_2898_;
+                                                                                    if (_e2279 > _e2285) {
+                                                                                        phi_2903_ = _e2279;
                                                                                     } else {
-                                                                                        phi_2914_ = _e993;
+                                                                                        phi_2903_ = _e2285;
                                                                                     }
-                                                                                    let _e2315 = phi_2914_;
-                                                                                    if (_e2312 < _e995) {
-                                                                                        phi_2919_ = _e2312;
+                                                                                    let _e2306 = phi_2903_;
+                                                                                    let _e2310 = core_intrinsics_maximum_number_nsz_f32_((_e2288 - _e1273), (_e2291 - _e1274));
+                                                                                    let _e2311 = core_intrinsics_maximum_number_nsz_f32_(_e2310, (_e2294 - _e1275));
+                                                                                    let _e2312 = core_intrinsics_minimum_number_nsz_f32_((_e2300 + _e1273), (_e2303 + _e1274));
+                                                                                    let _e2313 = core_intrinsics_minimum_number_nsz_f32_(_e2312, (_e2306 + _e1275));
+                                                                                    if (_e2311 > _e994) {
+                                                                                        phi_2915_ = _e2311;
                                                                                     } else {
-                                                                                        phi_2919_ = _e995;
+                                                                                        phi_2915_ = _e994;
                                                                                     }
-                                                                                    let _e2318 = phi_2919_;
-                                                                                    if (_e2186 < _e2315) {
-                                                                                        phi_2924_ = _e2315;
+                                                                                    let _e2316 = phi_2915_;
+                                                                                    if (_e2313 < _e996) {
+                                                                                        phi_2920_ = _e2313;
                                                                                     } else {
-                                                                                        phi_2924_ = _e2186;
+                                                                                        phi_2920_ = _e996;
                                                                                     }
-                                                                                    let _e2321 = phi_2924_;
-                                                                                    if (_e2321 > _e2318) {
-                                                                                        phi_2929_ = _e2318;
+                                                                                    let _e2319 = phi_2920_;
+                                                                                    if (_e2187 < _e2316) {
+                                                                                        phi_2925_ = _e2316;
                                                                                     } else {
-                                                                                        phi_2929_ = _e2321;
+                                                                                        phi_2925_ = _e2187;
                                                                                     }
-                                                                                    let _e2324 = phi_2929_;
-                                                                                    phi_2934_ = lt_bvh_triangle_Intersection(_e2324, (_e2027 / _e2086), (_e2048 / _e2086), (_e2315 <= _e2318));
-                                                                                    phi_2935_ = false;
+                                                                                    let _e2322 = phi_2925_;
+                                                                                    if (_e2322 > _e2319) {
+                                                                                        phi_2930_ = _e2319;
+                                                                                    } else {
+                                                                                        phi_2930_ = _e2322;
+                                                                                    }
+                                                                                    let _e2325 = phi_2930_;
+                                                                                    phi_2935_ = lt_bvh_triangle_Intersection(_e2325, (_e2028 / _e2087), (_e2049 / _e2087), (_e2316 <= _e2319));
+                                                                                    phi_2936_ = false;
                                                                                 } else {
-                                                                                    phi_2934_ = lt_bvh_triangle_Intersection();
-                                                                                    phi_2935_ = true;
+                                                                                    phi_2935_ = lt_bvh_triangle_Intersection();
+                                                                                    phi_2936_ = true;
                                                                                 }
-                                                                                let _e2330 = phi_2934_;
-                                                                                let _e2332 = phi_2935_;
-                                                                                phi_2936_ = _e2330;
-                                                                                phi_2937_ = _e2332;
+                                                                                let _e2331 = phi_2935_;
+                                                                                let _e2333 = phi_2936_;
+                                                                                phi_2937_ = _e2331;
+                                                                                phi_2938_ = _e2333;
                                                                             } else {
-                                                                                phi_2936_ = lt_bvh_triangle_Intersection();
-                                                                                phi_2937_ = true;
+                                                                                phi_2937_ = lt_bvh_triangle_Intersection();
+                                                                                phi_2938_ = true;
                                                                             }
-                                                                            let _e2334 = phi_2936_;
-                                                                            let _e2336 = phi_2937_;
-                                                                            if _e2336 {
+                                                                            let _e2335 = phi_2937_;
+                                                                            let _e2337 = phi_2938_;
+                                                                            if _e2337 {
                                                                             }
-                                                                            phi_2941_ = _e2334;
-                                                                            phi_2942_ = _e2336;
+                                                                            phi_2942_ = _e2335;
+                                                                            phi_2943_ = _e2337;
                                                                         }
-                                                                        let _e2338 = phi_2941_;
-                                                                        let _e2340 = phi_2942_;
-                                                                        phi_2943_ = _e2338;
-                                                                        phi_2944_ = _e2089;
-                                                                        phi_2945_ = _e2340;
+                                                                        let _e2339 = phi_2942_;
+                                                                        let _e2341 = phi_2943_;
+                                                                        phi_2944_ = _e2339;
+                                                                        phi_2945_ = _e2090;
+                                                                        phi_2946_ = _e2341;
                                                                     } else {
-                                                                        phi_2943_ = lt_bvh_triangle_Intersection();
-                                                                        phi_2944_ = true;
-                                                                        phi_2945_ = false;
+                                                                        phi_2944_ = lt_bvh_triangle_Intersection();
+                                                                        phi_2945_ = true;
+                                                                        phi_2946_ = false;
                                                                     }
-                                                                    let _e2342 = phi_2943_;
-                                                                    let _e2344 = phi_2944_;
-                                                                    let _e2346 = phi_2945_;
-                                                                    if _e2344 {
-                                                                        phi_2949_ = true;
+                                                                    let _e2343 = phi_2944_;
+                                                                    let _e2345 = phi_2945_;
+                                                                    let _e2347 = phi_2946_;
+                                                                    if _e2345 {
+                                                                        phi_2950_ = true;
                                                                     } else {
-                                                                        phi_2949_ = _e2346;
+                                                                        phi_2950_ = _e2347;
                                                                     }
-                                                                    let _e2348 = phi_2949_;
-                                                                    if _e2348 {
-                                                                        phi_2953_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
+                                                                    let _e2349 = phi_2950_;
+                                                                    if _e2349 {
+                                                                        phi_2954_ = lt_bvh_triangle_Intersection(0f, 0f, 0f, false);
                                                                     } else {
-                                                                        phi_2953_ = _e2342;
+                                                                        phi_2954_ = _e2343;
                                                                     }
-                                                                    let _e2350 = phi_2953_;
-                                                                    if _e2350.is_hit {
-                                                                        if (_e2350.t > 0f) {
-                                                                            if (_e2350.t < _e142) {
-                                                                                let _e2357 = triangles.member[(0u + _e1902)].i0_;
-                                                                                if ((_e2357 & 2147483648u) == 0u) {
-                                                                                    phi_3172_ = true;
+                                                                    let _e2351 = phi_2954_;
+                                                                    if _e2351.is_hit {
+                                                                        if (_e2351.t > 0f) {
+                                                                            if (_e2351.t < _e143) {
+                                                                                let _e2358 = triangles.member[(0u + _e1903)].i0_;
+                                                                                if ((_e2358 & 2147483648u) == 0u) {
+                                                                                    phi_3173_ = true;
                                                                                 } else {
-                                                                                    if (_e1902 < _e79) {
+                                                                                    if (_e1903 < _e79) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2366 = triangles.member[(0u + _e1902)].i0_;
-                                                                                    let _e2367 = (_e2366 & 2147483647u);
-                                                                                    let _e2369 = triangles.member[(0u + _e1902)].i1_;
-                                                                                    let _e2371 = triangles.member[(0u + _e1902)].i2_;
-                                                                                    if (_e2367 < _e91) {
+                                                                                    let _e2367 = triangles.member[(0u + _e1903)].i0_;
+                                                                                    let _e2368 = (_e2367 & 2147483647u);
+                                                                                    let _e2370 = triangles.member[(0u + _e1903)].i1_;
+                                                                                    let _e2372 = triangles.member[(0u + _e1903)].i2_;
+                                                                                    if (_e2368 < _e91) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2375 = vertices.member[(0u + _e2367)];
-                                                                                    if (_e2369 < _e91) {
+                                                                                    let _e2376 = vertices.member[(0u + _e2368)];
+                                                                                    if (_e2370 < _e91) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2379 = vertices.member[(0u + _e2369)];
-                                                                                    if (_e2371 < _e91) {
+                                                                                    let _e2380 = vertices.member[(0u + _e2370)];
+                                                                                    if (_e2372 < _e91) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2383 = vertices.member[(0u + _e2371)];
-                                                                                    let _e2384 = array<abi_Vertex, 3>(_e2375, _e2379, _e2383);
-                                                                                    if (_e2384[0].material < arrayLength((&materials.member))) {
+                                                                                    let _e2384 = vertices.member[(0u + _e2372)];
+                                                                                    let _e2385 = array<abi_Vertex, 3>(_e2376, _e2380, _e2384);
+                                                                                    if (_e2385[0].material < arrayLength((&materials.member))) {
                                                                                     } else {
                                                                                         return;
                                                                                     }
-                                                                                    let _e2390 = materials.member[(0u + _e2384[0].material)];
-                                                                                    if ((_e2390.flags & 1u) == 1u) {
-                                                                                        let _e2395 = ((1f - _e2350.u) - _e2350.v);
-                                                                                        if (_e2390.cutoff <= 0f) {
-                                                                                            phi_3170_ = true;
+                                                                                    let _e2391 = materials.member[(0u + _e2385[0].material)];
+                                                                                    if ((_e2391.flags & 1u) == 1u) {
+                                                                                        let _e2396 = ((1f - _e2351.u) - _e2351.v);
+                                                                                        if (_e2391.cutoff <= 0f) {
+                                                                                            phi_3171_ = true;
                                                                                         } else {
-                                                                                            let _e2422 = (_e2390.base_color.w * ((((f32((_e2384[0].color >> bitcast<u32>(24i))) * _e2395) + (f32((_e2384[1].color >> bitcast<u32>(24i))) * _e2350.u)) + (f32((_e2384[2].color >> bitcast<u32>(24i))) * _e2350.v)) * (1f / 255f)));
-                                                                                            if (_e2390.alpha_size == 0u) {
-                                                                                                phi_3167_ = _e2422;
+                                                                                            let _e2423 = (_e2391.base_color.w * ((((f32((_e2385[0].color >> bitcast<u32>(24i))) * _e2396) + (f32((_e2385[1].color >> bitcast<u32>(24i))) * _e2351.u)) + (f32((_e2385[2].color >> bitcast<u32>(24i))) * _e2351.v)) * (1f / 255f)));
+                                                                                            if (_e2391.alpha_size == 0u) {
+                                                                                                phi_3168_ = _e2423;
                                                                                             } else {
-                                                                                                local.offset = _e2390.alpha_offset;
-                                                                                                local.size = _e2390.alpha_size;
-                                                                                                local.flags = _e2390.flags;
-                                                                                                let _e2453 = _lt_shaders_texture_TextureView_quad((&local), (((_e2384[0].u * _e2395) + (_e2384[1].u * _e2350.u)) + (_e2384[2].u * _e2350.v)), (((_e2384[0].v * _e2395) + (_e2384[1].v * _e2350.u)) + (_e2384[2].v * _e2350.v)));
-                                                                                                let _e2457 = (_e2453.indices[0] >> bitcast<u32>(2i));
-                                                                                                if (_e2457 < _e97) {
+                                                                                                local.offset = _e2391.alpha_offset;
+                                                                                                local.size = _e2391.alpha_size;
+                                                                                                local.flags = _e2391.flags;
+                                                                                                let _e2454 = _lt_shaders_texture_TextureView_quad((&local), (((_e2385[0].u * _e2396) + (_e2385[1].u * _e2351.u)) + (_e2385[2].u * _e2351.v)), (((_e2385[0].v * _e2396) + (_e2385[1].v * _e2351.u)) + (_e2385[2].v * _e2351.v)));
+                                                                                                let _e2458 = (_e2454.indices[0] >> bitcast<u32>(2i));
+                                                                                                if (_e2458 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2461 = alpha_texels.member[(0u + _e2457)];
-                                                                                                let _e2477 = (_e2453.indices[1] >> bitcast<u32>(2i));
-                                                                                                if (_e2477 < _e97) {
+                                                                                                let _e2462 = alpha_texels.member[(0u + _e2458)];
+                                                                                                let _e2478 = (_e2454.indices[1] >> bitcast<u32>(2i));
+                                                                                                if (_e2478 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2481 = alpha_texels.member[(0u + _e2477)];
-                                                                                                let _e2498 = (_e2453.indices[2] >> bitcast<u32>(2i));
-                                                                                                if (_e2498 < _e97) {
+                                                                                                let _e2482 = alpha_texels.member[(0u + _e2478)];
+                                                                                                let _e2499 = (_e2454.indices[2] >> bitcast<u32>(2i));
+                                                                                                if (_e2499 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2502 = alpha_texels.member[(0u + _e2498)];
-                                                                                                let _e2519 = (_e2453.indices[3] >> bitcast<u32>(2i));
-                                                                                                if (_e2519 < _e97) {
+                                                                                                let _e2503 = alpha_texels.member[(0u + _e2499)];
+                                                                                                let _e2520 = (_e2454.indices[3] >> bitcast<u32>(2i));
+                                                                                                if (_e2520 < _e97) {
                                                                                                 } else {
                                                                                                     return;
                                                                                                 }
-                                                                                                let _e2523 = alpha_texels.member[(0u + _e2519)];
-                                                                                                phi_3167_ = (_e2422 * (((((f32(((_e2461 >> bitcast<u32>((((_e2453.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2453.weights.x) + ((f32(((_e2481 >> bitcast<u32>((((_e2453.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2453.weights.y)) + ((f32(((_e2502 >> bitcast<u32>((((_e2453.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2453.weights.z)) + ((f32(((_e2523 >> bitcast<u32>((((_e2453.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2453.weights.w)));
+                                                                                                let _e2524 = alpha_texels.member[(0u + _e2520)];
+                                                                                                phi_3168_ = (_e2423 * (((((f32(((_e2462 >> bitcast<u32>((((_e2454.indices[0] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2454.weights.x) + ((f32(((_e2482 >> bitcast<u32>((((_e2454.indices[1] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2454.weights.y)) + ((f32(((_e2503 >> bitcast<u32>((((_e2454.indices[2] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2454.weights.z)) + ((f32(((_e2524 >> bitcast<u32>((((_e2454.indices[3] & 3u) * 8u) & 31u))) & 255u)) * (1f / 255f)) * _e2454.weights.w)));
                                                                                             }
-                                                                                            let _e2539 = phi_3167_;
-                                                                                            phi_3170_ = (_e2539 >= _e2390.cutoff);
+                                                                                            let _e2540 = phi_3168_;
+                                                                                            phi_3171_ = (_e2540 >= _e2391.cutoff);
                                                                                         }
-                                                                                        let _e2543 = phi_3170_;
-                                                                                        phi_3171_ = _e2543;
+                                                                                        let _e2544 = phi_3171_;
+                                                                                        phi_3172_ = _e2544;
                                                                                     } else {
-                                                                                        phi_3171_ = false;
+                                                                                        phi_3172_ = false;
                                                                                     }
-                                                                                    let _e2545 = phi_3171_;
-                                                                                    phi_3172_ = _e2545;
+                                                                                    let _e2546 = phi_3172_;
+                                                                                    phi_3173_ = _e2546;
                                                                                 }
-                                                                                let _e2547 = phi_3172_;
-                                                                                if _e2547 {
-                                                                                    phi_3176_ = false;
+                                                                                let _e2548 = phi_3173_;
+                                                                                if _e2548 {
+                                                                                    phi_3177_ = false;
                                                                                 } else {
-                                                                                    phi_3176_ = true;
+                                                                                    phi_3177_ = true;
                                                                                 }
-                                                                                let _e2549 = phi_3176_;
-                                                                                phi_3177_ = _e2547;
-                                                                                phi_3178_ = _e2547;
-                                                                                phi_3179_ = _e2549;
+                                                                                let _e2550 = phi_3177_;
+                                                                                phi_3178_ = _e2548;
+                                                                                phi_3179_ = _e2548;
+                                                                                phi_3180_ = _e2550;
                                                                             } else {
-                                                                                phi_3177_ = bool();
-                                                                                phi_3178_ = _e1893;
-                                                                                phi_3179_ = true;
+                                                                                phi_3178_ = bool();
+                                                                                phi_3179_ = _e1894;
+                                                                                phi_3180_ = true;
                                                                             }
-                                                                            let _e2551 = phi_3177_;
-                                                                            let _e2553 = phi_3178_;
-                                                                            let _e2555 = phi_3179_;
-                                                                            phi_3180_ = _e2551;
-                                                                            phi_3181_ = _e2553;
-                                                                            phi_3182_ = _e2555;
+                                                                            let _e2552 = phi_3178_;
+                                                                            let _e2554 = phi_3179_;
+                                                                            let _e2556 = phi_3180_;
+                                                                            phi_3181_ = _e2552;
+                                                                            phi_3182_ = _e2554;
+                                                                            phi_3183_ = _e2556;
                                                                         } else {
-                                                                            phi_3180_ = bool();
-                                                                            phi_3181_ = _e1893;
-                                                                            phi_3182_ = true;
+                                                                            phi_3181_ = bool();
+                                                                            phi_3182_ = _e1894;
+                                                                            phi_3183_ = true;
                                                                         }
-                                                                        let _e2557 = phi_3180_;
-                                                                        let _e2559 = phi_3181_;
-                                                                        let _e2561 = phi_3182_;
-                                                                        phi_3183_ = _e2557;
-                                                                        phi_3184_ = _e2559;
-                                                                        phi_3185_ = _e2561;
+                                                                        let _e2558 = phi_3181_;
+                                                                        let _e2560 = phi_3182_;
+                                                                        let _e2562 = phi_3183_;
+                                                                        phi_3184_ = _e2558;
+                                                                        phi_3185_ = _e2560;
+                                                                        phi_3186_ = _e2562;
                                                                     } else {
-                                                                        phi_3183_ = bool();
-                                                                        phi_3184_ = _e1893;
-                                                                        phi_3185_ = true;
+                                                                        phi_3184_ = bool();
+                                                                        phi_3185_ = _e1894;
+                                                                        phi_3186_ = true;
                                                                     }
-                                                                    let _e2563 = phi_3183_;
-                                                                    let _e2565 = phi_3184_;
-                                                                    let _e2567 = phi_3185_;
-                                                                    if _e2567 {
+                                                                    let _e2564 = phi_3184_;
+                                                                    let _e2566 = phi_3185_;
+                                                                    let _e2568 = phi_3186_;
+                                                                    if _e2568 {
                                                                     }
-                                                                    phi_2383_ = (_e1891 & (_e1891 - 1u));
-                                                                    phi_2386_ = _e2565;
-                                                                    phi_3189_ = _e2563;
-                                                                    phi_3190_ = _e2567;
+                                                                    phi_2384_ = (_e1892 & (_e1892 - 1u));
+                                                                    phi_2387_ = _e2566;
+                                                                    phi_3190_ = _e2564;
+                                                                    phi_3191_ = _e2568;
                                                                 }
-                                                                let _e2569 = phi_2383_;
-                                                                let _e2571 = phi_2386_;
-                                                                let _e2573 = phi_3189_;
-                                                                let _e2575 = phi_3190_;
-                                                                local_14 = _e2573;
+                                                                let _e2570 = phi_2384_;
+                                                                let _e2572 = phi_2387_;
+                                                                let _e2574 = phi_3190_;
+                                                                let _e2576 = phi_3191_;
+                                                                local_14 = _e2574;
                                                                 continue;
                                                                 continuing {
-                                                                    phi_2382_ = _e2569;
-                                                                    phi_2385_ = _e2571;
-                                                                    break if !(_e2575);
+                                                                    phi_2383_ = _e2570;
+                                                                    phi_2386_ = _e2572;
+                                                                    break if !(_e2576);
                                                                 }
                                                             }
-                                                            let _e2578 = local_9;
-                                                            if _e2578 {
-                                                                let _e2580 = local_1.group_mask;
-                                                                if ((_e2580 & 4278190080u) == 0u) {
-                                                                    let _e2584 = local_1.len;
-                                                                    if (_e2584 == 0u) {
-                                                                        phi_3232_ = false;
+                                                            let _e2579 = local_9;
+                                                            if _e2579 {
+                                                                let _e2581 = local_1.group_mask;
+                                                                if ((_e2581 & 4278190080u) == 0u) {
+                                                                    let _e2585 = local_1.len;
+                                                                    if (_e2585 == 0u) {
+                                                                        phi_3233_ = false;
                                                                     } else {
-                                                                        let _e2588 = local_1.len;
-                                                                        local_1.len = (_e2588 - 1u);
-                                                                        let _e2591 = local_1.len;
-                                                                        if (_e2591 < 32u) {
+                                                                        let _e2589 = local_1.len;
+                                                                        local_1.len = (_e2589 - 1u);
+                                                                        let _e2592 = local_1.len;
+                                                                        if (_e2592 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2596 = local_1.first[(0u + _e2591)];
-                                                                        local_1.group = _e2596;
-                                                                        let _e2599 = local_1.len;
-                                                                        if (_e2599 < 32u) {
+                                                                        let _e2597 = local_1.first[(0u + _e2592)];
+                                                                        local_1.group = _e2597;
+                                                                        let _e2600 = local_1.len;
+                                                                        if (_e2600 < 32u) {
                                                                         } else {
                                                                             return;
                                                                         }
-                                                                        let _e2604 = local_1.mask[(0u + _e2599)];
-                                                                        local_1.group_mask = _e2604;
-                                                                        phi_3232_ = true;
+                                                                        let _e2605 = local_1.mask[(0u + _e2600)];
+                                                                        local_1.group_mask = _e2605;
+                                                                        phi_3233_ = true;
                                                                     }
-                                                                    let _e2607 = phi_3232_;
-                                                                    phi_3233_ = _e2607;
+                                                                    let _e2608 = phi_3233_;
+                                                                    phi_3234_ = _e2608;
                                                                 } else {
-                                                                    phi_3233_ = true;
+                                                                    phi_3234_ = true;
                                                                 }
-                                                                let _e2609 = phi_3233_;
-                                                                if _e2609 {
-                                                                    let _e2611 = local_1.group_mask;
-                                                                    let _e2617 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2611)), 32u, (_e2611 == 0u)));
-                                                                    let _e2621 = local_1.group_mask;
-                                                                    let _e2635 = local_1.group_mask;
-                                                                    local_1.group_mask = (_e2635 & ~((1u << bitcast<u32>((_e2617 & 31u)))));
-                                                                    let _e2638 = local_1.group;
-                                                                    phi_3264_ = (_e2638 + countOneBits(((_e2621 & ~((4294967295u << bitcast<u32>((((_e2617 - 24u) ^ _e1315) & 31u))))) & 255u)));
+                                                                let _e2610 = phi_3234_;
+                                                                if _e2610 {
+                                                                    let _e2612 = local_1.group_mask;
+                                                                    let _e2618 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2612)), 32u, (_e2612 == 0u)));
+                                                                    let _e2622 = local_1.group_mask;
+                                                                    let _e2636 = local_1.group_mask;
+                                                                    local_1.group_mask = (_e2636 & ~((1u << bitcast<u32>((_e2618 & 31u)))));
+                                                                    let _e2639 = local_1.group;
+                                                                    phi_3265_ = (_e2639 + countOneBits(((_e2622 & ~((4294967295u << bitcast<u32>((((_e2618 - 24u) ^ _e1316) & 31u))))) & 255u)));
                                                                 } else {
-                                                                    phi_3264_ = 4294967295u;
+                                                                    phi_3265_ = 4294967295u;
                                                                 }
-                                                                let _e2641 = phi_3264_;
-                                                                phi_3265_ = _e2641;
+                                                                let _e2642 = phi_3265_;
+                                                                phi_3266_ = _e2642;
                                                             } else {
-                                                                phi_3265_ = u32();
+                                                                phi_3266_ = u32();
                                                             }
-                                                            let _e2643 = phi_3265_;
-                                                            phi_2051_ = _e2643;
-                                                            let _e3029 = local_13;
-                                                            phi_2054_ = _e3029;
-                                                            let _e3032 = local_14;
-                                                            phi_3266_ = _e3032;
-                                                            let _e3035 = local_15;
-                                                            phi_3267_ = _e3035;
-                                                            phi_3268_ = false;
+                                                            let _e2644 = phi_3266_;
+                                                            phi_2052_ = _e2644;
+                                                            let _e3030 = local_13;
+                                                            phi_2055_ = _e3030;
+                                                            let _e3033 = local_14;
+                                                            phi_3267_ = _e3033;
+                                                            let _e3036 = local_15;
+                                                            phi_3268_ = _e3036;
+                                                            phi_3269_ = false;
                                                         } else {
-                                                            phi_2051_ = u32();
-                                                            phi_2054_ = bool();
-                                                            phi_3266_ = bool();
-                                                            phi_3267_ = false;
-                                                            phi_3268_ = true;
+                                                            phi_2052_ = u32();
+                                                            phi_2055_ = bool();
+                                                            phi_3267_ = bool();
+                                                            phi_3268_ = false;
+                                                            phi_3269_ = true;
                                                         }
-                                                        let _e2645 = phi_2051_;
-                                                        let _e2647 = phi_2054_;
-                                                        let _e2649 = phi_3266_;
-                                                        let _e2651 = phi_3267_;
-                                                        let _e2653 = phi_3268_;
-                                                        local_10 = _e2653;
-                                                        local_16 = _e2649;
+                                                        let _e2646 = phi_2052_;
+                                                        let _e2648 = phi_2055_;
+                                                        let _e2650 = phi_3267_;
+                                                        let _e2652 = phi_3268_;
+                                                        let _e2654 = phi_3269_;
+                                                        local_10 = _e2654;
+                                                        local_16 = _e2650;
                                                         continue;
                                                         continuing {
-                                                            phi_2050_ = _e2645;
-                                                            phi_2053_ = _e2647;
-                                                            break if !(_e2651);
+                                                            phi_2051_ = _e2646;
+                                                            phi_2054_ = _e2648;
+                                                            break if !(_e2652);
                                                         }
                                                     }
-                                                    let _e2656 = local_10;
-                                                    if _e2656 {
-                                                        phi_3272_ = false;
+                                                    let _e2657 = local_10;
+                                                    if _e2657 {
+                                                        phi_3273_ = false;
                                                     } else {
-                                                        phi_3272_ = true;
+                                                        phi_3273_ = true;
                                                     }
-                                                    let _e2658 = phi_3272_;
-                                                    if _e2658 {
-                                                        let _e3041 = local_16;
-                                                        phi_3276_ = _e3041;
+                                                    let _e2659 = phi_3273_;
+                                                    if _e2659 {
+                                                        let _e3042 = local_16;
+                                                        phi_3277_ = _e3042;
                                                     } else {
-                                                        let _e3043 = local_17;
-                                                        phi_3276_ = _e3043;
+                                                        let _e3044 = local_17;
+                                                        phi_3277_ = _e3044;
                                                     }
-                                                    let _e2660 = phi_3276_;
-                                                    phi_3277_ = _e2660;
+                                                    let _e2661 = phi_3277_;
+                                                    phi_3278_ = _e2661;
                                                 }
-                                                let _e2662 = phi_3277_;
-                                                phi_3278_ = _e2662;
-                                                phi_3279_ = _e1137;
+                                                let _e2663 = phi_3278_;
+                                                phi_3279_ = _e2663;
+                                                phi_3280_ = _e1138;
                                             } else {
-                                                phi_3278_ = bool();
-                                                phi_3279_ = true;
+                                                phi_3279_ = bool();
+                                                phi_3280_ = true;
                                             }
-                                            let _e2664 = phi_3278_;
-                                            let _e2666 = phi_3279_;
-                                            if _e2666 {
-                                                phi_3283_ = _e932;
+                                            let _e2665 = phi_3279_;
+                                            let _e2667 = phi_3280_;
+                                            if _e2667 {
+                                                phi_3284_ = _e933;
                                             } else {
-                                                phi_3283_ = _e2664;
+                                                phi_3284_ = _e2665;
                                             }
-                                            let _e2668 = phi_3283_;
-                                            if _e2668 {
-                                                phi_3287_ = false;
+                                            let _e2669 = phi_3284_;
+                                            if _e2669 {
+                                                phi_3288_ = false;
                                             } else {
-                                                phi_3287_ = true;
+                                                phi_3288_ = true;
                                             }
-                                            let _e2670 = phi_3287_;
-                                            phi_3288_ = _e2668;
-                                            phi_3289_ = _e2670;
+                                            let _e2671 = phi_3288_;
+                                            phi_3289_ = _e2669;
+                                            phi_3290_ = _e2671;
                                         } else {
-                                            phi_3288_ = _e932;
-                                            phi_3289_ = true;
+                                            phi_3289_ = _e933;
+                                            phi_3290_ = true;
                                         }
-                                        let _e2672 = phi_3288_;
-                                        let _e2674 = phi_3289_;
-                                        phi_3290_ = _e2672;
-                                        phi_3291_ = _e2674;
+                                        let _e2673 = phi_3289_;
+                                        let _e2675 = phi_3290_;
+                                        phi_3291_ = _e2673;
+                                        phi_3292_ = _e2675;
                                     } else {
-                                        phi_3290_ = _e932;
-                                        phi_3291_ = true;
+                                        phi_3291_ = _e933;
+                                        phi_3292_ = true;
                                     }
-                                    let _e2676 = phi_3290_;
-                                    let _e2678 = phi_3291_;
-                                    phi_3292_ = _e2676;
-                                    phi_3293_ = _e2678;
+                                    let _e2677 = phi_3291_;
+                                    let _e2679 = phi_3292_;
+                                    phi_3293_ = _e2677;
+                                    phi_3294_ = _e2679;
                                 } else {
-                                    phi_3292_ = _e932;
-                                    phi_3293_ = true;
+                                    phi_3293_ = _e933;
+                                    phi_3294_ = true;
                                 }
-                                let _e2680 = phi_3292_;
-                                let _e2682 = phi_3293_;
-                                if _e2682 {
+                                let _e2681 = phi_3293_;
+                                let _e2683 = phi_3294_;
+                                if _e2683 {
                                 }
-                                phi_1436_ = (_e930 & (_e930 - 1u));
-                                phi_1439_ = _e2680;
-                                phi_3297_ = _e2682;
+                                phi_1437_ = (_e931 & (_e931 - 1u));
+                                phi_1440_ = _e2681;
+                                phi_3298_ = _e2683;
                             }
-                            let _e2684 = phi_1436_;
-                            let _e2686 = phi_1439_;
-                            let _e2688 = phi_3297_;
+                            let _e2685 = phi_1437_;
+                            let _e2687 = phi_1440_;
+                            let _e2689 = phi_3298_;
                             continue;
                             continuing {
-                                phi_1435_ = _e2684;
-                                phi_1438_ = _e2686;
-                                break if !(_e2688);
+                                phi_1436_ = _e2685;
+                                phi_1439_ = _e2687;
+                                break if !(_e2689);
                             }
                         }
-                        let _e2691 = local_11;
-                        if _e2691 {
-                            let _e2693 = local_2.group_mask;
-                            if ((_e2693 & 4278190080u) == 0u) {
-                                let _e2697 = local_2.len;
-                                if (_e2697 == 0u) {
-                                    phi_3339_ = false;
+                        let _e2692 = local_11;
+                        if _e2692 {
+                            let _e2694 = local_2.group_mask;
+                            if ((_e2694 & 4278190080u) == 0u) {
+                                let _e2698 = local_2.len;
+                                if (_e2698 == 0u) {
+                                    phi_3340_ = false;
                                 } else {
-                                    let _e2701 = local_2.len;
-                                    local_2.len = (_e2701 - 1u);
-                                    let _e2704 = local_2.len;
-                                    if (_e2704 < 32u) {
+                                    let _e2702 = local_2.len;
+                                    local_2.len = (_e2702 - 1u);
+                                    let _e2705 = local_2.len;
+                                    if (_e2705 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2709 = local_2.first[(0u + _e2704)];
-                                    local_2.group = _e2709;
-                                    let _e2712 = local_2.len;
-                                    if (_e2712 < 32u) {
+                                    let _e2710 = local_2.first[(0u + _e2705)];
+                                    local_2.group = _e2710;
+                                    let _e2713 = local_2.len;
+                                    if (_e2713 < 32u) {
                                     } else {
                                         return;
                                     }
-                                    let _e2717 = local_2.mask[(0u + _e2712)];
-                                    local_2.group_mask = _e2717;
-                                    phi_3339_ = true;
+                                    let _e2718 = local_2.mask[(0u + _e2713)];
+                                    local_2.group_mask = _e2718;
+                                    phi_3340_ = true;
                                 }
-                                let _e2720 = phi_3339_;
-                                phi_3340_ = _e2720;
+                                let _e2721 = phi_3340_;
+                                phi_3341_ = _e2721;
                             } else {
-                                phi_3340_ = true;
+                                phi_3341_ = true;
                             }
-                            let _e2722 = phi_3340_;
-                            if _e2722 {
-                                let _e2724 = local_2.group_mask;
-                                let _e2730 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2724)), 32u, (_e2724 == 0u)));
-                                let _e2734 = local_2.group_mask;
-                                let _e2748 = local_2.group_mask;
-                                local_2.group_mask = (_e2748 & ~((1u << bitcast<u32>((_e2730 & 31u)))));
-                                let _e2751 = local_2.group;
-                                phi_3371_ = (_e2751 + countOneBits(((_e2734 & ~((4294967295u << bitcast<u32>((((_e2730 - 24u) ^ _e354) & 31u))))) & 255u)));
+                            let _e2723 = phi_3341_;
+                            if _e2723 {
+                                let _e2725 = local_2.group_mask;
+                                let _e2731 = (31u - select((bitcast<u32>(31i) - firstLeadingBit(_e2725)), 32u, (_e2725 == 0u)));
+                                let _e2735 = local_2.group_mask;
+                                let _e2749 = local_2.group_mask;
+                                local_2.group_mask = (_e2749 & ~((1u << bitcast<u32>((_e2731 & 31u)))));
+                                let _e2752 = local_2.group;
+                                phi_3372_ = (_e2752 + countOneBits(((_e2735 & ~((4294967295u << bitcast<u32>((((_e2731 - 24u) ^ _e355) & 31u))))) & 255u)));
                             } else {
-                                phi_3371_ = 4294967295u;
+                                phi_3372_ = 4294967295u;
                             }
-                            let _e2754 = phi_3371_;
-                            phi_3372_ = _e2754;
+                            let _e2755 = phi_3372_;
+                            phi_3373_ = _e2755;
                         } else {
-                            phi_3372_ = u32();
+                            phi_3373_ = u32();
                         }
-                        let _e2756 = phi_3372_;
-                        phi_1104_ = _e2756;
-                        let _e3066 = local_18;
-                        phi_1107_ = _e3066;
-                        let _e3069 = local_19;
-                        phi_3373_ = _e3069;
-                        phi_3374_ = false;
+                        let _e2757 = phi_3373_;
+                        phi_1105_ = _e2757;
+                        let _e3067 = local_18;
+                        phi_1108_ = _e3067;
+                        let _e3070 = local_19;
+                        phi_3374_ = _e3070;
+                        phi_3375_ = false;
                     } else {
-                        phi_1104_ = u32();
-                        phi_1107_ = bool();
-                        phi_3373_ = false;
-                        phi_3374_ = true;
+                        phi_1105_ = u32();
+                        phi_1108_ = bool();
+                        phi_3374_ = false;
+                        phi_3375_ = true;
                     }
-                    let _e2758 = phi_1104_;
-                    let _e2760 = phi_1107_;
-                    let _e2762 = phi_3373_;
-                    let _e2764 = phi_3374_;
-                    local_12 = _e2764;
+                    let _e2759 = phi_1105_;
+                    let _e2761 = phi_1108_;
+                    let _e2763 = phi_3374_;
+                    let _e2765 = phi_3375_;
+                    local_12 = _e2765;
                     continue;
                     continuing {
-                        phi_1103_ = _e2758;
-                        phi_1106_ = _e2760;
-                        break if !(_e2762);
+                        phi_1104_ = _e2759;
+                        phi_1107_ = _e2761;
+                        break if !(_e2763);
                     }
                 }
-                let _e2767 = local_12;
-                if _e2767 {
-                    phi_3378_ = false;
+                let _e2768 = local_12;
+                if _e2768 {
+                    phi_3379_ = false;
                 } else {
-                    phi_3378_ = true;
+                    phi_3379_ = true;
                 }
-                let _e2769 = phi_3378_;
-                if _e2769 {
+                let _e2770 = phi_3379_;
+                if _e2770 {
                 }
-                phi_3382_ = _e2769;
+                phi_3383_ = _e2770;
             }
-            let _e2771 = phi_3382_;
-            phi_3383_ = _e206;
-            phi_3384_ = _e2771;
+            let _e2772 = phi_3383_;
+            phi_3384_ = _e207;
+            phi_3385_ = _e2772;
         } else {
-            phi_3383_ = true;
-            phi_3384_ = false;
+            phi_3384_ = true;
+            phi_3385_ = false;
         }
-        let _e2773 = phi_3383_;
-        let _e2775 = phi_3384_;
-        if _e2773 {
-            phi_3388_ = false;
+        let _e2774 = phi_3384_;
+        let _e2776 = phi_3385_;
+        if _e2774 {
+            phi_3389_ = false;
+            phi_3390_ = true;
+        } else {
             phi_3389_ = true;
-        } else {
-            phi_3388_ = true;
-            phi_3389_ = _e2775;
+            phi_3390_ = _e2776;
         }
-        let _e2777 = phi_3388_;
-        let _e2779 = phi_3389_;
-        if _e2779 {
-            phi_3393_ = _e2777;
+        let _e2778 = phi_3389_;
+        let _e2780 = phi_3390_;
+        if _e2780 {
+            phi_3394_ = _e2778;
         } else {
-            phi_3393_ = false;
+            phi_3394_ = false;
         }
-        let _e2781 = phi_3393_;
-        if _e2781 {
-            phi_3397_ = 0f;
+        let _e2782 = phi_3394_;
+        if _e2782 {
+            phi_3398_ = 0f;
         } else {
-            phi_3397_ = 1f;
+            phi_3398_ = 1f;
         }
-        let _e2783 = phi_3397_;
-        if (_e110 < arrayLength((&visibility.member))) {
+        let _e2784 = phi_3398_;
+        if (_e111 < arrayLength((&visibility.member))) {
         } else {
             return;
         }
-        visibility.member[(0u + _e110)] = _e2783;
+        visibility.member[(0u + _e111)] = _e2784;
     }
     return;
 }

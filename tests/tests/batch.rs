@@ -26,15 +26,15 @@ fn batches_have_the_bits_of_the_shared_function_on_every_built_in_scene() {
             backend.pass(PassKind::DepthMap, &job).expect("draws");
             let (samples, p, depths) = (session.samples(), &job.shadow, backend.depth_maps());
             let different = match id {
-                "vsm" => differences::<Vsm, false>(samples, p, depths),
-                "ltt-vsm" => differences::<Vsm, true>(samples, p, depths),
-                "evsm" => differences::<Evsm, false>(samples, p, depths),
-                "ltt-evsm" => differences::<Evsm, true>(samples, p, depths),
-                "ltt-esm" => differences::<Esm, true>(samples, p, depths),
-                "ltt-msm" => differences::<MsmHamburger, true>(samples, p, depths),
-                "ltt-msm-hausdorff" => differences::<MsmHausdorff, true>(samples, p, depths),
-                "sm" => differences::<Sm, false>(samples, p, depths),
-                _ => differences::<Pcf, false>(samples, p, depths),
+                "vsm" => differences::<Vsm, false>(samples, p, &depths),
+                "ltt-vsm" => differences::<Vsm, true>(samples, p, &depths),
+                "evsm" => differences::<Evsm, false>(samples, p, &depths),
+                "ltt-evsm" => differences::<Evsm, true>(samples, p, &depths),
+                "ltt-esm" => differences::<Esm, true>(samples, p, &depths),
+                "ltt-msm" => differences::<MsmHamburger, true>(samples, p, &depths),
+                "ltt-msm-hausdorff" => differences::<MsmHausdorff, true>(samples, p, &depths),
+                "sm" => differences::<Sm, false>(samples, p, &depths),
+                _ => differences::<Pcf, false>(samples, p, &depths),
             };
             assert_eq!(different, 0, "{name} {id}");
         }
@@ -44,8 +44,8 @@ fn batches_have_the_bits_of_the_shared_function_on_every_built_in_scene() {
         backend.pass(PassKind::DepthMap, &job).expect("draws");
         let (samples, p, depths) = (session.samples(), &job.shadow, backend.depth_maps());
         let (rows, mut lit, mut doubted) = pieces_of(samples);
-        evaluate_batch_levels::<Evsm, true>(rows.pieces(), p, &projections, depths, &mut lit, &mut doubted);
-        let depths = &maps_to_rows(depths, p.map_size)[..];
+        evaluate_batch_levels::<Evsm, true>(rows.pieces(), p, &projections, &depths, &mut lit, &mut doubted);
+        let depths = &maps_to_rows(&depths, p.map_size)[..];
         let levels = Levels { projections: &projections, count: projections.len() as u32 };
         for (i, sample) in samples.iter().enumerate() {
             let v = evaluate_levels::<Evsm, _, _, true>(sample, p, GatheredDepths { depths }, levels);

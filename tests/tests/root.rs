@@ -12,6 +12,7 @@ mod light;
 mod light_counts;
 mod lights;
 mod map_formats;
+mod marks;
 mod mask;
 mod moving_lights;
 mod real_scenes;

@@ -16,6 +16,9 @@
 //! contradict, or found their own map wrong: fewer rays for the same errors. And where nothing moved at all, a ray's answer is
 //! no guess: [`Evidence::known`] keeps it.
 //!
+//! What rays found out can also be kept where it holds longest, in the map ([`TexelMarks`]): a map that is kept errs in the same
+//! places in every frame, whoever sees them.
+//!
 //! What no neighbour knows of stays missed; a rolling refresh ([`is_due`]), which is not the paper's, traces every pixel once in a
 //! while and so bounds how long.
 //!
@@ -69,6 +72,7 @@ extern crate std;
 
 mod bits;
 mod decide;
+mod marks;
 mod pack;
 mod pattern;
 mod refresh;
@@ -80,6 +84,7 @@ pub use decide::{
     DEPTH_CONSISTENCY_TOLERANCE, Decision, Evidence, Expansion, Neighbourhood, Reason, SHADOW_TEST_THRESHOLD,
     decide, decide_doubt, expands_ray, is_depth_consistent, is_test_shadowed, removes_ray,
 };
+pub use marks::{MarksPlace, TexelMarks, marks_words};
 pub use pack::{LightPlace, MAX_LIGHTS, PackedMask, words_for_lights};
 pub use pattern::{Pattern, gather_corner};
 pub use refresh::{MAX_REFRESH, is_due, refresh_stride};

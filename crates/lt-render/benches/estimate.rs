@@ -34,8 +34,8 @@ fn main() {
         backend.pass(PassKind::DepthMap, &job).expect("draws");
         let levels = job.searched_levels();
         let (p, tiles) = (&job.shadow, backend.depth_maps());
-        let rows = maps_to_rows(tiles, p.map_size);
-        let maps = Maps { p, levels: levels.as_deref(), tiles, rows: &rows };
+        let rows = maps_to_rows(&tiles, p.map_size);
+        let maps = Maps { p, levels: levels.as_deref(), tiles: &tiles, rows: &rows };
         match id {
             "vsm" => row::<Vsm, false>(id, &samples, maps),
             "evsm" => row::<Evsm, false>(id, &samples, maps),

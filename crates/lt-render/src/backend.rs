@@ -54,6 +54,8 @@ pub struct DepthMapJob {
     /// Of the others, those in which casters may have moved: what stands still is in the slot's map already, by the same
     /// projection, and what moves must be drawn anew.
     pub refreshes: Vec<u32>,
+    /// Of every level, the part on which casters that move are drawn ([`lt_shaders::marks::is_stirred`]); empty without marks.
+    pub moving: Vec<Vec4>,
     /// Whether what stands still is to be remembered apart, for refreshes in later frames.
     pub keeps_still: bool,
     /// The blur passes.

@@ -45,6 +45,8 @@ pub struct MaskEffects {
     pub expands: bool,
     /// RR.
     pub removes: bool,
+    /// Rays that contradict a test that was sure mark the map, which is kept.
+    pub marks: bool,
 }
 
 /// The plan of one frame.
@@ -107,6 +109,7 @@ impl EffectPlan {
         let maps = lamp.unwrap_or(technique.cascades.maps());
         let levels = if map.is_some() { maps } else { 0 };
         let has_cascades = lamp.is_none() && technique.cascades.count > 1;
+        let reuse = map.is_some() && technique.reuse && sequence.is_played;
         let map_bytes = u64::from(levels) * u64::from(size) * u64::from(size);
         let mut plan = Self {
             alpha_test: s.masked_triangles > 0,
@@ -125,14 +128,15 @@ impl EffectPlan {
                 depth_test: m.depth_test,
                 expands: m.expands,
                 removes: m.removal != Removal::Never,
+                marks: m.marks && reuse,
             }),
             object_motion: technique.mask.is_some() && sequence.objects_move,
-            reuse: map.is_some() && technique.reuse && sequence.is_played,
+            reuse,
             tint: s.is_translucency_traced && s.translucent_triangles > 0,
             layers: 1 + s.layers_behind,
             effects: Vec::new(),
         };
-        let (mask, reuse, object_motion) = (plan.mask, plan.reuse, plan.object_motion);
+        let (mask, object_motion) = (plan.mask, plan.object_motion);
         let mut list = |name, is_on, reason: String, cost: String| {
             plan.effects.push(Effect { name, is_on, reason, cost });
         };
@@ -287,6 +291,19 @@ impl EffectPlan {
             "reads a pixel's own history, or as published its neighbours'".to_owned(),
         );
         list(
+            "marks",
+            mask.is_some_and(|m| m.marks),
+            match (technique.mask, reuse) {
+                (None, _) => no_mask(),
+                (Some(m), _) if !m.marks => "the technique leaves none".to_owned(),
+                (Some(_), false) => "no map is kept, and marks would go with it".to_owned(),
+                (Some(_), true) => {
+                    "where a ray contradicts a test that was sure, the map remembers it".to_owned()
+                }
+            },
+            format!("1 pass on the GPU, 1 binding, {} on the GPU, none on the CPU", bytes(map_bytes / 4)),
+        );
+        list(
             "rolling refresh",
             technique.mask.is_some_and(|m| m.refresh > 0),
             match technique.mask.map(|m| m.refresh) {
@@ -338,6 +355,11 @@ impl EffectPlan {
             cost: "all passes but the camera's once more a light, and its maps".to_owned(),
         });
         self
+    }
+
+    /// Whether rays mark the map: see [`MaskEffects::marks`].
+    pub fn has_marks(&self) -> bool {
+        self.mask.is_some_and(|m| m.marks)
     }
 
     /// Whether a map of depth vectors is blurred.

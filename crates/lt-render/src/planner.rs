@@ -23,11 +23,14 @@
 use std::collections::HashMap;
 
 use lt_mask::{DEPTH_CONSISTENCY_TOLERANCE, Offsets};
-use lt_math::glam::{UVec2, Vec3, Vec4};
+use lt_math::LightProjection;
+use lt_math::float::dot4;
+use lt_math::glam::{UVec2, Vec2, Vec3, Vec4, Vec4Swizzles};
 use lt_scene::{Bounds, Camera, Light, LightKind};
 use lt_shaders::abi::{
     CameraParams, DepthParams, FilterParams, LightParams, MaskParams, Sample, ShadowParams,
 };
+use lt_shaders::marks::UNSTIRRED;
 
 use crate::backend::{DepthMapJob, test_params};
 use crate::{
@@ -67,13 +70,21 @@ struct PackedSummary {
     bounds: Bounds,
     /// A box of all casters in every pose since `play`: kept maps are fitted to it.
     reach: Bounds,
+    /// A box of the casters that move in any pose.
+    moving: Bounds,
     stats: PackStats,
     root: u32,
 }
 
 impl PackedSummary {
     fn of(packed: &PackedScene, reach: Bounds) -> Self {
-        Self { bounds: packed.bounds(), reach, stats: *packed.stats(), root: packed.root() }
+        Self {
+            bounds: packed.bounds(),
+            reach,
+            moving: packed.moving_bounds(),
+            stats: *packed.stats(),
+            root: packed.root(),
+        }
     }
 }
 
@@ -328,6 +339,10 @@ impl FramePlanner {
             levels: levels.fits.iter().map(depth_params).collect(),
             draws: levels.draws,
             refreshes,
+            moving: match plan.has_marks() {
+                true => levels.fits.iter().map(|fit| place_on(&fit.projection, self.scene.moving)).collect(),
+                false => Vec::new(),
+            },
             keeps_still: plan.reuse && self.sequence.objects_move,
             filter: FilterParams { test, map_size, sigma: FILTER_SIGMA, pad: UVec2::ZERO },
         });
@@ -336,7 +351,9 @@ impl FramePlanner {
             is_jump: is_jump(&l.light, &light.kind, |from| self.usual_distance(from)),
         });
         let maps = (&levels.fits[..], map_size);
-        let mask = technique.mask.map(|m| self.mask_params(&m, &slot, maps, (for_kernels, change)));
+        let mask = technique
+            .mask
+            .map(|m| self.mask_params(&m, &slot, maps, (for_kernels, change), plan.has_marks()));
         let first =
             self.slots.get(&(technique.to_string(), 0, layer)).map_or(slot.index, |first| first.index);
         let history_slot = if slot.index == 0 { 0 } else { first };
@@ -408,6 +425,7 @@ impl FramePlanner {
         slot: &Slot,
         map: (&[LightFit], u32),
         (light, change): (LightParams, Option<LightChange>),
+        has_marks: bool,
     ) -> MaskParams {
         let last = slot.last.as_ref().filter(|_| change.is_some_and(|c| !c.is_jump));
         let has_light_moved = change.is_some_and(|c| c.has_moved);
@@ -430,7 +448,7 @@ impl FramePlanner {
         let same_map = |l: &LastFrame| (&l.levels.0[..], l.levels.1) == map;
         let drawn_anew = has_light_moved || !last.is_some_and(same_map);
         let has_holes = self.scene.stats.masked_triangles > 0;
-        let (expansion, moving_pattern) = mask.rules_for(has_holes, drawn_anew);
+        let (expansion, moving_pattern) = mask.rules_for(has_holes, drawn_anew, has_marks);
         // Under a light or casters that move, shadows move over pixels that do not.
         let still_pattern = if casters_rest || is_published { mask.pattern } else { moving_pattern };
         MaskParams {
@@ -474,6 +492,24 @@ fn reach_of(before: Bounds, now: Bounds) -> Bounds {
     let all = before.including(now.min).including(now.max);
     let room = (all.max - all.min) * (REACH_GROWTH * 0.5);
     all.including(now.min - room).including(now.max + room)
+}
+
+/// The part of a map on which a box is drawn, as [`lt_shaders::marks::is_stirred`] takes it.
+fn place_on(projection: &LightProjection, bounds: Bounds) -> Vec4 {
+    if bounds.is_empty() {
+        return UNSTIRRED;
+    }
+    let mut part = UNSTIRRED;
+    for corner in bounds.corners() {
+        let p = corner.extend(1.0);
+        let [x, y, w] = [projection.row_x, projection.row_y, projection.row_w].map(|row| dot4(row, p));
+        if w <= 0.0 {
+            return Vec4::new(-1.0, -1.0, 2.0, 2.0);
+        }
+        let (low, high) = (part.xy().min(Vec2::new(x / w, y / w)), part.zw().max(Vec2::new(x / w, y / w)));
+        part = low.extend(high.x).extend(high.y);
+    }
+    part
 }
 
 /// Whether one box lies in another, surfaces included.

@@ -319,7 +319,7 @@ mod tests {
         // As for any level that is drawn anew.
         let (mask, of) = (job.mask.as_mut().expect("a mask"), technique.mask.expect("a mask"));
         let has_holes = session.info().stats.masked_triangles > 0;
-        mask.expansion = of.rules_for(has_holes, true).0.to_index();
+        mask.expansion = of.rules_for(has_holes, true, true).0.to_index();
         session.backend.begin(&job).expect("frame");
         for kind in job.passes() {
             session.backend.pass(kind, &job).expect("pass");

@@ -167,6 +167,8 @@ pub struct TemporalMask {
     pub refresh: u32,
     /// The temporal depth test: a pixel where the last frame saw another surface counts as not found.
     pub depth_test: bool,
+    /// Rays that contradict a test that was sure mark the map, while it is kept (`lt_mask::TexelMarks`).
+    pub marks: bool,
 }
 
 impl TemporalMask {
@@ -182,6 +184,7 @@ impl TemporalMask {
             moving_pattern: None,
             refresh: 0,
             depth_test: matches!(test, MapTest::Esm | MapTest::Msm | MapTest::MsmHausdorff),
+            marks: true,
         }
     }
 
@@ -191,6 +194,7 @@ impl TemporalMask {
             removal: Removal::Published,
             expansion: Some(Expansion::PUBLISHED),
             moving_pattern: Some(self.pattern),
+            marks: false,
             ..self
         }
     }
@@ -198,15 +202,17 @@ impl TemporalMask {
     /// Who is heard where pixels move, and which neighbours are asked.
     ///
     /// A map that is `drawn_anew`, or a light that moves, changes shadow tests everywhere, which only the published rule hears. Else rays are
-    /// spent where they were needed: around pixels whose map was wrong, or, where casters have holes and edges are everywhere,
-    /// around every ray that contradicts. Measured in docs/results/leak-tracing.md.
-    pub fn rules_for(&self, has_holes: bool, drawn_anew: bool) -> (Expansion, Pattern) {
-        let (expansion, pattern) = match (drawn_anew, has_holes) {
-            (true, false) => (Expansion::PUBLISHED, Pattern::FULL_3X3),
-            (true, true) => (Expansion::PUBLISHED, Pattern::DIAMOND),
-            (false, false) => (self.expansion.unwrap_or(Expansion::LEAKS), Pattern::FULL_5X5),
-            (false, true) => (self.expansion.unwrap_or(Expansion::RAYS), Pattern::FULL_5X5),
+    /// spent where they were needed: around pixels whose map was wrong, fewer where it `has_marks`; or, where casters have
+    /// holes and edges are everywhere, around every ray that contradicts. Measured in docs/results/leak-tracing.md.
+    pub fn rules_for(&self, has_holes: bool, drawn_anew: bool, has_marks: bool) -> (Expansion, Pattern) {
+        let (expansion, pattern) = match (drawn_anew, has_holes, has_marks) {
+            (true, false, _) => (Expansion::PUBLISHED, Pattern::FULL_3X3),
+            (true, true, _) => (Expansion::PUBLISHED, Pattern::DIAMOND),
+            (false, false, true) => (Expansion::LEAKS, Pattern::DIAMOND),
+            (false, false, false) => (Expansion::LEAKS, Pattern::FULL_5X5),
+            (false, true, _) => (Expansion::RAYS, Pattern::FULL_5X5),
         };
+        let expansion = if drawn_anew { expansion } else { self.expansion.unwrap_or(expansion) };
         (expansion, self.moving_pattern.unwrap_or(pattern))
     }
 }

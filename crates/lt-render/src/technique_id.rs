@@ -20,7 +20,7 @@ pub struct TechniqueError {
 
 impl Technique {
     /// The modifiers an id may carry, with a line each.
-    pub fn modifiers() -> [(&'static str, &'static str); 21] {
+    pub fn modifiers() -> [(&'static str, &'static str); 22] {
         [
             ("prefiltered", "blur a map of depth vectors instead of gathering plain depths"),
             ("eps=X", "LTT's ε, 0 < X < 0.5 (default 0.01)"),
@@ -79,6 +79,10 @@ impl Technique {
                 "lt-: a pixel that the last frame saw at another depth counts as new (default: esm, msm)",
             ),
             ("no-depth-test", "lt-: without it"),
+            (
+                "no-marks",
+                "lt-: rays that contradict a map leave no marks in it (default: they do while it is kept, and the texels are doubted from then on)",
+            ),
         ]
     }
 }
@@ -149,10 +153,11 @@ fn write_mask(f: &mut fmt::Formatter<'_>, mask: &TemporalMask, default: &Tempora
         write!(f, ":refresh={}", mask.refresh)?;
     }
     match (mask.depth_test, base.depth_test) {
-        (true, false) => write!(f, ":depth-test"),
-        (false, true) => write!(f, ":no-depth-test"),
-        _ => Ok(()),
+        (true, false) => write!(f, ":depth-test")?,
+        (false, true) => write!(f, ":no-depth-test")?,
+        _ => {}
     }
+    if base.marks && !mask.marks { write!(f, ":no-marks") } else { Ok(()) }
 }
 
 /// Patterns by the names that ids use.
@@ -278,7 +283,7 @@ fn apply_modifier(technique: &mut Technique, modifier: &str) -> Result<(), Strin
         "no-reuse" if technique.estimate != Estimate::None => technique.reuse = false,
         "no-reuse" => return Err("`no-reuse` needs a technique that draws a map".into()),
         "no-rr" | "no-er" | "expand" | "published" | "pattern" | "moving" | "refresh" | "depth-test"
-        | "no-depth-test" => {
+        | "no-depth-test" | "no-marks" => {
             let Some(mask) = &mut technique.mask else {
                 return Err(format!("`{key}` needs a technique with a temporal mask, such as lt-evsm"));
             };
@@ -305,6 +310,7 @@ fn apply_modifier(technique: &mut Technique, modifier: &str) -> Result<(), Strin
                         format!("`refresh={value}` must be a whole number of frames from 2 to {MAX_REFRESH}")
                     })?;
                 }
+                "no-marks" => mask.marks = false,
                 _ => mask.depth_test = key == "depth-test",
             }
         }

@@ -1,7 +1,7 @@
 //! The doubt list: which pixels a ray must answer, compacted on the GPU.
 //!
 //! Layout in words: three workgroup counts for the indirect dispatch, the number of listed pixels, then the pixels'
-//! indices in no particular order. The CPU backend collects the same pixels tile by tile instead.
+//! indices ([`Listed`]) in no particular order. The CPU backend collects the same pixels tile by tile instead.
 
 use lt_math::glam::{UVec2, UVec3};
 
@@ -11,6 +11,31 @@ pub const LIST_START: u32 = 4;
 pub const COUNT: usize = 3;
 /// Pixels one workgroup of the resolve pass takes.
 pub const RESOLVE_WORKGROUP: u32 = 64;
+
+/// A word of the list proper: a pixel that needs a ray.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Listed {
+    /// The pixel's index, below 2³¹.
+    pub pixel: u32,
+    /// The test was sure of itself; the mask pass asks for a ray all the same.
+    pub is_trusted: bool,
+}
+
+impl Listed {
+    const TRUSTED: u32 = 1 << 31;
+
+    /// Reads a word.
+    #[inline]
+    pub fn from_word(word: u32) -> Self {
+        Self { pixel: word & !Self::TRUSTED, is_trusted: word & Self::TRUSTED != 0 }
+    }
+
+    /// The word.
+    #[inline]
+    pub fn to_word(self) -> u32 {
+        if self.is_trusted { self.pixel | Self::TRUSTED } else { self.pixel }
+    }
+}
 
 /// Words of a list that can hold every pixel.
 #[inline]
@@ -37,6 +62,16 @@ pub fn slot_of(id: UVec3) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_word_holds_a_pixel_and_whether_it_was_trusted() {
+        for pixel in [0, 1, 8_294_399, (1 << 31) - 1] {
+            for is_trusted in [false, true] {
+                let listed = Listed { pixel, is_trusted };
+                assert_eq!(Listed::from_word(listed.to_word()), listed);
+            }
+        }
+    }
 
     #[test]
     fn the_dispatch_covers_every_listed_pixel() {

@@ -1,5 +1,6 @@
 //! The evaluate pass: what the map says about a pixel, and whether that is to be trusted.
 
+use lt_mask::TexelMarks;
 use lt_math::glam::{IVec2, Vec2, Vec3, Vec4};
 use lt_math::{
     Esm, Evsm, Footprint, LevelSource, LightPoint, LightProjection, MsmHamburger, MsmHausdorff, OneLevel,
@@ -22,6 +23,11 @@ impl Verdict {
     /// Visibility of a doubted pixel about which no map says anything: outside the map, or its answer is NaN. A map that
     /// answers exactly this is as undecided, and treated alike.
     pub const UNJUDGED: f32 = 0.5;
+    /// Visibility of a pixel that the test takes for surely lit and a mark speaks against: the number below 1. A test's own answer may be
+    /// the same under an ε that is as small, and is then treated alike.
+    pub const RECALLED_LIT: f32 = 1.0 - f32::EPSILON * 0.5;
+    /// The same of one that the test takes for surely shadowed.
+    pub const RECALLED_SHADOWED: f32 = f32::EPSILON * 0.5;
 
     const BLOCKED: Self = Self { visibility: 0.0, is_doubted: false };
     const LIT: Self = Self { visibility: 1.0, is_doubted: false };
@@ -135,6 +141,12 @@ pub trait MapSource: Copy {
         level: u32,
         depth: f32,
     ) -> f32;
+
+    /// What rays have found wrong about a footprint with this upper left texel.
+    #[inline]
+    fn marks(&self, _texel: IVec2, _map_size: u32, _level: u32) -> TexelMarks {
+        TexelMarks::NONE
+    }
 }
 
 /// Plain depths, row by row and map after map: the four of the footprint become vectors here.
@@ -237,6 +249,23 @@ pub fn doubt(visibility: f32, epsilon: f32) -> Verdict {
     Verdict { visibility: if is_between { visibility } else { Verdict::UNJUDGED }, is_doubted: true }
 }
 
+/// Doubts a trusted answer that has been wrong here.
+#[inline]
+pub fn recall(verdict: Verdict, marks: TexelMarks) -> Verdict {
+    let is_shadowed = verdict.visibility < 0.5;
+    if verdict.is_doubted || !marks.contradict(is_shadowed) {
+        return verdict;
+    }
+    let visibility = if is_shadowed { Verdict::RECALLED_SHADOWED } else { Verdict::RECALLED_LIT };
+    Verdict { visibility, is_doubted: true }
+}
+
+/// Whether a doubt is [`recall`]'s, of an answer that the test itself trusts.
+#[inline]
+pub fn is_recalled(visibility: f32) -> bool {
+    visibility == Verdict::RECALLED_LIT || visibility == Verdict::RECALLED_SHADOWED
+}
+
 /// [`plane_slope`] for any map, at the place of a sample: from the map's derivatives there.
 #[inline]
 pub fn plane_slope_at(
@@ -301,7 +330,8 @@ pub fn evaluate_levels<T: TestFromParams, M: MapSource, L: LevelSource, const LT
     let footprint = bilinear_footprint(point.uv * Vec2::splat(p.map_size as f32));
     let visibility = map.visibility(T::from_params(p.test), footprint, p.map_size, found.level, depth);
     if LTT {
-        return doubt(visibility, p.epsilon);
+        let marks = map.marks(footprint.texel, p.map_size, found.level);
+        return recall(doubt(visibility, p.epsilon), marks);
     }
     Verdict { visibility, is_doubted: false }
 }

@@ -40,6 +40,7 @@ pub mod filter;
 pub mod gbuffer;
 pub mod geometry;
 pub mod layers;
+pub mod marks;
 pub mod mask;
 pub mod neighbours;
 pub mod resolve;

@@ -12,7 +12,7 @@ use lt_math::glam::{UVec2, Vec2, Vec3};
 
 use crate::{
     abi::{CameraParams, LightParams, MaskParams, Sample},
-    evaluate::{Verdict, settle},
+    evaluate::{Verdict, is_recalled, settle},
     neighbours::{Heard, row_words},
     sampling::sample_place,
 };
@@ -100,6 +100,8 @@ pub struct Masked {
     pub visibility: f32,
     /// Trace a ray.
     pub needs_ray: bool,
+    /// Whether the test was sure of itself: if a ray contradicts it, the map is to be marked ([`crate::marks`]).
+    pub is_trusted: bool,
     /// What to remember, if a ray that is traced finds the light: see [`bits_after_ray`].
     pub bits: MaskBits,
 }
@@ -191,7 +193,8 @@ pub fn mask<
 ) -> Masked {
     let (verdict, is_settled) = settle(sample, &p.light);
     if is_settled {
-        return Masked { visibility: verdict.visibility, needs_ray: false, bits: MaskBits::FACING_AWAY };
+        let (visibility, bits) = (verdict.visibility, MaskBits::FACING_AWAY);
+        return Masked { visibility, needs_ray: false, is_trusted: false, bits };
     }
     let st = is_test_shadowed(estimate);
     let is_doubted = estimate > 0.0 && estimate < 1.0;
@@ -220,7 +223,12 @@ pub fn mask<
         },
     );
     let bits = if decision.needs_ray { decision.mask_with_ray(false) } else { decision.mask_without_ray() };
-    Masked { visibility: decision.snapped_visibility(), needs_ray: decision.needs_ray, bits }
+    Masked {
+        visibility: decision.snapped_visibility(),
+        needs_ray: decision.needs_ray,
+        is_trusted: !is_doubted || is_recalled(estimate),
+        bits,
+    }
 }
 
 #[cfg(test)]

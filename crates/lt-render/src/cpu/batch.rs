@@ -105,10 +105,16 @@ impl<T: BatchTest, const LTT: bool> Work for Evaluate<'_, T, LTT> {
             }
             let answers = match maps.texels {
                 Texels::Depths(depths) => {
-                    footprints.gather(lanes.rays(), depths, T::FROM_RECEIVERS);
+                    match maps.marked {
+                        Some(_) => footprints.gather::<_, true>(lanes.rays(), depths, T::FROM_RECEIVERS),
+                        None => footprints.gather::<_, false>(lanes.rays(), depths, T::FROM_RECEIVERS),
+                    }
                     test.visibility_of_footprints::<LTT>(&footprints, p.epsilon)
                 }
-                Texels::Vectors(vectors) => footprints.filtered(&test, vectors),
+                Texels::Vectors(vectors) => {
+                    maps.marked.into_iter().for_each(|depths| footprints.gather_marks(depths));
+                    footprints.filtered(&test, vectors)
+                }
             };
             *doubted = footprints.judge::<_, LTT>(lanes.rays(), &answers, p.epsilon, visibility);
         }
@@ -118,6 +124,7 @@ impl<T: BatchTest, const LTT: bool> Work for Evaluate<'_, T, LTT> {
 #[cfg(test)]
 mod tests {
     use super::super::map_tiles::maps_to_tiles;
+    use super::super::marks;
     use super::super::samples::SampleRows;
     use super::*;
     use lt_bvh::SimdLevel;
@@ -125,7 +132,10 @@ mod tests {
     use lt_math::{Esm, Evsm, MsmHamburger, MsmHausdorff, Pcf, Sm, Vsm};
     use lt_math::{Levels, LightFrame, LightProjection, level_margin_uv};
     use lt_shaders::abi::{LightParams, Sample};
-    use lt_shaders::evaluate::{FilteredVectors, GatheredDepths, evaluate, evaluate_levels};
+    use lt_shaders::evaluate::{
+        FilteredVectors, GatheredDepths, MapSource, Verdict, evaluate, evaluate_levels,
+    };
+    use lt_shaders::marks::{MarkedDepths, MarkedVectors};
 
     /// Samples all over a map and around it, of every state, with numbers that are none among them; and a map of layers,
     /// slopes, and depths that are out of range or NaN.
@@ -181,17 +191,39 @@ mod tests {
         maps: Maps<'_>,
     ) -> Vec<(f32, bool)> {
         let levels = Levels { projections: maps.projections, count: maps.projections.len() as u32 };
-        let verdict = |sample| match (maps.texels, maps.margin_uv) {
-            (Texels::Depths(depths), None) => evaluate::<T, _, LTT>(sample, p, GatheredDepths { depths }),
-            (Texels::Depths(depths), Some(_)) => {
-                evaluate_levels::<T, _, _, LTT>(sample, p, GatheredDepths { depths }, levels)
+        let words = marks::words(maps.marked.unwrap_or(&[]), p.map_size);
+        let unmarked: Vec<f32> = match (maps.texels, maps.marked) {
+            (Texels::Depths(depths), Some(_)) => depths.iter().map(|texel| marks::depth(*texel)).collect(),
+            (Texels::Depths(depths), None) => depths.to_vec(),
+            (Texels::Vectors(_), _) => Vec::new(),
+        };
+        let depths = &unmarked[..];
+        let verdict = |sample: &Sample| match (maps.texels, maps.marked.is_some()) {
+            (Texels::Depths(_), false) => of::<T, _, LTT>(sample, p, GatheredDepths { depths }, levels, maps),
+            (Texels::Depths(_), true) => {
+                of::<T, _, LTT>(sample, p, MarkedDepths { depths, marks: &words }, levels, maps)
             }
-            (Texels::Vectors(vectors), None) => evaluate::<T, _, LTT>(sample, p, FilteredVectors { vectors }),
-            (Texels::Vectors(vectors), Some(_)) => {
-                evaluate_levels::<T, _, _, LTT>(sample, p, FilteredVectors { vectors }, levels)
+            (Texels::Vectors(vectors), false) => {
+                of::<T, _, LTT>(sample, p, FilteredVectors { vectors }, levels, maps)
+            }
+            (Texels::Vectors(vectors), true) => {
+                of::<T, _, LTT>(sample, p, MarkedVectors { vectors, marks: &words }, levels, maps)
             }
         };
         samples.iter().map(verdict).map(|verdict| (verdict.visibility, verdict.is_doubted)).collect()
+    }
+
+    fn of<T: BatchTest, M: MapSource, const LTT: bool>(
+        sample: &Sample,
+        p: &ShadowParams,
+        map: M,
+        levels: Levels<'_>,
+        maps: Maps<'_>,
+    ) -> Verdict {
+        match maps.margin_uv {
+            None => evaluate::<T, _, LTT>(sample, p, map),
+            Some(_) => evaluate_levels::<T, _, _, LTT>(sample, p, map, levels),
+        }
     }
 
     fn check<T: BatchTest, const LTT: bool>(params: Vec4) {
@@ -234,7 +266,22 @@ mod tests {
         let test = T::from_params(p.test);
         let vectors: Vec<Vec4> = depths.iter().map(|&depth| test.depth_vector(depth)).collect();
         for texels in [Texels::Vectors(&vectors), Texels::Depths(depths)] {
-            check_texels::<T, LTT>(samples, p, Maps { projections, texels, margin_uv });
+            check_texels::<T, LTT>(samples, p, Maps { projections, texels, margin_uv, marked: None });
+        }
+        if !LTT {
+            return;
+        }
+        // Depths as a raster leaves them, some with marks.
+        let drawn = |depth: f32| if depth.is_nan() { 0.3 } else { depth.clamp(0.0, 1.0) };
+        let marked = |(i, depth): (usize, &f32)| {
+            let marks = if i % 5 == 0 { (i / 5 % 4) as u32 } else { 0 };
+            f32::from_bits(drawn(*depth).to_bits() | marks << 30)
+        };
+        let marked: Vec<f32> = depths.iter().enumerate().map(marked).collect();
+        let vectors: Vec<Vec4> = depths.iter().map(|&depth| test.depth_vector(drawn(depth))).collect();
+        for texels in [Texels::Vectors(&vectors), Texels::Depths(&marked)] {
+            let maps = Maps { projections, texels, margin_uv, marked: Some(&marked) };
+            check_texels::<T, LTT>(samples, p, maps);
         }
     }
 
@@ -252,7 +299,8 @@ mod tests {
                 Texels::Vectors(&vectors)
             }
         };
-        let maps = Maps { texels, ..maps };
+        let marked = maps.marked.map(|rows| maps_to_tiles(rows, p.map_size));
+        let maps = Maps { texels, marked: marked.as_deref(), ..maps };
         let test = T::from_params(p.test);
         for level in SimdLevel::available() {
             let rows = SampleRows::of(samples);

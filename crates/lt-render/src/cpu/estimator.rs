@@ -23,6 +23,8 @@ pub(super) struct LightMaps<'a> {
     pub depths: &'a [f32],
     /// Pre-filtered vectors, map after map.
     pub vectors: &'a [Vec4],
+    /// Whether the depths' [marks](super::marks) count.
+    pub has_marks: bool,
 }
 
 impl<'a> LightMaps<'a> {
@@ -56,6 +58,7 @@ impl<'a> LightMaps<'a> {
             None => Maps::one(p, texels),
             Some(projections) => Maps::levels(p, projections, texels),
         };
+        let maps = Maps { marked: self.has_marks.then_some(self.depths), ..maps };
         Box::new(move |pieces, visibility, doubted| {
             evaluate_on::<T, LTT>(pieces, p, maps, visibility, doubted);
         })

@@ -11,6 +11,7 @@ use lt_shaders::evaluate::{Verdict, plane_slope, plane_slope_at};
 use super::bits::{self, places};
 use super::heads::Facing;
 use super::map_tiles::{column_start, row_start};
+use super::marks;
 use super::samples::{Lanes, Piece};
 use super::tiles::PIECE;
 
@@ -21,6 +22,8 @@ pub(super) struct Maps<'a> {
     pub texels: Texels<'a>,
     /// How far from its edge a level answers; `None` for one map, all of which answers.
     pub margin_uv: Option<f32>,
+    /// Depths that may have [marks](super::marks), where these count.
+    pub marked: Option<&'a [f32]>,
 }
 
 /// What maps hold, map after map, each in [tiles](super::map_tiles).
@@ -43,12 +46,12 @@ impl Texels<'_> {
 impl<'a> Maps<'a> {
     /// The one map of a light.
     pub(super) fn one(p: &'a ShadowParams, texels: Texels<'a>) -> Self {
-        Maps { projections: std::slice::from_ref(&p.projection), texels, margin_uv: None }
+        Maps { projections: std::slice::from_ref(&p.projection), texels, margin_uv: None, marked: None }
     }
 
     /// Its levels, finest first.
     pub(super) fn levels(p: &ShadowParams, projections: &'a [LightProjection], texels: Texels<'a>) -> Self {
-        Maps { projections, texels, margin_uv: Some(level_margin_uv(p.map_size)) }
+        Maps { projections, texels, margin_uv: Some(level_margin_uv(p.map_size)), marked: None }
     }
 }
 
@@ -69,6 +72,8 @@ pub struct Footprints {
     texels: [[u32; PIECE]; 4],
     /// Their depths, limited to \[0, 1\], minus the receiver's if the test asks for that.
     pub(super) offsets: [Lanes; 4],
+    /// Their words joined, for the marks in them; 0 without marks.
+    joined: [u32; PIECE],
 }
 
 impl Footprints {
@@ -83,6 +88,7 @@ impl Footprints {
             weights: [[0.0; PIECE]; 4],
             texels: [[0; PIECE]; 4],
             offsets: [[0.0; PIECE]; 4],
+            joined: [0; PIECE],
         }
     }
 
@@ -201,9 +207,14 @@ impl Footprints {
         }
     }
 
-    /// Fetches depths, and takes the receivers' from them if asked to.
+    /// Fetches depths, and takes the receivers' from them if asked to; marks too where there are any.
     #[inline(always)]
-    pub(super) fn gather<L: lanes::Lanes>(&mut self, lanes: L, depths: &[f32], from_receivers: bool) {
+    pub(super) fn gather<L: lanes::Lanes, const MARKED: bool>(
+        &mut self,
+        lanes: L,
+        depths: &[f32],
+        from_receivers: bool,
+    ) {
         let depths: &[u32] = bytemuck::cast_slice(depths);
         for (offsets, texels) in self.offsets.iter_mut().zip(&self.texels) {
             let offsets: &mut [u32; PIECE] = bytemuck::cast_mut(offsets);
@@ -211,12 +222,39 @@ impl Footprints {
                 lanes.gather_words(depths, &texels[first..], &mut offsets[first..]);
             }
         }
+        if MARKED {
+            self.joined = [0; PIECE];
+        }
         for row in &mut self.offsets {
-            for (offset, receiver) in row.iter_mut().zip(&self.receivers) {
-                let depth = float::saturate(*offset);
+            for ((offset, receiver), joined) in row.iter_mut().zip(&self.receivers).zip(&mut self.joined) {
+                let mut depth = *offset;
+                if MARKED {
+                    *joined |= depth.to_bits();
+                    depth = marks::depth(depth);
+                }
+                let depth = float::saturate(depth);
                 *offset = if from_receivers { depth - receiver } else { depth };
             }
         }
+    }
+
+    /// Fetches marks alone.
+    pub(super) fn gather_marks(&mut self, depths: &[f32]) {
+        self.joined = [0; PIECE];
+        for i in places(self.mapped) {
+            let words = self.texels.each_ref().map(|texels| depths[texels[i] as usize].to_bits());
+            self.joined[i] = words.into_iter().fold(0, |joined, word| joined | word);
+        }
+    }
+
+    /// Who said this and was wrong about the same texels before: lit, then shadowed.
+    #[inline(always)]
+    fn recalled(&self) -> [u64; 2] {
+        if self.joined.iter().fold(0, |all, word| all | word) & !marks::DEPTH_BITS == 0 {
+            return [0; 2];
+        }
+        let wrong = self.joined.map(marks::wrong);
+        [0, 1].map(|said| bits::pack(&wrong.map(|wrong| u8::from(wrong[said]))))
     }
 
     /// The blended vectors' answers for pixels that are for the map to say, 0 for others.
@@ -230,7 +268,7 @@ impl Footprints {
     }
 
     /// Writes what comes of answers, and of pixels that no map is asked about; who is doubted. With `LTT` by
-    /// [`doubt`](lt_shaders::evaluate::doubt).
+    /// [`doubt`](lt_shaders::evaluate::doubt) and [`recall`](lt_shaders::evaluate::recall).
     #[inline(always)]
     pub(super) fn judge<L: lanes::Lanes, const LTT: bool>(
         &self,
@@ -249,7 +287,8 @@ impl Footprints {
         let is_confident =
             bits::at_most(lanes, answers, epsilon) | bits::at_least(lanes, answers, 1.0 - epsilon);
         let sure = self.mapped & is_confident;
-        bits::paint(lanes, lit | sure & bits::more(lanes, answers, 0.5), visibility);
+        let surely_lit = sure & bits::more(lanes, answers, 0.5);
+        bits::paint(lanes, lit | surely_lit, visibility);
         let doubted = open & !sure;
         if doubted != 0 {
             let is_between = bits::more(lanes, answers, 0.0) & bits::less(lanes, answers, 1.0);
@@ -257,7 +296,13 @@ impl Footprints {
             bits::put(lanes, judged, answers, visibility);
             bits::put(lanes, doubted & !judged, &[Verdict::UNJUDGED; PIECE], visibility);
         }
-        doubted
+        let [wrongly_lit, wrongly_shadowed] = self.recalled();
+        let recalled = surely_lit & wrongly_lit | sure & !surely_lit & wrongly_shadowed;
+        if recalled != 0 {
+            bits::put(lanes, recalled & surely_lit, &[Verdict::RECALLED_LIT; PIECE], visibility);
+            bits::put(lanes, recalled & !surely_lit, &[Verdict::RECALLED_SHADOWED; PIECE], visibility);
+        }
+        doubted | recalled
     }
 
     #[inline(always)]

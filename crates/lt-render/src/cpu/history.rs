@@ -8,7 +8,7 @@ use super::asks::Asks;
 use super::bits::pack;
 use super::mask_batch::Frames;
 use super::planes::{BlockBits, load_piece, store_piece};
-use super::tiles::{BLOCK, PIECE, Tiles};
+use super::tiles::{BLOCK, PIECE, PIECES, Tiles};
 use crate::MaskEffects;
 
 /// What one technique remembers of its last frame, and what it is about to remember of this one.
@@ -18,6 +18,8 @@ pub struct History {
     bits: [Vec<BlockBits>; 2],
     /// The same for depths along the view axis, in tile order; empty without the temporal depth test.
     depths: [Vec<f32>; 2],
+    /// This frame's, see [`Memory::trusted`].
+    trusted: Vec<u64>,
     /// What the last frame's neighbourhoods ask for.
     asks: Asks,
     /// Which of the two is this frame's.
@@ -38,12 +40,24 @@ pub struct Memory<'a> {
     pub bits: &'a mut BlockBits,
     /// Depths along the view axis; empty without the temporal depth test.
     pub depths: &'a mut [f32],
+    /// Who is traced although the test was sure, a word for each piece; empty without marks.
+    pub trusted: &'a mut [u64],
 }
 
 impl Memory<'_> {
     /// The same for a shorter time.
     pub fn reborrow(&mut self) -> Memory<'_> {
-        Memory { bits: self.bits, depths: self.depths }
+        Memory { bits: self.bits, depths: self.depths, trusted: self.trusted }
+    }
+
+    /// Of a piece: who the test took for shadowed, and whose ray contradicts a test that was sure.
+    pub fn contradicted(&self, piece: usize) -> [u64; 2] {
+        let trusted = self.trusted.get(piece).copied().unwrap_or(0);
+        if trusted == 0 {
+            return [0; 2];
+        }
+        let [shadowed, traced, hit] = self.bits.load(piece);
+        [shadowed, trusted & traced & (shadowed ^ hit)]
     }
 
     /// After the block's rays: remembers what they found, and what was known without them.
@@ -71,6 +85,8 @@ impl History {
         for buffer in &mut self.depths {
             buffer.resize(depths, 0.0);
         }
+        let has_marks = effects.is_some_and(|e| e.marks);
+        self.trusted.resize(if has_marks { tiles.len() / PIECE } else { 0 }, 0);
         self.current = 1 - self.current;
     }
 
@@ -88,8 +104,11 @@ impl History {
         let offsets = [params.still, params.moving].map(Offsets);
         self.asks.hear(tiles, last, Expansion::from_index(params.expansion), offsets);
         let frames = Frames { tiles, params, effects, asks: &self.asks, last, last_depths };
-        let mut depths = depths.chunks_mut(BLOCK);
-        let blocks = bits.iter_mut().map(|bits| Memory { bits, depths: depths.next().unwrap_or(&mut []) });
+        let (mut depths, mut trusted) = (depths.chunks_mut(BLOCK), self.trusted.chunks_mut(PIECES));
+        let blocks = bits.iter_mut().map(|bits| {
+            let (depths, trusted) = (depths.next(), trusted.next());
+            Memory { bits, depths: depths.unwrap_or(&mut []), trusted: trusted.unwrap_or(&mut []) }
+        });
         Open { frames, blocks: blocks.collect() }
     }
 

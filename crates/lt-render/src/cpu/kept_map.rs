@@ -7,6 +7,7 @@ use std::ops::Range;
 
 use lt_shaders::abi::DepthParams;
 
+use super::marks::{Stained, copy_marks};
 use super::raster::{Ground, draw_depths};
 use crate::PackedScene;
 
@@ -38,6 +39,9 @@ impl StillMap {
             let changed = self.moving_rows.start * size..self.moving_rows.end * size;
             map[changed.clone()].copy_from_slice(&self.depths[changed]);
             self.moving_rows = draw_depths(scene, moving, p, Ground::Kept, map);
+            // What moves was drawn over marks, which are of the place.
+            let drawn = self.moving_rows.start * size..self.moving_rows.end * size;
+            copy_marks(&self.depths[drawn.clone()], &mut map[drawn]);
             return;
         }
         if kind == Draw::Once || moving.is_empty() {
@@ -51,6 +55,13 @@ impl StillMap {
         }
     }
 
+    /// Marks a texel of it, too.
+    pub fn mark(&mut self, texel: usize, stained: Stained) {
+        if let Some(depth) = self.depths.get_mut(texel) {
+            stained.mark(depth);
+        }
+    }
+
     /// Bytes it holds.
     pub fn bytes(&self) -> usize {
         size_of_val(&self.depths[..])
@@ -59,6 +70,7 @@ impl StillMap {
 
 #[cfg(test)]
 mod tests {
+    use super::super::marks;
     use super::*;
     use lt_math::glam::Vec3;
     use lt_math::{LightFrame, LightProjection};
@@ -88,7 +100,23 @@ mod tests {
                 still.draw(kind, &scene, &p, &mut kept);
                 let mut whole = vec![0.0; kept.len()];
                 draw_depths(&scene, scene.draws(), &p, Ground::Empty, &mut whole);
-                assert!(bits(&kept) == bits(&whole), "{name} frame {i}");
+                let depths: Vec<f32> = kept.iter().map(|texel| marks::depth(*texel)).collect();
+                assert!(bits(&depths) == bits(&whole), "{name} frame {i}");
+                // Where nothing moves, all of it is drawn anew.
+                let is_kept = i > 0 && !scene.moving_draws().is_empty();
+                let marked = |i: usize| i.is_multiple_of(7);
+                let lost =
+                    (0..kept.len()).find(|&t| marks::wrong(kept[t].to_bits()) != [is_kept && marked(t); 2]);
+                assert_eq!(lost, None, "{name} frame {i}: marks are of the place, whatever moves over it");
+                if i == 0 {
+                    for texel in (0..kept.len()).filter(|&t| marked(t)) {
+                        for said in [false, true] {
+                            let stained = Stained::against(texel, said);
+                            stained.mark(&mut kept[texel]);
+                            still.mark(texel, stained);
+                        }
+                    }
+                }
                 moved += usize::from(i > 0 && before != bits(&kept));
             }
             assert!(name != "forest:12" || moved == 3, "something moves in {name}");

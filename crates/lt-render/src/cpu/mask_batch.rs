@@ -49,6 +49,8 @@ pub struct BlockPixels<'a> {
     pub bits: &'a mut BlockBits,
     /// Becomes what the next frame's depth test compares with; empty without it.
     pub depths: &'a mut [f32],
+    /// Becomes who is traced although the test was sure, a word for each piece; empty without marks.
+    pub trusted: &'a mut [u64],
 }
 
 /// Runs the mask over block `block`, by the best instructions that the processor has.
@@ -82,7 +84,7 @@ impl Mask<'_> {
     fn mask_all<L: lanes::Lanes, const MOTION: bool, const DEPTH: bool>(self, lanes: L) {
         let Mask { frames, block, pixels } = self;
         let Frames { tiles, params: p, effects, .. } = frames;
-        let BlockPixels { pieces, previous, visibility, doubted, bits, depths } = pixels;
+        let BlockPixels { pieces, previous, visibility, doubted, bits, depths, trusted } = pixels;
         let origin = tiles.origin(block);
         let turns = (p.refresh != 0).then(|| Turns::of(p.refresh, p.frame));
         // All ones where a condition of the whole frame holds.
@@ -105,6 +107,9 @@ impl Mask<'_> {
                 paint(lanes, lit, estimates);
                 *doubted = 0;
                 bits.store(piece, [0; 3]);
+                if effects.marks {
+                    trusted[piece] = 0;
+                }
                 continue;
             }
             let before = previous.get(piece).unwrap_or(samples.position());
@@ -128,6 +133,11 @@ impl Mask<'_> {
             let by_rule = is_between & !removes | !is_between & expands & asked;
             let traced = open & !known & (unjudged | unseen | due | by_rule);
             let kept = open & known;
+            if effects.marks {
+                let recalled = same(lanes, estimates, &[Verdict::RECALLED_LIT; PIECE])
+                    | same(lanes, estimates, &[Verdict::RECALLED_SHADOWED; PIECE]);
+                trusted[piece] = traced & (!is_between | recalled);
+            }
             let dark = known & last_hits | !known & shadowed;
             paint(lanes, open & !dark | lit, estimates);
             *doubted = traced;
@@ -197,6 +207,7 @@ mod tests {
     use lt_mask::{Expansion, MaskBits, Offsets, Pattern};
     use lt_math::glam::{UVec4, Vec3};
     use lt_shaders::abi::{CameraParams, LightParams, Sample};
+    use lt_shaders::marks::is_contradicted;
     use lt_shaders::mask::{DepthHistory, bits_after_ray, mask, seen_depth};
     use lt_shaders::neighbours::{HEARD_WORDS, hear_all, row_words};
 
@@ -248,7 +259,10 @@ mod tests {
                 0..3 => 0.0,
                 3..6 => 1.0,
                 6 => unit(),
-                _ => [Verdict::UNJUDGED, f32::NAN, 0.0, 1.0][i as usize % 4],
+                _ => {
+                    let recalled = [Verdict::RECALLED_LIT, Verdict::RECALLED_SHADOWED];
+                    [Verdict::UNJUDGED, f32::NAN, recalled[0], recalled[1]][i as usize % 4]
+                }
             });
         }
         (samples, previous, estimates)
@@ -316,6 +330,7 @@ mod tests {
             let (mut lit, mut doubted) = (to_tiles(tiles, &case.2), vec![0; tiles.len() / PIECE]);
             history.begin(tiles, Some(effects));
             let seen_rays = to_tiles(tiles, &rays);
+            let mut contradicted = Vec::new();
             let mut open = history.open(tiles, &p, effects);
             for (block, memory) in open.blocks.iter_mut().enumerate() {
                 let range = block * BLOCK..(block + 1) * BLOCK;
@@ -326,19 +341,26 @@ mod tests {
                     doubted: &mut doubted[block * PIECES..][..PIECES],
                     bits: memory.bits,
                     depths: memory.depths,
+                    trusted: memory.trusted,
                 };
                 mask_block(open.frames, block, pixels);
                 memory.learn(&seen_rays[range]);
+                contradicted.extend((0..PIECES).map(|piece| memory.contradicted(piece)[1]));
             }
-            let doubted: Vec<bool> =
-                (0..tiles.len()).map(|i| doubted[i / PIECE] >> (i % PIECE) & 1 != 0).collect();
-            let (lit, doubted) = (tiles.to_rows(&lit), tiles.to_rows(&doubted));
+            let as_rows = |words: &[u64]| {
+                let of_pixel = |i: usize| words[i / PIECE] >> (i % PIECE) & 1 != 0;
+                tiles.to_rows(&(0..tiles.len()).map(of_pixel).collect::<Vec<_>>())
+            };
+            let (lit, doubted, contradicted) =
+                (tiles.to_rows(&lit), as_rows(&doubted), as_rows(&contradicted));
             let learnt = history.rows(tiles);
             for (i, m) in expected.iter().enumerate() {
                 let decided = (lit[i], doubted[i]);
                 assert_eq!((m.visibility, m.needs_ray), decided, "{size} {effects:?} {p:?} pixel {i}");
                 let after = if m.needs_ray { bits_after_ray(m.bits, rays[i]) } else { m.bits };
                 assert_eq!(after, learnt[i], "{size} {effects:?} {p:?} pixel {i}");
+                let marks = effects.marks && m.needs_ray && m.is_trusted && is_contradicted(after);
+                assert_eq!(marks, contradicted[i], "{size} {effects:?} {p:?} pixel {i}");
                 tally[usize::from(m.needs_ray)] += 1;
             }
             bits = learnt.into_iter().map(MaskBits::to_bits).collect();
@@ -359,6 +381,7 @@ mod tests {
                         depth_test: flag(1),
                         expands: flag(2),
                         removes: flag(3) || !flag(2),
+                        marks: bits % 3 != 0,
                     };
                     // Rays are removed as published, answers kept, neither, or (no technique does) both.
                     let removal = [MaskParams::REMOVES_AS_PUBLISHED, MaskParams::KEEPS_ANSWERS, 0, 6];
@@ -412,7 +435,8 @@ mod tests {
         let offsets = [Pattern::GATHER_2X2, Pattern::FULL_3X3].map(|p| Offsets::of(p, 1));
         asks.hear(tiles, &last, Expansion::PUBLISHED, offsets);
         let last_depths: Vec<f32> = (0..tiles.len()).map(|i| 2.0 + (i % 5) as f32 * 0.7).collect();
-        let effects = MaskEffects { motion: true, depth_test: true, expands: true, removes: true };
+        let effects =
+            MaskEffects { motion: true, depth_test: true, expands: true, removes: true, marks: true };
         let frames =
             Frames { tiles, params: &p, effects, asks: &asks, last: &last, last_depths: &last_depths };
         let by = |run: &dyn Fn(usize, BlockPixels<'_>)| {
@@ -420,7 +444,8 @@ mod tests {
             for block in 0..tiles.len() / BLOCK {
                 let range = block * BLOCK..(block + 1) * BLOCK;
                 let mut visibility = to_tiles(tiles, &case.2)[range.clone()].to_vec();
-                let (mut doubted, mut depths) = (vec![7; PIECES], vec![0.0; BLOCK]);
+                let (mut doubted, mut trusted, mut depths) =
+                    (vec![7; PIECES], vec![7; PIECES], vec![0.0; BLOCK]);
                 let mut bits = BlockBits::default();
                 let pixels = BlockPixels {
                     pieces: rows.pieces().range(block * PIECES..(block + 1) * PIECES),
@@ -429,9 +454,16 @@ mod tests {
                     doubted: &mut doubted,
                     bits: &mut bits,
                     depths: &mut depths,
+                    trusted: &mut trusted,
                 };
                 run(block, pixels);
-                all.push((visibility, doubted, bits, depths.iter().map(|d| d.to_bits()).collect::<Vec<_>>()));
+                all.push((
+                    visibility,
+                    doubted,
+                    trusted,
+                    bits,
+                    depths.iter().map(|d| d.to_bits()).collect::<Vec<_>>(),
+                ));
             }
             all
         };

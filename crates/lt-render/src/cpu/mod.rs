@@ -16,6 +16,7 @@ mod kept_map;
 mod layers;
 mod light_trees;
 mod map_tiles;
+mod marks;
 mod mask_batch;
 mod perspective;
 mod places;
@@ -47,6 +48,7 @@ use lt_shaders::camera::{
 use lt_shaders::filter::{filter_x, filter_y};
 use lt_shaders::geometry::{FlatGeometry, Geometry, InstancedGeometry};
 use lt_shaders::shade::shade_mean;
+use marks::Stained;
 use rayon::prelude::*;
 use samples::{Kept, Look, Parts, Points, keep, points};
 use shadow::PixelMs;
@@ -103,10 +105,23 @@ struct Slot {
     history: History,
 }
 
+impl Slot {
+    /// Marks texels of maps of `map_size`² texels, and of what stands still in them.
+    fn mark(&mut self, stained: &[Stained], map_size: u32) {
+        let texels = (map_size as usize).pow(2);
+        for stained in stained {
+            stained.mark(&mut self.depths[stained.texel]);
+            if let Some(still) = self.still.get_mut(stained.texel / texels) {
+                still.mark(stained.texel % texels, *stained);
+            }
+        }
+    }
+}
+
 impl CpuBackend {
     /// The depth maps of the last frame, level after level, each in the order of [`maps_to_tiles`]; empty before the first.
-    pub fn depth_maps(&self) -> &[f32] {
-        &self.slots[self.slot].depths
+    pub fn depth_maps(&self) -> Vec<f32> {
+        self.slots[self.slot].depths.iter().map(|texel| marks::depth(*texel)).collect()
     }
 
     /// Takes the scene and prepares its tracer.
@@ -323,7 +338,7 @@ fn blur_rows(test: MapTest, p: &FilterParams, depths: &[f32], rows: &mut [Vec4])
         let rows = rows.par_chunks_mut(p.map_size as usize).enumerate();
         rows.for_each_init(Vec::new, |row_depths, (y, row)| {
             row_depths.clear();
-            row_depths.extend(map_tiles::row(depths, y as u32, p.map_size));
+            row_depths.extend(map_tiles::row(depths, y as u32, p.map_size).map(marks::depth));
             for (x, vector) in row.iter_mut().enumerate() {
                 *vector = kernel(UVec2::new(x as u32, 0), p, row_depths);
             }

@@ -16,6 +16,7 @@ use rayon::prelude::*;
 use super::bits::places;
 use super::estimator::{Estimator, LightMaps};
 use super::history::Memory;
+use super::marks::{Stained, Stains};
 use super::mask_batch::{BlockPixels, Frames, mask_block};
 use super::samples::{Pieces, Points};
 use super::tiles::{BLOCK, PIECE, PIECES};
@@ -50,8 +51,9 @@ impl CpuBackend {
         let slot = &mut self.slots[self.slot];
         let levels = job.searched_levels();
         let (levels, depths, vectors) = (levels.as_deref(), &slot.depths[..], &slot.vectors[..]);
-        let seen = LightMaps { p: &job.shadow, levels, depths, vectors };
-        let estimator = job.plan.map.map(|(test, source)| seen.estimator(test, source, job.plan.doubt_list));
+        let has_marks = job.plan.has_marks();
+        let maps = LightMaps { p: &job.shadow, levels, depths, vectors, has_marks };
+        let estimator = job.plan.map.map(|(test, source)| maps.estimator(test, source, job.plan.doubt_list));
         let open = match (&job.mask, job.plan.mask) {
             (Some(params), Some(effects)) => Some(slot.history.open(self.tiles, params, effects)),
             _ => None,
@@ -62,6 +64,8 @@ impl CpuBackend {
         };
         let listen_ms = milliseconds(start);
         let light = job.shadow.light;
+        let moving = job.map.as_ref().map_or(&[][..], |map| &map.moving);
+        let stains = has_marks.then_some(Stains { maps, moving });
         let resolver = match (job.plan.resolve, self.light_trees.of(&light)) {
             (Resolve::DivideAndConquer | Resolve::AliasFree, _) => Resolver::Later,
             (Resolve::Light, Some(tree)) => Resolver::Tree { tree, casters: casters(&self.scene) },
@@ -72,6 +76,7 @@ impl CpuBackend {
             light,
             estimator,
             frames,
+            stains,
             traces_all: job.plan.trace_all,
             traces_doubted: job.plan.doubt_list,
         };
@@ -102,13 +107,17 @@ impl CpuBackend {
         let [evaluate, mask, resolve] = totals.seconds.map(|s| if all > 0.0 { wall * s / all } else { 0.0 });
         let start = Instant::now();
         let is_later = matches!(passes.resolver, Resolver::Later);
+        let mut stained = totals.stained;
         self.rays = totals.rays;
         if is_later {
-            let later = Later { scene: &self.scene, job, pieces };
+            let later = Later { scene: &self.scene, job, pieces, stains };
             let workspace = &mut self.workspace;
-            self.rays = later.resolve(&mut self.visibility, &self.doubted, &mut memories, workspace);
+            (self.rays, stained) =
+                later.resolve(&mut self.visibility, &self.doubted, &mut memories, workspace);
         }
-        let later_ms = if is_later { milliseconds(start) } else { 0.0 };
+        drop(passes);
+        slot.mark(&stained, job.shadow.map_size);
+        let later_ms = milliseconds(start);
         self.pixel_ms = Some(PixelMs { evaluate, mask: mask + listen_ms, resolve: resolve + later_ms });
     }
 }
@@ -118,17 +127,18 @@ struct Later<'a> {
     scene: &'a PackedScene,
     job: &'a FrameJob,
     pieces: Pieces<'a>,
+    stains: Option<Stains<'a>>,
 }
 
 impl Later<'_> {
-    /// Answers the doubted pixels, and lets memories learn of it; how many they are.
+    /// Answers the doubted pixels, and lets memories learn of it; how many they are, and what is to be marked.
     fn resolve(
         &self,
         visibility: &mut [f32],
         doubted: &[u64],
         memories: &mut [Option<Memory<'_>>],
         workspace: &mut Workspace,
-    ) -> u64 {
+    ) -> (u64, Vec<Stained>) {
         let light = &self.job.shadow.light;
         let sample = |i: usize| self.pieces.sample(i);
         let of_piece = |(piece, &bits): (usize, &u64)| places(bits).map(move |i| piece * PIECE + i);
@@ -146,12 +156,31 @@ impl Later<'_> {
         for (&pixel, &is_blocked) in pixels.iter().zip(&is_blocked) {
             visibility[pixel] = if is_blocked { 0.0 } else { 1.0 };
         }
-        visibility.par_chunks(BLOCK).zip(memories).for_each(|(visibility, memory)| {
+        let blocks = visibility.par_chunks(BLOCK).zip(memories).enumerate();
+        let stained = blocks.flat_map_iter(|(block, (visibility, memory))| {
+            let mut stained = Vec::new();
             if let Some(memory) = memory {
-                memory.learn(visibility);
+                let pieces = self.pieces.range(block * PIECES..(block + 1) * PIECES);
+                learn(memory, pieces, visibility, self.stains, &mut stained);
             }
+            stained
         });
-        pixels.len() as u64
+        let stained = stained.collect();
+        (pixels.len() as u64, stained)
+    }
+}
+
+/// Lets a block's memory learn of its rays, and finds what they tell to mark.
+fn learn(
+    memory: &mut Memory<'_>,
+    pieces: Pieces<'_>,
+    visibility: &[f32],
+    stains: Option<Stains<'_>>,
+    stained: &mut Vec<Stained>,
+) {
+    memory.learn(visibility);
+    if let Some(stains) = stains {
+        stains.of_block(pieces, memory, stained);
     }
 }
 
@@ -210,16 +239,18 @@ struct Block<'a> {
 }
 
 /// What a thread's blocks took.
-#[derive(Clone, Copy, Default)]
+#[derive(Default)]
 struct Totals {
     /// Evaluate, mask, resolve.
     seconds: [f64; 3],
     rays: u64,
+    stained: Vec<Stained>,
 }
 
 impl Totals {
     fn plus(mut self, other: Self) -> Self {
         self.seconds.iter_mut().zip(other.seconds).for_each(|(a, b)| *a += b);
+        self.stained.extend(other.stained);
         Self { rays: self.rays + other.rays, ..self }
     }
 }
@@ -230,6 +261,7 @@ struct Passes<'a> {
     light: LightParams,
     estimator: Option<Estimator<'a>>,
     frames: Option<Frames<'a>>,
+    stains: Option<Stains<'a>>,
     traces_all: bool,
     traces_doubted: bool,
 }
@@ -248,22 +280,23 @@ impl Passes<'_> {
 
     fn run_group<A: AnyHit>(&self, mut group: Group<'_, '_>, any_hit: A, rays: &mut Rays) -> Totals {
         rays.clear();
-        let mut seconds = [0.0; 3];
+        let (mut seconds, mut stained) = ([0.0; 3], Vec::new());
         for number in 0..group.memories.len() {
             let block = self.run_block(group.block(number), rays.of_block(number));
             seconds.iter_mut().zip(block).for_each(|(sum, s)| *sum += s);
         }
         let start = Instant::now();
         if rays.resolve(&self.resolver, !self.traces_all, any_hit, group.visibility) {
-            let blocks = group.visibility.chunks(BLOCK).zip(group.memories);
-            blocks.for_each(|(visibility, memory)| {
+            let blocks = group.visibility.chunks(BLOCK).zip(&mut *group.memories).enumerate();
+            blocks.for_each(|(block, (visibility, memory))| {
                 if let Some(memory) = memory {
-                    memory.learn(visibility);
+                    let pieces = group.pieces.range(block * PIECES..(block + 1) * PIECES);
+                    learn(memory, pieces, visibility, self.stains, &mut stained);
                 }
             });
         }
         seconds[2] += start.elapsed().as_secs_f64();
-        Totals { seconds, rays: rays.rays.len() as u64 }
+        Totals { seconds, rays: rays.rays.len() as u64, stained }
     }
 
     /// Estimates, doubts and corrects, and collects the rays that are left to trace.
@@ -275,8 +308,12 @@ impl Passes<'_> {
             None => doubted.fill(0),
         }
         let estimated = Instant::now();
-        if let (Some(frames), Some(Memory { bits, depths })) = (self.frames, &mut memory) {
-            mask_block(frames, index, BlockPixels { pieces, previous, visibility, doubted, bits, depths });
+        if let (Some(frames), Some(Memory { bits, depths, trusted })) = (self.frames, &mut memory) {
+            mask_block(
+                frames,
+                index,
+                BlockPixels { pieces, previous, visibility, doubted, bits, depths, trusted },
+            );
         }
         let corrected = Instant::now();
         if self.traces_all {

@@ -7,6 +7,7 @@ use lt_math::glam::{Vec2, Vec3, Vec4};
 use lt_shaders::depth::depth_at;
 
 use super::map_tiles::{SIDE, TEXELS};
+use super::marks;
 
 /// Depth as a linear function of the place on the map, never past the corners' own depths.
 pub struct DepthPlane {
@@ -151,9 +152,12 @@ impl Covered {
         let column = l.add(l.splat((tile * SIDE) as f32), l.load(&columns[at.clone()]));
         let row = l.add(l.splat(y), l.load(&rows[at.clone()]));
         let half = l.splat(0.5);
-        let depths = surface.depths(l, l.add(column, half), l.add(row, half));
+        // -0 becomes 0, whose highest bits are free for marks.
+        let depths = l.add(surface.depths(l, l.add(column, half), l.add(row, half)), l.splat(0.0));
         let is_covered = l.le(l.load(&self.low[at.clone()]), column) & l.lt(column, l.load(&self.high[at]));
-        let is_nearer = l.lt(depths, l.load(stored)) & l.le(l.splat(0.0), depths);
+        let mut unmarked = [0.0; TEXELS];
+        unmarked.iter_mut().zip(stored).for_each(|(to, texel)| *to = marks::depth(*texel));
+        let is_nearer = l.lt(depths, l.load(&unmarked[..L::WIDTH])) & l.le(l.splat(0.0), depths);
         Nearer { depths, holds: is_covered & is_nearer }
     }
 }

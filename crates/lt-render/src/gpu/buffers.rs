@@ -2,6 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 use lt_irregular::PackedLightBvh;
+use lt_mask::marks_words;
 use lt_math::glam::{UVec2, Vec4};
 use lt_shaders::{
     abi::{Sample, Sight},
@@ -119,10 +120,14 @@ pub(super) struct MapBuffers {
     pub depths: wgpu::Buffer,
     /// Blurred vectors, of a pre-filtered map.
     pub vectors: Option<wgpu::Buffer>,
+    /// Two bits a texel, level after level ([`lt_mask::MarksPlace`]).
+    pub marks: Option<wgpu::Buffer>,
 }
 
 /// Bytes of a texel's depth.
 pub(super) const DEPTH_BYTES: u64 = 4;
+/// Bytes of a word of marks.
+pub(super) const WORD_BYTES: u64 = 4;
 /// Bytes of a depth vector, and of a row of the blur's first pass.
 pub(super) const VECTOR_BYTES: u64 = 16;
 
@@ -157,10 +162,11 @@ impl MapBuffers {
     }
 
     /// Bytes the technique needs for its maps: depths (the raster target is a copy of one of them), those of what stands still, and
-    /// vectors with as many blurred rows, which are lent to it.
+    /// vectors with as many blurred rows, which are lent to it, and marks.
     pub fn bytes(&self) -> u64 {
         self.depths.size() * if self.still.is_some() { 2 } else { 1 }
             + self.vectors.as_ref().map_or(0, |vectors| 2 * vectors.size())
+            + self.marks.as_ref().map_or(0, wgpu::Buffer::size)
     }
 }
 
@@ -288,7 +294,12 @@ impl Allocator {
         })
     }
 
-    pub fn map(&self, size: u32, levels: u32, is_prefiltered: bool) -> Result<MapBuffers, RenderError> {
+    pub fn map(
+        &self,
+        size: u32,
+        levels: u32,
+        (is_prefiltered, has_marks): (bool, bool),
+    ) -> Result<MapBuffers, RenderError> {
         let most = self.device.limits().max_texture_dimension_2d;
         if size > most {
             return Err(self.error(format!(
@@ -306,6 +317,13 @@ impl Allocator {
             depths: self.empty("depths", texels * DEPTH_BYTES, Usage::STORAGE | Usage::COPY_DST)?,
             vectors: match is_prefiltered {
                 true => Some(self.empty("blurred vectors", texels * VECTOR_BYTES, Usage::STORAGE)?),
+                false => None,
+            },
+            marks: match has_marks {
+                true => {
+                    let usage = Usage::STORAGE | Usage::COPY_DST;
+                    Some(self.empty("marks", marks_words(texels) * WORD_BYTES, usage)?)
+                }
                 false => None,
             },
         })

@@ -28,7 +28,7 @@ use std::time::{Duration, Instant};
 use lt_mask::MaskBits;
 use lt_math::glam::{UVec2, Vec3, Vec4};
 use lt_shaders::abi::{CameraParams, Sample};
-use lt_shaders::doubt::{COUNT, LIST_START};
+use lt_shaders::doubt::{COUNT, LIST_START, Listed};
 use lt_shaders::evaluate::settle;
 use lt_shaders::mask::BitsPlace;
 use lt_shaders::resolve::may_be_tinted;
@@ -244,8 +244,8 @@ impl GpuBackend {
         let list: Vec<u32> =
             self.recorder.allocator().read(&self.queue, &buffers.list, buffers.list.size())?;
         let count = list[COUNT] as usize;
-        for &pixel in list[LIST_START as usize..].iter().take(count) {
-            doubt[pixel as usize] = true;
+        for &word in list[LIST_START as usize..].iter().take(count) {
+            doubt[Listed::from_word(word).pixel as usize] = true;
         }
         Ok((doubt, count as u64))
     }

@@ -104,17 +104,18 @@ impl Recorder {
             frame.slots.resize_with(job.slot + 1, SlotBuffers::default);
         }
         let slot = &mut frame.slots[job.slot];
-        let is_prefiltered = job.plan.is_prefiltered();
+        let (is_prefiltered, has_marks) = (job.plan.is_prefiltered(), job.plan.has_marks());
         match &job.map {
             None => slot.map = None,
             Some(map) => {
                 let (map_size, levels) = (map.map_size(), map.levels.len() as u32);
                 let fits = |m: &MapBuffers| {
-                    (m.size, m.levels, m.vectors.is_some()) == (map_size, levels, is_prefiltered)
+                    (m.size, m.levels) == (map_size, levels)
+                        && (m.vectors.is_some(), m.marks.is_some()) == (is_prefiltered, has_marks)
                 };
                 let maps = match slot.map.take().filter(fits) {
                     Some(maps) => maps,
-                    None => self.allocator.map(map_size, levels, is_prefiltered)?,
+                    None => self.allocator.map(map_size, levels, (is_prefiltered, has_marks))?,
                 };
                 let has_room = |rows: &wgpu::Buffer| rows.size() >= maps.texels() * VECTOR_BYTES;
                 if is_prefiltered && !frame.blurred_rows.as_ref().is_some_and(has_room) {
@@ -270,14 +271,19 @@ impl Recorder {
             encoder.clear_buffer(&doubt.list, 0, Some(16));
             bindings.push(&doubt.list);
         }
-        let levels = match job.searched_levels() {
-            Some(levels) => Some(self.allocator.filled("levels", &levels, Usage::STORAGE)?),
-            None => None,
-        };
+        let marks = if job.plan.has_marks() { "_marks" } else { "" };
+        bindings.extend(&map.marks);
+        let levels = self.levels(job)?;
         bindings.extend(&levels);
         let search = if levels.is_some() { "_levels" } else { "" };
-        let name = format!("evaluate_{doubt_word}{test}{suffix}{search}_cs");
+        let name = format!("evaluate_{doubt_word}{test}{suffix}{search}{marks}_cs");
         self.dispatch(encoder, &name, &bindings, grid(frame.size))
+    }
+
+    /// The levels that pixels search, where they do.
+    fn levels(&self, job: &FrameJob) -> Result<Option<wgpu::Buffer>, RenderError> {
+        let levels = job.searched_levels();
+        levels.map(|levels| self.allocator.filled("levels", &levels, Usage::STORAGE)).transpose()
     }
 
     fn mask(
@@ -385,10 +391,34 @@ impl Recorder {
             Some(doubt) if !job.plan.trace_all => {
                 self.dispatch(encoder, "doubt_dispatch_cs", &[&doubt.list], Groups::Fixed(1, 1))?;
                 encoder.copy_buffer_to_buffer(&doubt.list, 0, &doubt.dispatch, 0, 16);
-                self.dispatch(encoder, &name, &bindings, Groups::Indirect(&doubt.dispatch))
+                self.dispatch(encoder, &name, &bindings, Groups::Indirect(&doubt.dispatch))?;
+                self.mark(encoder, frame, job)
             }
             _ => self.dispatch(encoder, &name, &bindings, grid(frame.size)),
         }
+    }
+
+    /// Marks maps where rays of the list contradict them; nothing without marks.
+    fn mark(
+        &mut self,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &FrameBuffers,
+        job: &FrameJob,
+    ) -> Result<(), RenderError> {
+        let marks = self.slot(frame, job)?.map.as_ref().and_then(|map| map.marks.as_ref());
+        let (Some(marks), Some(history), Some(doubt), Some(map)) =
+            (marks, self.history(frame, job)?, &frame.doubt, &job.map)
+        else {
+            return Ok(());
+        };
+        let uniform = self.allocator.filled("shadow", &[job.shadow], Usage::UNIFORM)?;
+        let moving = self.allocator.filled("what moves on maps", &map.moving, Usage::STORAGE)?;
+        let bits = &history.bits[history.current];
+        let mut bindings = vec![&uniform, &frame.samples, &doubt.list, bits, &moving, marks];
+        let levels = self.levels(job)?;
+        bindings.extend(&levels);
+        let name = if levels.is_some() { "mark_levels_cs" } else { "mark_cs" };
+        self.dispatch(encoder, name, &bindings, Groups::Indirect(&doubt.dispatch))
     }
 
     fn tint(

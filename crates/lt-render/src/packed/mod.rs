@@ -343,6 +343,26 @@ impl PackedScene {
     pub fn moving_draws(&self) -> &[DrawRange] {
         &self.moving_draws
     }
+
+    /// World bounds of the casters that move, where they are now.
+    pub fn moving_bounds(&self) -> Bounds {
+        // A placed tree may hold more than what moves: its own box will not do.
+        let of_draw = |draw: &DrawRange| {
+            let all = draw.first_triangle as usize..(draw.first_triangle + draw.triangles) as usize;
+            let corners = self.triangles()[all].iter().flat_map(|t| [t.v0, t.v1, t.v2]);
+            let bounds = corners.fold(Bounds::EMPTY, Bounds::including);
+            match self.instances().get(draw.instance as usize) {
+                Some(placed) if !bounds.is_empty() => bounds
+                    .corners()
+                    .map(|c| placed.point_to_world(c))
+                    .into_iter()
+                    .fold(Bounds::EMPTY, Bounds::including),
+                _ => bounds,
+            }
+        };
+        let all = self.moving_draws.iter().map(of_draw).filter(|b| !b.is_empty());
+        all.fold(Bounds::EMPTY, |all, b| all.including(b.min).including(b.max))
+    }
 }
 
 fn triangles_of(scene: &Scene, instance: usize) -> u64 {

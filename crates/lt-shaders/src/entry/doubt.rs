@@ -5,14 +5,14 @@ use spirv_std::arch::{IndexUnchecked, atomic_i_add, workgroup_memory_barrier_wit
 use spirv_std::memory::{Scope, Semantics};
 use spirv_std::spirv;
 
-use crate::doubt::{COUNT, LIST_START, workgroups_for};
+use crate::doubt::{COUNT, LIST_START, Listed, workgroups_for};
 
 /// Appends the doubted pixels of a workgroup to the list, with one atomic on it per workgroup. Every invocation of the
 /// group calls this once, in uniform control flow.
 ///
 /// The CPU backend collects its list per tile instead of in workgroup memory.
 #[inline(always)]
-pub fn list_pixel(is_doubted: bool, index: u32, local: u32, shared: &mut [u32; 2], list: &mut [u32]) {
+pub fn list_pixel(is_doubted: bool, listed: Listed, local: u32, shared: &mut [u32; 2], list: &mut [u32]) {
     if local == 0 {
         shared[0] = 0;
     }
@@ -37,7 +37,7 @@ pub fn list_pixel(is_doubted: bool, index: u32, local: u32, shared: &mut [u32; 2
     workgroup_memory_barrier_with_group_sync();
     if is_doubted {
         // SAFETY: the list holds LIST_START words and one for every pixel.
-        unsafe { *list.index_unchecked_mut((LIST_START + shared[1] + slot) as usize) = index };
+        unsafe { *list.index_unchecked_mut((LIST_START + shared[1] + slot) as usize) = listed.to_word() };
     }
 }
 

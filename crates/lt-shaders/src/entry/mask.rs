@@ -7,6 +7,7 @@ use spirv_std::spirv;
 use super::{doubt::list_pixel, pixel_index};
 use crate::{
     abi::{MaskParams, Sample},
+    doubt::Listed,
     mask::{BitsPlace, DepthHistory, mask, seen_depth},
     neighbours::{Heard, row_words},
 };
@@ -31,7 +32,7 @@ macro_rules! mask_entry {
             $(#[spirv(storage_buffer, descriptor_set = 0, binding = $past)] past: &[Vec4],)?
         ) {
             let mut needs_ray = false;
-            let mut index = 0;
+            let mut listed = Listed { pixel: 0, is_trusted: false };
             if let Some(i) = pixel_index(id, p.current.size) {
                 let history = mask_entry!(@history heard, p $(, last_depths $last_d)?);
                 // SAFETY: the host sizes every buffer to the picture, and i lies in it. A checked index may leave the
@@ -53,10 +54,10 @@ macro_rules! mask_entry {
                     }
                     $(mask_entry!(@keep depths $new_d, i, sample, p);)?
                     needs_ray = masked.needs_ray;
+                    listed = Listed { pixel: i as u32, is_trusted: masked.is_trusted };
                 }
-                index = i as u32;
             }
-            list_pixel(needs_ray, index, local, shared, list);
+            list_pixel(needs_ray, listed, local, shared, list);
         }
     };
     (@history $heard:ident, $p:ident, $depths:ident $b:literal) => {

@@ -10,6 +10,7 @@ pub mod evaluate;
 pub mod filter;
 pub mod gbuffer;
 pub mod layers;
+pub mod marks;
 pub mod mask;
 pub mod neighbours;
 pub mod resolve;

@@ -8,7 +8,7 @@ use spirv_std::spirv;
 use super::pixel_index;
 use crate::{
     abi::{Material, Sample, ShadowParams, Vertex},
-    doubt::{COUNT, LIST_START, slot_of},
+    doubt::{COUNT, LIST_START, Listed, slot_of},
     evaluate::settle,
     geometry::{FlatGeometry, InstancedGeometry, LightGeometry},
     mask::{BitsPlace, learn},
@@ -96,7 +96,7 @@ macro_rules! resolve_entries {
         ) {
             let slot = slot_of(id);
             if slot < list[COUNT] {
-                let i = list[(slot + LIST_START) as usize] as usize;
+                let i = Listed::from_word(list[(slot + LIST_START) as usize]).pixel as usize;
                 let geometry = geometry!(p, nodes, triangles $(, instances $i1)? $(, rows $r1, space $s1)?);
                 let any_hit = any_hit!(triangles $(, vertices $v1, materials $m1, alpha_texels $a1)?);
                 visibility[i] = trace_visibility(&samples[i], &p.light, geometry, any_hit);
@@ -123,7 +123,7 @@ macro_rules! resolve_entries {
         ) {
             let slot = slot_of(id);
             if slot < list[COUNT] {
-                let i = list[(slot + LIST_START) as usize] as usize;
+                let i = Listed::from_word(list[(slot + LIST_START) as usize]).pixel as usize;
                 let geometry = geometry!(p, nodes, triangles $(, instances $i2)? $(, rows $r2, space $s2)?);
                 let any_hit = any_hit!(triangles $(, vertices $v2, materials $m2, alpha_texels $a2)?);
                 visibility[i] = trace_visibility(&samples[i], &p.light, geometry, any_hit);

@@ -3,10 +3,11 @@
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
 
+use lt_mask::marks_words;
 use lt_shaders::abi::DepthParams;
 use wgpu::BufferUsages as Usage;
 
-use super::super::buffers::{FrameBuffers, GpuScene, MapBuffers};
+use super::super::buffers::{FrameBuffers, GpuScene, MapBuffers, WORD_BYTES};
 use super::Recorder;
 use crate::{DepthMapJob, DrawRange, FrameJob, RenderError};
 
@@ -22,6 +23,12 @@ impl Recorder {
         let slot = self.slot(frame, job)?;
         let (Some(map), Some(map_job)) = (&slot.map, &job.map) else { return Err(self.unprepared()) };
         let mut culling = Duration::ZERO;
+        // Marks are as old as what stands still.
+        let is_anew = |level: &u32| map_job.draws.contains(level) || scene.moving_draws.is_empty();
+        for level in map_job.drawn().filter(is_anew) {
+            let bytes = marks_words(map_job.texels(level).len() as u64) * WORD_BYTES;
+            map.marks.iter().for_each(|m| encoder.clear_buffer(m, u64::from(level) * bytes, Some(bytes)));
+        }
         for level in map_job.drawn() {
             culling += self.draw_depths(encoder, scene, map, map_job, level)?;
             encoder.copy_texture_to_buffer(
