@@ -180,27 +180,20 @@ fn function_() {
     var phi_397_: bool;
     var phi_401_: bool;
     var phi_402_: bool;
-    var phi_541_: f32;
-    var phi_546_: f32;
-    var phi_547_: bool;
     var phi_548_: f32;
-    var phi_549_: bool;
     var phi_553_: f32;
-    var phi_574_: f32;
-    var phi_579_: f32;
-    var phi_580_: bool;
+    var phi_554_: bool;
+    var phi_555_: f32;
+    var phi_556_: bool;
+    var phi_560_: f32;
     var phi_581_: f32;
-    var phi_582_: bool;
     var phi_586_: f32;
-    var phi_607_: bool;
-    var phi_626_: vec2<u32>;
-    var phi_627_: bool;
-    var phi_628_: bool;
-    var phi_629_: bool;
-    var phi_630_: vec2<u32>;
-    var phi_631_: bool;
-    var phi_632_: bool;
-    var phi_633_: bool;
+    var phi_587_: bool;
+    var phi_588_: f32;
+    var phi_589_: bool;
+    var phi_593_: f32;
+    var phi_614_: bool;
+    var phi_633_: vec2<u32>;
     var phi_634_: bool;
     var phi_635_: bool;
     var phi_636_: bool;
@@ -216,99 +209,106 @@ fn function_() {
     var phi_646_: bool;
     var phi_647_: bool;
     var phi_648_: bool;
-    var phi_657_: bool;
-    var phi_658_: bool;
-    var phi_659_: bool;
-    var phi_660_: bool;
+    var phi_649_: bool;
+    var phi_650_: bool;
+    var phi_651_: vec2<u32>;
+    var phi_652_: bool;
+    var phi_653_: bool;
+    var phi_654_: bool;
+    var phi_655_: bool;
     var phi_664_: bool;
     var phi_665_: bool;
-    var phi_666_: vec2<u32>;
-    var phi_704_: bool;
-    var phi_706_: lt_mask_Reprojection;
-    var phi_707_: lt_mask_Reprojection;
-    var phi_708_: lt_mask_Reprojection;
-    var phi_709_: bool;
-    var phi_710_: bool;
-    var phi_711_: lt_mask_Reprojection;
-    var phi_712_: lt_mask_Reprojection;
+    var phi_666_: bool;
+    var phi_667_: bool;
+    var phi_671_: bool;
+    var phi_672_: bool;
+    var phi_673_: vec2<u32>;
+    var phi_711_: bool;
     var phi_713_: lt_mask_Reprojection;
-    var phi_714_: bool;
-    var phi_715_: bool;
-    var phi_770_: bool;
-    var phi_774_: f32;
-    var phi_778_: lt_mask_Reprojection;
-    var phi_779_: bool;
-    var phi_791_: bool;
-    var phi_792_: bool;
-    var phi_793_: bool;
-    var phi_794_: lt_mask_Reprojection;
-    var phi_795_: bool;
+    var phi_714_: lt_mask_Reprojection;
+    var phi_715_: lt_mask_Reprojection;
+    var phi_716_: bool;
+    var phi_717_: bool;
+    var phi_718_: lt_mask_Reprojection;
+    var phi_719_: lt_mask_Reprojection;
+    var phi_720_: lt_mask_Reprojection;
+    var phi_721_: bool;
+    var phi_722_: bool;
+    var phi_777_: bool;
+    var phi_781_: f32;
+    var phi_785_: lt_mask_Reprojection;
+    var phi_786_: bool;
+    var phi_798_: bool;
     var phi_799_: bool;
-    var phi_800_: lt_mask_Reprojection;
-    var phi_838_: u32;
-    var phi_887_: u32;
-    var phi_892_: u32;
-    var phi_893_: u32;
+    var phi_800_: bool;
+    var phi_801_: lt_mask_Reprojection;
+    var phi_802_: bool;
+    var phi_806_: bool;
+    var phi_807_: lt_mask_Reprojection;
+    var phi_845_: u32;
     var phi_894_: u32;
-    var phi_895_: bool;
-    var phi_896_: u32;
-    var phi_897_: bool;
-    var phi_898_: bool;
     var phi_899_: u32;
-    var phi_900_: bool;
-    var phi_901_: bool;
+    var phi_900_: u32;
+    var phi_901_: u32;
+    var phi_902_: bool;
+    var phi_903_: u32;
+    var phi_904_: bool;
     var phi_905_: bool;
-    var phi_909_: u32;
-    var phi_914_: bool;
-    var phi_946_: u32;
-    var phi_975_: lt_mask_Neighbourhood;
-    var phi_976_: lt_mask_Neighbourhood;
-    var phi_977_: lt_mask_Neighbourhood;
-    var phi_1009_: bool;
-    var phi_1010_: bool;
-    var phi_1032_: bool;
-    var phi_1033_: bool;
-    var phi_1034_: bool;
-    var phi_1038_: bool;
-    var phi_1060_: bool;
-    var phi_1061_: bool;
-    var phi_1074_: bool;
-    var phi_1075_: bool;
-    var phi_1076_: bool;
-    var phi_1083_: u32;
-    var phi_1084_: u32;
-    var phi_1085_: u32;
-    var phi_1086_: u32;
-    var phi_1087_: u32;
-    var phi_1088_: u32;
-    var phi_1089_: u32;
-    var phi_1101_: bool;
-    var phi_1102_: bool;
-    var phi_1103_: bool;
-    var phi_1104_: bool;
+    var phi_906_: u32;
+    var phi_907_: bool;
+    var phi_908_: bool;
+    var phi_912_: bool;
+    var phi_916_: u32;
+    var phi_921_: bool;
+    var phi_953_: u32;
+    var phi_982_: lt_mask_Neighbourhood;
+    var phi_983_: lt_mask_Neighbourhood;
+    var phi_984_: lt_mask_Neighbourhood;
+    var phi_1016_: bool;
+    var phi_1017_: bool;
+    var phi_1039_: bool;
+    var phi_1040_: bool;
+    var phi_1041_: bool;
+    var phi_1045_: bool;
+    var phi_1067_: bool;
+    var phi_1068_: bool;
+    var phi_1081_: bool;
+    var phi_1082_: bool;
+    var phi_1083_: bool;
+    var phi_1090_: u32;
+    var phi_1091_: u32;
+    var phi_1092_: u32;
+    var phi_1093_: u32;
+    var phi_1094_: u32;
+    var phi_1095_: u32;
+    var phi_1096_: u32;
     var phi_1108_: bool;
-    var phi_1114_: bool;
-    var phi_1122_: u32;
-    var phi_1127_: u32;
-    var phi_1136_: u32;
-    var phi_1141_: u32;
-    var phi_1145_: u32;
-    var phi_1146_: u32;
-    var phi_1147_: u32;
-    var phi_1151_: f32;
-    var phi_1160_: bool;
-    var phi_1161_: bool;
-    var phi_1163_: mask_Masked;
-    var phi_1235_: bool;
-    var phi_1236_: bool;
-    var phi_1237_: bool;
-    var phi_1238_: bool;
+    var phi_1109_: bool;
+    var phi_1110_: bool;
+    var phi_1111_: bool;
+    var phi_1115_: bool;
+    var phi_1121_: bool;
+    var phi_1129_: u32;
+    var phi_1134_: u32;
+    var phi_1143_: u32;
+    var phi_1148_: u32;
+    var phi_1152_: u32;
+    var phi_1153_: u32;
+    var phi_1154_: u32;
+    var phi_1158_: f32;
+    var phi_1167_: bool;
+    var phi_1168_: bool;
+    var phi_1170_: mask_Masked;
     var phi_1242_: bool;
-    var phi_1270_: f32;
-    var phi_1275_: doubt_Listed;
-    var phi_1276_: bool;
-    var phi_1289_: u32;
-    var phi_1306_: u32;
+    var phi_1243_: bool;
+    var phi_1244_: bool;
+    var phi_1245_: bool;
+    var phi_1249_: bool;
+    var phi_1277_: f32;
+    var phi_1282_: doubt_Listed;
+    var phi_1283_: bool;
+    var phi_1296_: u32;
+    var phi_1313_: u32;
 
     let _e55 = id_1;
     let _e56 = local_1;
@@ -412,7 +412,7 @@ fn function_() {
         }
         let _e242 = phi_350_;
         if _e242.unnamed_1 {
-            phi_1163_ = mask_Masked(_e242.unnamed.visibility, 0u, false, false);
+            phi_1170_ = mask_Masked(_e242.unnamed.visibility, 0u, false, false);
         } else {
             let _e247 = (_e89 < 0.5f);
             if (_e89 > 0f) {
@@ -459,11 +459,11 @@ fn function_() {
             }
             let _e302 = phi_402_;
             if _e302 {
-                phi_711_ = lt_mask_Reprojection(_e269.pixel, _e269.is_valid, false);
-                phi_712_ = lt_mask_Reprojection();
-                phi_713_ = lt_mask_Reprojection();
-                phi_714_ = true;
-                phi_715_ = false;
+                phi_718_ = lt_mask_Reprojection(_e269.pixel, _e269.is_valid, false);
+                phi_719_ = lt_mask_Reprojection();
+                phi_720_ = lt_mask_Reprojection();
+                phi_721_ = true;
+                phi_722_ = false;
             } else {
                 let _e306 = p.member.current.grid[0u];
                 let _e308 = p.member.current.grid[1u];
@@ -474,741 +474,743 @@ fn function_() {
                 let _e333 = (_e87.y - _e327.y);
                 let _e336 = (_e87.z - _e327.z);
                 let _e338 = p.member.previous.forward;
-                let _e346 = (((_e330 * _e338.x) + (_e333 * _e338.y)) + (_e336 * _e338.z));
-                let _e348 = p.member.previous.right;
-                let _e358 = p.member.previous.right;
+                let _e347 = (1f / (((_e330 * _e338.x) + (_e333 * _e338.y)) + (_e336 * _e338.z)));
+                let _e349 = p.member.previous.right;
+                let _e351 = p.member.previous.right;
+                let _e363 = (1f / (((_e351.x * _e351.x) + (_e351.y * _e351.y)) + (_e351.z * _e351.z)));
+                let _e371 = p.member.previous.up;
                 let _e373 = p.member.previous.up;
-                let _e383 = p.member.previous.up;
-                let _e400 = p.member.previous.size[0u];
-                let _e407 = p.member.previous.size[1u];
-                let _e411 = (((((((_e330 * _e348.x) + (_e333 * _e348.y)) + (_e336 * _e348.z)) / ((((_e358.x * _e358.x) + (_e358.y * _e358.y)) + (_e358.z * _e358.z)) * _e346)) + 1f) * (0.5f * f32(_e400))) - _e322);
-                let _e412 = (((1f - ((((_e330 * _e373.x) + (_e333 * _e373.y)) + (_e336 * _e373.z)) / ((((_e383.x * _e383.x) + (_e383.y * _e383.y)) + (_e383.z * _e383.z)) * _e346))) * (0.5f * f32(_e407))) - _e324);
-                let _e416 = p.member.current.size[0u];
-                let _e418 = p.member.current.size[1u];
-                let _e420 = (_e322 + _e411);
-                if (_e420 > -8388608f) {
-                    let _e432 = f32(select(0i, select(select(i32(_e420), i32(-2147483648), (_e420 < bitcast<f32>(3472883712u))), 2147483647i, (_e420 > bitcast<f32>(1325400063u))), (_e420 == _e420)));
-                    if (_e432 > _e420) {
-                        phi_541_ = 1f;
+                let _e385 = (1f / (((_e373.x * _e373.x) + (_e373.y * _e373.y)) + (_e373.z * _e373.z)));
+                let _e407 = p.member.previous.size[0u];
+                let _e414 = p.member.previous.size[1u];
+                let _e418 = (((((((_e330 * (_e349.x * _e363)) + (_e333 * (_e349.y * _e363))) + (_e336 * (_e349.z * _e363))) * _e347) + 1f) * (0.5f * f32(_e407))) - _e322);
+                let _e419 = (((1f - ((((_e330 * (_e371.x * _e385)) + (_e333 * (_e371.y * _e385))) + (_e336 * (_e371.z * _e385))) * _e347)) * (0.5f * f32(_e414))) - _e324);
+                let _e423 = p.member.current.size[0u];
+                let _e425 = p.member.current.size[1u];
+                let _e427 = (_e322 + _e418);
+                if (_e427 > -8388608f) {
+                    let _e439 = f32(select(0i, select(select(i32(_e427), i32(-2147483648), (_e427 < bitcast<f32>(3472883712u))), 2147483647i, (_e427 > bitcast<f32>(1325400063u))), (_e427 == _e427)));
+                    if (_e439 > _e427) {
+                        phi_548_ = 1f;
                     } else {
-                        phi_541_ = 0f;
+                        phi_548_ = 0f;
                     }
-                    let _e435 = phi_541_;
-                    if (_e420 < 8388608f) {
-                        phi_546_ = (_e432 - _e435);
-                        phi_547_ = false;
+                    let _e442 = phi_548_;
+                    if (_e427 < 8388608f) {
+                        phi_553_ = (_e439 - _e442);
+                        phi_554_ = false;
                     } else {
-                        phi_546_ = f32();
-                        phi_547_ = true;
+                        phi_553_ = f32();
+                        phi_554_ = true;
                     }
-                    let _e438 = phi_546_;
-                    let _e440 = phi_547_;
-                    phi_548_ = _e438;
-                    phi_549_ = _e440;
+                    let _e445 = phi_553_;
+                    let _e447 = phi_554_;
+                    phi_555_ = _e445;
+                    phi_556_ = _e447;
                 } else {
-                    phi_548_ = f32();
-                    phi_549_ = true;
+                    phi_555_ = f32();
+                    phi_556_ = true;
                 }
-                let _e442 = phi_548_;
-                let _e444 = phi_549_;
-                if _e444 {
-                    phi_553_ = _e420;
+                let _e449 = phi_555_;
+                let _e451 = phi_556_;
+                if _e451 {
+                    phi_560_ = _e427;
                 } else {
-                    phi_553_ = _e442;
+                    phi_560_ = _e449;
                 }
-                let _e446 = phi_553_;
-                let _e447 = (_e324 + _e412);
-                if (_e447 > -8388608f) {
-                    let _e459 = f32(select(0i, select(select(i32(_e447), i32(-2147483648), (_e447 < bitcast<f32>(3472883712u))), 2147483647i, (_e447 > bitcast<f32>(1325400063u))), (_e447 == _e447)));
-                    if (_e459 > _e447) {
-                        phi_574_ = 1f;
+                let _e453 = phi_560_;
+                let _e454 = (_e324 + _e419);
+                if (_e454 > -8388608f) {
+                    let _e466 = f32(select(0i, select(select(i32(_e454), i32(-2147483648), (_e454 < bitcast<f32>(3472883712u))), 2147483647i, (_e454 > bitcast<f32>(1325400063u))), (_e454 == _e454)));
+                    if (_e466 > _e454) {
+                        phi_581_ = 1f;
                     } else {
-                        phi_574_ = 0f;
+                        phi_581_ = 0f;
                     }
-                    let _e462 = phi_574_;
-                    if (_e447 < 8388608f) {
-                        phi_579_ = (_e459 - _e462);
-                        phi_580_ = false;
+                    let _e469 = phi_581_;
+                    if (_e454 < 8388608f) {
+                        phi_586_ = (_e466 - _e469);
+                        phi_587_ = false;
                     } else {
-                        phi_579_ = f32();
-                        phi_580_ = true;
+                        phi_586_ = f32();
+                        phi_587_ = true;
                     }
-                    let _e465 = phi_579_;
-                    let _e467 = phi_580_;
-                    phi_581_ = _e465;
-                    phi_582_ = _e467;
+                    let _e472 = phi_586_;
+                    let _e474 = phi_587_;
+                    phi_588_ = _e472;
+                    phi_589_ = _e474;
                 } else {
-                    phi_581_ = f32();
-                    phi_582_ = true;
+                    phi_588_ = f32();
+                    phi_589_ = true;
                 }
-                let _e469 = phi_581_;
-                let _e471 = phi_582_;
-                if _e471 {
-                    phi_586_ = _e447;
+                let _e476 = phi_588_;
+                let _e478 = phi_589_;
+                if _e478 {
+                    phi_593_ = _e454;
                 } else {
-                    phi_586_ = _e469;
+                    phi_593_ = _e476;
                 }
-                let _e473 = phi_586_;
-                if (_e446 >= 0f) {
-                    if (_e473 >= 0f) {
-                        if (_e446 < f32(_e416)) {
-                            let _e479 = (_e473 < f32(_e418));
-                            if (_e411 == 0f) {
-                                phi_607_ = (_e412 == 0f);
+                let _e480 = phi_593_;
+                if (_e453 >= 0f) {
+                    if (_e480 >= 0f) {
+                        if (_e453 < f32(_e423)) {
+                            let _e486 = (_e480 < f32(_e425));
+                            if (_e418 == 0f) {
+                                phi_614_ = (_e419 == 0f);
                             } else {
-                                phi_607_ = false;
+                                phi_614_ = false;
                             }
-                            let _e483 = phi_607_;
-                            if _e479 {
-                                phi_626_ = vec2<u32>(select(select(u32(_e446), 0u, (_e446 < bitcast<f32>(0u))), 4294967295u, (_e446 > bitcast<f32>(1333788671u))), select(select(u32(_e473), 0u, (_e473 < bitcast<f32>(0u))), 4294967295u, (_e473 > bitcast<f32>(1333788671u))));
-                                phi_627_ = false;
+                            let _e490 = phi_614_;
+                            if _e486 {
+                                phi_633_ = vec2<u32>(select(select(u32(_e453), 0u, (_e453 < bitcast<f32>(0u))), 4294967295u, (_e453 > bitcast<f32>(1333788671u))), select(select(u32(_e480), 0u, (_e480 < bitcast<f32>(0u))), 4294967295u, (_e480 > bitcast<f32>(1333788671u))));
+                                phi_634_ = false;
                             } else {
-                                phi_626_ = vec2<u32>();
-                                phi_627_ = true;
+                                phi_633_ = vec2<u32>();
+                                phi_634_ = true;
                             }
-                            let _e500 = phi_626_;
-                            let _e502 = phi_627_;
-                            phi_628_ = _e483;
-                            phi_629_ = _e479;
-                            phi_630_ = _e500;
-                            phi_631_ = _e483;
-                            phi_632_ = _e479;
-                            phi_633_ = false;
-                            phi_634_ = _e502;
+                            let _e507 = phi_633_;
+                            let _e509 = phi_634_;
+                            phi_635_ = _e490;
+                            phi_636_ = _e486;
+                            phi_637_ = _e507;
+                            phi_638_ = _e490;
+                            phi_639_ = _e486;
+                            phi_640_ = false;
+                            phi_641_ = _e509;
                         } else {
-                            phi_628_ = bool();
-                            phi_629_ = bool();
-                            phi_630_ = vec2<u32>();
-                            phi_631_ = bool();
-                            phi_632_ = bool();
-                            phi_633_ = true;
-                            phi_634_ = false;
+                            phi_635_ = bool();
+                            phi_636_ = bool();
+                            phi_637_ = vec2<u32>();
+                            phi_638_ = bool();
+                            phi_639_ = bool();
+                            phi_640_ = true;
+                            phi_641_ = false;
                         }
-                        let _e504 = phi_628_;
-                        let _e506 = phi_629_;
-                        let _e508 = phi_630_;
-                        let _e510 = phi_631_;
-                        let _e512 = phi_632_;
-                        let _e514 = phi_633_;
-                        let _e516 = phi_634_;
-                        phi_635_ = _e504;
-                        phi_636_ = _e506;
-                        phi_637_ = _e508;
-                        phi_638_ = _e510;
-                        phi_639_ = _e512;
-                        phi_640_ = _e514;
-                        phi_641_ = _e516;
+                        let _e511 = phi_635_;
+                        let _e513 = phi_636_;
+                        let _e515 = phi_637_;
+                        let _e517 = phi_638_;
+                        let _e519 = phi_639_;
+                        let _e521 = phi_640_;
+                        let _e523 = phi_641_;
+                        phi_642_ = _e511;
+                        phi_643_ = _e513;
+                        phi_644_ = _e515;
+                        phi_645_ = _e517;
+                        phi_646_ = _e519;
+                        phi_647_ = _e521;
+                        phi_648_ = _e523;
                     } else {
-                        phi_635_ = bool();
-                        phi_636_ = bool();
-                        phi_637_ = vec2<u32>();
-                        phi_638_ = bool();
-                        phi_639_ = bool();
-                        phi_640_ = true;
-                        phi_641_ = false;
+                        phi_642_ = bool();
+                        phi_643_ = bool();
+                        phi_644_ = vec2<u32>();
+                        phi_645_ = bool();
+                        phi_646_ = bool();
+                        phi_647_ = true;
+                        phi_648_ = false;
                     }
-                    let _e518 = phi_635_;
-                    let _e520 = phi_636_;
-                    let _e522 = phi_637_;
-                    let _e524 = phi_638_;
-                    let _e526 = phi_639_;
-                    let _e528 = phi_640_;
-                    let _e530 = phi_641_;
-                    phi_642_ = _e518;
-                    phi_643_ = _e520;
-                    phi_644_ = _e522;
-                    phi_645_ = _e524;
-                    phi_646_ = _e526;
-                    phi_647_ = _e528;
-                    phi_648_ = _e530;
+                    let _e525 = phi_642_;
+                    let _e527 = phi_643_;
+                    let _e529 = phi_644_;
+                    let _e531 = phi_645_;
+                    let _e533 = phi_646_;
+                    let _e535 = phi_647_;
+                    let _e537 = phi_648_;
+                    phi_649_ = _e525;
+                    phi_650_ = _e527;
+                    phi_651_ = _e529;
+                    phi_652_ = _e531;
+                    phi_653_ = _e533;
+                    phi_654_ = _e535;
+                    phi_655_ = _e537;
                 } else {
-                    phi_642_ = bool();
-                    phi_643_ = bool();
-                    phi_644_ = vec2<u32>();
-                    phi_645_ = bool();
-                    phi_646_ = bool();
-                    phi_647_ = true;
-                    phi_648_ = false;
+                    phi_649_ = bool();
+                    phi_650_ = bool();
+                    phi_651_ = vec2<u32>();
+                    phi_652_ = bool();
+                    phi_653_ = bool();
+                    phi_654_ = true;
+                    phi_655_ = false;
                 }
-                let _e532 = phi_642_;
-                let _e534 = phi_643_;
-                let _e536 = phi_644_;
-                let _e538 = phi_645_;
-                let _e540 = phi_646_;
-                let _e542 = phi_647_;
-                let _e544 = phi_648_;
-                if _e542 {
-                    if (_e411 == 0f) {
-                        phi_657_ = (_e412 == 0f);
+                let _e539 = phi_649_;
+                let _e541 = phi_650_;
+                let _e543 = phi_651_;
+                let _e545 = phi_652_;
+                let _e547 = phi_653_;
+                let _e549 = phi_654_;
+                let _e551 = phi_655_;
+                if _e549 {
+                    if (_e418 == 0f) {
+                        phi_664_ = (_e419 == 0f);
                     } else {
-                        phi_657_ = false;
+                        phi_664_ = false;
                     }
-                    let _e548 = phi_657_;
-                    phi_658_ = _e548;
-                    phi_659_ = false;
-                    phi_660_ = true;
+                    let _e555 = phi_664_;
+                    phi_665_ = _e555;
+                    phi_666_ = false;
+                    phi_667_ = true;
                 } else {
-                    phi_658_ = _e538;
-                    phi_659_ = _e540;
-                    phi_660_ = _e544;
+                    phi_665_ = _e545;
+                    phi_666_ = _e547;
+                    phi_667_ = _e551;
                 }
-                let _e550 = phi_658_;
-                let _e552 = phi_659_;
-                let _e554 = phi_660_;
-                if _e554 {
-                    phi_664_ = _e550;
-                    phi_665_ = _e552;
-                    phi_666_ = vec2<u32>(_e55.x, _e55.y);
+                let _e557 = phi_665_;
+                let _e559 = phi_666_;
+                let _e561 = phi_667_;
+                if _e561 {
+                    phi_671_ = _e557;
+                    phi_672_ = _e559;
+                    phi_673_ = vec2<u32>(_e55.x, _e55.y);
                 } else {
-                    phi_664_ = _e532;
-                    phi_665_ = _e534;
-                    phi_666_ = _e536;
+                    phi_671_ = _e539;
+                    phi_672_ = _e541;
+                    phi_673_ = _e543;
                 }
-                let _e556 = phi_664_;
-                let _e558 = phi_665_;
-                let _e560 = phi_666_;
-                let _e570 = lt_mask_Reprojection(vec2<u32>(_e560.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e577 = lt_mask_Reprojection(vec2<u32>(_e570.pixel.x, _e560.y), _e570.is_valid, _e570.has_moved);
-                let _e581 = lt_mask_Reprojection(_e577.pixel, _e558, _e577.has_moved);
-                let _e585 = lt_mask_Reprojection(_e581.pixel, _e581.is_valid, !(_e556));
-                if _e558 {
-                    let _e588 = p.member.previous.eye;
-                    let _e599 = p.member.previous.forward;
-                    let _e608 = (((((_e87.x - _e588.x) * _e599.x) + ((_e87.y - _e588.y) * _e599.y)) + ((_e87.z - _e588.z) * _e599.z)) > 0f);
-                    let _e612 = lt_mask_Reprojection(_e585.pixel, _e608, _e585.has_moved);
-                    if _e608 {
-                        phi_704_ = false;
+                let _e563 = phi_671_;
+                let _e565 = phi_672_;
+                let _e567 = phi_673_;
+                let _e577 = lt_mask_Reprojection(vec2<u32>(_e567.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e584 = lt_mask_Reprojection(vec2<u32>(_e577.pixel.x, _e567.y), _e577.is_valid, _e577.has_moved);
+                let _e588 = lt_mask_Reprojection(_e584.pixel, _e565, _e584.has_moved);
+                let _e592 = lt_mask_Reprojection(_e588.pixel, _e588.is_valid, !(_e563));
+                if _e565 {
+                    let _e595 = p.member.previous.eye;
+                    let _e606 = p.member.previous.forward;
+                    let _e615 = (((((_e87.x - _e595.x) * _e606.x) + ((_e87.y - _e595.y) * _e606.y)) + ((_e87.z - _e595.z) * _e606.z)) > 0f);
+                    let _e619 = lt_mask_Reprojection(_e592.pixel, _e615, _e592.has_moved);
+                    if _e615 {
+                        phi_711_ = false;
                     } else {
-                        phi_704_ = true;
+                        phi_711_ = true;
                     }
-                    let _e614 = phi_704_;
-                    phi_706_ = _e612;
-                    phi_707_ = _e612;
-                    phi_708_ = lt_mask_Reprojection();
-                    phi_709_ = _e608;
-                    phi_710_ = _e614;
+                    let _e621 = phi_711_;
+                    phi_713_ = _e619;
+                    phi_714_ = _e619;
+                    phi_715_ = lt_mask_Reprojection();
+                    phi_716_ = _e615;
+                    phi_717_ = _e621;
                 } else {
-                    phi_706_ = lt_mask_Reprojection();
-                    phi_707_ = lt_mask_Reprojection();
-                    phi_708_ = lt_mask_Reprojection(_e585.pixel, false, _e585.has_moved);
-                    phi_709_ = false;
-                    phi_710_ = false;
+                    phi_713_ = lt_mask_Reprojection();
+                    phi_714_ = lt_mask_Reprojection();
+                    phi_715_ = lt_mask_Reprojection(_e592.pixel, false, _e592.has_moved);
+                    phi_716_ = false;
+                    phi_717_ = false;
                 }
-                let _e620 = phi_706_;
-                let _e622 = phi_707_;
-                let _e624 = phi_708_;
-                let _e626 = phi_709_;
-                let _e628 = phi_710_;
-                phi_711_ = _e620;
-                phi_712_ = _e622;
-                phi_713_ = _e624;
-                phi_714_ = _e626;
-                phi_715_ = _e628;
+                let _e627 = phi_713_;
+                let _e629 = phi_714_;
+                let _e631 = phi_715_;
+                let _e633 = phi_716_;
+                let _e635 = phi_717_;
+                phi_718_ = _e627;
+                phi_719_ = _e629;
+                phi_720_ = _e631;
+                phi_721_ = _e633;
+                phi_722_ = _e635;
             }
-            let _e630 = phi_711_;
-            let _e632 = phi_712_;
-            let _e634 = phi_713_;
-            let _e636 = phi_714_;
-            let _e638 = phi_715_;
-            if _e636 {
-                let _e641 = p.member.previous.eye;
-                let _e652 = p.member.previous.forward;
-                let _e660 = ((((_e87.x - _e641.x) * _e652.x) + ((_e87.y - _e641.y) * _e652.y)) + ((_e87.z - _e641.z) * _e652.z));
-                let _e666 = ((_e630.pixel.y * _e84) + _e630.pixel.x);
-                if (_e666 < arrayLength((&last_depths.member))) {
+            let _e637 = phi_718_;
+            let _e639 = phi_719_;
+            let _e641 = phi_720_;
+            let _e643 = phi_721_;
+            let _e645 = phi_722_;
+            if _e643 {
+                let _e648 = p.member.previous.eye;
+                let _e659 = p.member.previous.forward;
+                let _e667 = ((((_e87.x - _e648.x) * _e659.x) + ((_e87.y - _e648.y) * _e659.y)) + ((_e87.z - _e648.z) * _e659.z));
+                let _e673 = ((_e637.pixel.y * _e84) + _e637.pixel.x);
+                if (_e673 < arrayLength((&last_depths.member))) {
                 } else {
                     return;
                 }
-                let _e670 = last_depths.member[(0u + _e666)];
-                let _e672 = p.member.depth_tolerance;
-                let _e675 = abs(_e660);
-                let _e676 = abs(_e670);
-                if ((bitcast<u32>(_e676) & 2147483647u) > 2139095040u) {
-                    phi_770_ = true;
+                let _e677 = last_depths.member[(0u + _e673)];
+                let _e679 = p.member.depth_tolerance;
+                let _e682 = abs(_e667);
+                let _e683 = abs(_e677);
+                if ((bitcast<u32>(_e683) & 2147483647u) > 2139095040u) {
+                    phi_777_ = true;
                 } else {
-                    let _e680 = (_e676 > _e675);
-                    if _e680 {
+                    let _e687 = (_e683 > _e682);
+                    if _e687 {
                     }
-                    phi_770_ = _e680;
+                    phi_777_ = _e687;
                 }
-                let _e682 = phi_770_;
-                if _e682 {
-                    phi_774_ = _e676;
+                let _e689 = phi_777_;
+                if _e689 {
+                    phi_781_ = _e683;
                 } else {
-                    phi_774_ = _e675;
+                    phi_781_ = _e682;
                 }
-                let _e684 = phi_774_;
-                phi_778_ = lt_mask_Reprojection(_e630.pixel, (abs((_e660 - _e670)) <= (_e672 * _e684)), _e630.has_moved);
-                phi_779_ = true;
+                let _e691 = phi_781_;
+                phi_785_ = lt_mask_Reprojection(_e637.pixel, (abs((_e667 - _e677)) <= (_e679 * _e691)), _e637.has_moved);
+                phi_786_ = true;
             } else {
-                phi_778_ = _e632;
-                phi_779_ = _e638;
+                phi_785_ = _e639;
+                phi_786_ = _e645;
             }
-            let _e692 = phi_778_;
-            let _e694 = phi_779_;
-            if _e694 {
-                if _e692.is_valid {
-                    let _e697 = p.member.flags;
-                    phi_791_ = ((_e697 & 1u) != 0u);
-                    phi_792_ = false;
+            let _e699 = phi_785_;
+            let _e701 = phi_786_;
+            if _e701 {
+                if _e699.is_valid {
+                    let _e704 = p.member.flags;
+                    phi_798_ = ((_e704 & 1u) != 0u);
+                    phi_799_ = false;
                 } else {
-                    phi_791_ = bool();
-                    phi_792_ = true;
+                    phi_798_ = bool();
+                    phi_799_ = true;
                 }
-                let _e701 = phi_791_;
-                let _e703 = phi_792_;
-                phi_793_ = _e701;
-                phi_794_ = _e692;
-                phi_795_ = _e703;
+                let _e708 = phi_798_;
+                let _e710 = phi_799_;
+                phi_800_ = _e708;
+                phi_801_ = _e699;
+                phi_802_ = _e710;
             } else {
-                phi_793_ = bool();
-                phi_794_ = _e634;
-                phi_795_ = true;
+                phi_800_ = bool();
+                phi_801_ = _e641;
+                phi_802_ = true;
             }
-            let _e705 = phi_793_;
-            let _e707 = phi_794_;
-            let _e709 = phi_795_;
-            if _e709 {
-                phi_799_ = false;
-                phi_800_ = _e707;
+            let _e712 = phi_800_;
+            let _e714 = phi_801_;
+            let _e716 = phi_802_;
+            if _e716 {
+                phi_806_ = false;
+                phi_807_ = _e714;
             } else {
-                phi_799_ = _e705;
-                phi_800_ = _e692;
+                phi_806_ = _e712;
+                phi_807_ = _e699;
             }
-            let _e711 = phi_799_;
-            let _e713 = phi_800_;
-            let _e717 = lt_mask_Reprojection(_e713.pixel, _e711, _e713.has_moved);
-            let _e719 = p.member.flags;
-            let _e721 = ((_e719 & 2u) != 0u);
-            let _e723 = p.member.flags;
-            if ((_e723 & 4u) == 0u) {
-                phi_899_ = u32();
-                phi_900_ = true;
-                phi_901_ = false;
+            let _e718 = phi_806_;
+            let _e720 = phi_807_;
+            let _e724 = lt_mask_Reprojection(_e720.pixel, _e718, _e720.has_moved);
+            let _e726 = p.member.flags;
+            let _e728 = ((_e726 & 2u) != 0u);
+            let _e730 = p.member.flags;
+            if ((_e730 & 4u) == 0u) {
+                phi_906_ = u32();
+                phi_907_ = true;
+                phi_908_ = false;
             } else {
-                if _e711 {
-                    if !(_e717.has_moved) {
+                if _e718 {
+                    if !(_e724.has_moved) {
                         if (32u == 0u) {
                             return;
                         }
-                        let _e729 = (_e84 / 32u);
+                        let _e736 = (_e84 / 32u);
                         if (32u == 0u) {
                             return;
                         }
                         if ((_e84 % 32u) > 0u) {
-                            phi_838_ = (_e729 + 1u);
+                            phi_845_ = (_e736 + 1u);
                         } else {
-                            phi_838_ = _e729;
+                            phi_845_ = _e736;
                         }
-                        let _e735 = phi_838_;
-                        let _e740 = ((((_e55.y * _e735) + (_e55.x / 32u)) * 6u) + 4u);
-                        if (_e740 < _e61) {
+                        let _e742 = phi_845_;
+                        let _e747 = ((((_e55.y * _e742) + (_e55.x / 32u)) * 6u) + 4u);
+                        if (_e747 < _e61) {
                         } else {
                             return;
                         }
-                        let _e744 = heard.member[(0u + _e740)];
-                        if (((_e744 >> bitcast<u32>(((_e55.x % 32u) & 31u))) & 1u) != 0u) {
-                            let _e755 = ((((_e55.y * _e735) + (_e55.x / 32u)) * 6u) + 5u);
-                            if (_e755 < _e61) {
+                        let _e751 = heard.member[(0u + _e747)];
+                        if (((_e751 >> bitcast<u32>(((_e55.x % 32u) & 31u))) & 1u) != 0u) {
+                            let _e762 = ((((_e55.y * _e742) + (_e55.x / 32u)) * 6u) + 5u);
+                            if (_e762 < _e61) {
                             } else {
                                 return;
                             }
-                            let _e759 = heard.member[(0u + _e755)];
+                            let _e766 = heard.member[(0u + _e762)];
                             if false {
-                                phi_887_ = (2u | 1u);
+                                phi_894_ = (2u | 1u);
                             } else {
-                                phi_887_ = 2u;
+                                phi_894_ = 2u;
                             }
-                            let _e768 = phi_887_;
-                            if (((_e759 >> bitcast<u32>(((_e55.x % 32u) & 31u))) & 1u) != 0u) {
-                                phi_892_ = (_e768 | 4u);
+                            let _e775 = phi_894_;
+                            if (((_e766 >> bitcast<u32>(((_e55.x % 32u) & 31u))) & 1u) != 0u) {
+                                phi_899_ = (_e775 | 4u);
                             } else {
-                                phi_892_ = _e768;
+                                phi_899_ = _e775;
                             }
-                            let _e771 = phi_892_;
-                            phi_893_ = _e771;
+                            let _e778 = phi_899_;
+                            phi_900_ = _e778;
                         } else {
-                            phi_893_ = 0u;
+                            phi_900_ = 0u;
                         }
-                        let _e773 = phi_893_;
-                        phi_894_ = _e773;
-                        phi_895_ = false;
+                        let _e780 = phi_900_;
+                        phi_901_ = _e780;
+                        phi_902_ = false;
                     } else {
-                        phi_894_ = u32();
-                        phi_895_ = true;
+                        phi_901_ = u32();
+                        phi_902_ = true;
                     }
-                    let _e775 = phi_894_;
-                    let _e777 = phi_895_;
-                    phi_896_ = _e775;
-                    phi_897_ = false;
-                    phi_898_ = _e777;
+                    let _e782 = phi_901_;
+                    let _e784 = phi_902_;
+                    phi_903_ = _e782;
+                    phi_904_ = false;
+                    phi_905_ = _e784;
                 } else {
-                    phi_896_ = u32();
-                    phi_897_ = true;
-                    phi_898_ = false;
+                    phi_903_ = u32();
+                    phi_904_ = true;
+                    phi_905_ = false;
                 }
-                let _e779 = phi_896_;
-                let _e781 = phi_897_;
-                let _e783 = phi_898_;
-                phi_899_ = _e779;
-                phi_900_ = _e781;
-                phi_901_ = _e783;
+                let _e786 = phi_903_;
+                let _e788 = phi_904_;
+                let _e790 = phi_905_;
+                phi_906_ = _e786;
+                phi_907_ = _e788;
+                phi_908_ = _e790;
             }
-            let _e785 = phi_899_;
-            let _e787 = phi_900_;
-            let _e789 = phi_901_;
-            if _e787 {
-                phi_905_ = true;
+            let _e792 = phi_906_;
+            let _e794 = phi_907_;
+            let _e796 = phi_908_;
+            if _e794 {
+                phi_912_ = true;
             } else {
-                phi_905_ = _e789;
+                phi_912_ = _e796;
             }
-            let _e791 = phi_905_;
-            if _e791 {
-                phi_909_ = 0u;
+            let _e798 = phi_912_;
+            if _e798 {
+                phi_916_ = 0u;
             } else {
-                phi_909_ = _e785;
+                phi_916_ = _e792;
             }
-            let _e793 = phi_909_;
-            let _e794 = lt_mask_Neighbourhood(false, true);
+            let _e800 = phi_916_;
+            let _e801 = lt_mask_Neighbourhood(false, true);
             if _e251 {
-                phi_914_ = _e721;
+                phi_921_ = _e728;
             } else {
-                phi_914_ = true;
+                phi_921_ = true;
             }
-            let _e796 = phi_914_;
-            if _e796 {
-                if _e711 {
-                    if ((_e793 & 2u) != 0u) {
-                        phi_975_ = _e794;
+            let _e803 = phi_921_;
+            if _e803 {
+                if _e718 {
+                    if ((_e800 & 2u) != 0u) {
+                        phi_982_ = _e801;
                     } else {
                         if (32u == 0u) {
                             return;
                         }
-                        let _e805 = (_e84 / 32u);
+                        let _e812 = (_e84 / 32u);
                         if (32u == 0u) {
                             return;
                         }
                         if ((_e84 % 32u) > 0u) {
-                            phi_946_ = (_e805 + 1u);
+                            phi_953_ = (_e812 + 1u);
                         } else {
-                            phi_946_ = _e805;
+                            phi_953_ = _e812;
                         }
-                        let _e811 = phi_946_;
-                        let _e821 = ((((_e717.pixel.y * _e811) + (_e717.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e247) | (select(0u, 1u, _e717.has_moved) << bitcast<u32>(1i))));
-                        if (_e821 < _e61) {
+                        let _e818 = phi_953_;
+                        let _e828 = ((((_e724.pixel.y * _e818) + (_e724.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e247) | (select(0u, 1u, _e724.has_moved) << bitcast<u32>(1i))));
+                        if (_e828 < _e61) {
                         } else {
                             return;
                         }
-                        let _e825 = heard.member[(0u + _e821)];
-                        let _e831 = (((_e825 >> bitcast<u32>(((_e717.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_975_ = lt_mask_Neighbourhood(_e831, !(_e831));
+                        let _e832 = heard.member[(0u + _e828)];
+                        let _e838 = (((_e832 >> bitcast<u32>(((_e724.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_982_ = lt_mask_Neighbourhood(_e838, !(_e838));
                     }
-                    let _e835 = phi_975_;
-                    phi_976_ = _e835;
+                    let _e842 = phi_982_;
+                    phi_983_ = _e842;
                 } else {
-                    phi_976_ = _e794;
+                    phi_983_ = _e801;
                 }
-                let _e837 = phi_976_;
-                phi_977_ = _e837;
+                let _e844 = phi_983_;
+                phi_984_ = _e844;
             } else {
-                phi_977_ = _e794;
+                phi_984_ = _e801;
             }
-            let _e839 = phi_977_;
-            let _e842 = p.member.frame;
-            let _e844 = p.member.refresh;
-            if (_e844 == 0u) {
-                phi_1010_ = false;
+            let _e846 = phi_984_;
+            let _e849 = p.member.frame;
+            let _e851 = p.member.refresh;
+            if (_e851 == 0u) {
+                phi_1017_ = false;
             } else {
-                if (_e844 == 0u) {
+                if (_e851 == 0u) {
                     return;
                 }
-                let _e853 = ((_e55.x + (_e55.y * (((_e844 * 5u) / 8u) | 1u))) + (_e842 % _e844));
-                if (_e844 == 0u) {
-                    phi_1009_ = (_e853 == 0u);
+                let _e860 = ((_e55.x + (_e55.y * (((_e851 * 5u) / 8u) | 1u))) + (_e849 % _e851));
+                if (_e851 == 0u) {
+                    phi_1016_ = (_e860 == 0u);
                 } else {
-                    if (_e844 == 0u) {
+                    if (_e851 == 0u) {
                         return;
                     }
-                    phi_1009_ = ((_e853 % _e844) == 0u);
+                    phi_1016_ = ((_e860 % _e851) == 0u);
                 }
-                let _e860 = phi_1009_;
-                phi_1010_ = _e860;
+                let _e867 = phi_1016_;
+                phi_1017_ = _e867;
             }
-            let _e862 = phi_1010_;
-            if _e711 {
-                if _e862 {
-                    phi_1032_ = bool();
+            let _e869 = phi_1017_;
+            if _e718 {
+                if _e869 {
+                    phi_1039_ = bool();
                 } else {
-                    phi_1032_ = ((_e793 & 2u) != 0u);
+                    phi_1039_ = ((_e800 & 2u) != 0u);
                 }
-                let _e868 = phi_1032_;
-                phi_1033_ = _e868;
-                phi_1034_ = _e862;
+                let _e875 = phi_1039_;
+                phi_1040_ = _e875;
+                phi_1041_ = _e869;
             } else {
-                phi_1033_ = bool();
-                phi_1034_ = true;
+                phi_1040_ = bool();
+                phi_1041_ = true;
             }
-            let _e870 = phi_1033_;
-            let _e872 = phi_1034_;
-            if _e872 {
-                phi_1038_ = false;
+            let _e877 = phi_1040_;
+            let _e879 = phi_1041_;
+            if _e879 {
+                phi_1045_ = false;
             } else {
-                phi_1038_ = _e870;
+                phi_1045_ = _e877;
             }
-            let _e874 = phi_1038_;
-            if _e874 {
-                phi_1089_ = 7u;
+            let _e881 = phi_1045_;
+            if _e881 {
+                phi_1096_ = 7u;
             } else {
                 if (_e89 != 0.5f) {
-                    if _e711 {
-                        if _e862 {
-                            phi_1086_ = 6u;
+                    if _e718 {
+                        if _e869 {
+                            phi_1093_ = 6u;
                         } else {
                             if _e251 {
-                                phi_1061_ = true;
+                                phi_1068_ = true;
                             } else {
-                                if _e839.any_expands {
-                                    phi_1060_ = false;
+                                if _e846.any_expands {
+                                    phi_1067_ = false;
                                 } else {
-                                    phi_1060_ = true;
+                                    phi_1067_ = true;
                                 }
-                                let _e876 = phi_1060_;
-                                phi_1061_ = _e876;
+                                let _e883 = phi_1067_;
+                                phi_1068_ = _e883;
                             }
-                            let _e878 = phi_1061_;
-                            if _e878 {
+                            let _e885 = phi_1068_;
+                            if _e885 {
                                 if _e251 {
-                                    if _e721 {
-                                        if _e839.all_remove {
-                                            phi_1074_ = false;
+                                    if _e728 {
+                                        if _e846.all_remove {
+                                            phi_1081_ = false;
                                         } else {
-                                            phi_1074_ = true;
+                                            phi_1081_ = true;
                                         }
-                                        let _e880 = phi_1074_;
-                                        phi_1075_ = _e880;
+                                        let _e887 = phi_1081_;
+                                        phi_1082_ = _e887;
                                     } else {
-                                        phi_1075_ = true;
+                                        phi_1082_ = true;
                                     }
-                                    let _e882 = phi_1075_;
-                                    phi_1076_ = _e882;
+                                    let _e889 = phi_1082_;
+                                    phi_1083_ = _e889;
                                 } else {
-                                    phi_1076_ = true;
+                                    phi_1083_ = true;
                                 }
-                                let _e884 = phi_1076_;
-                                if _e884 {
+                                let _e891 = phi_1083_;
+                                if _e891 {
                                     if _e251 {
-                                        phi_1083_ = 1u;
+                                        phi_1090_ = 1u;
                                     } else {
-                                        phi_1083_ = 0u;
+                                        phi_1090_ = 0u;
                                     }
-                                    let _e886 = phi_1083_;
-                                    phi_1084_ = _e886;
+                                    let _e893 = phi_1090_;
+                                    phi_1091_ = _e893;
                                 } else {
-                                    phi_1084_ = 5u;
+                                    phi_1091_ = 5u;
                                 }
-                                let _e888 = phi_1084_;
-                                phi_1085_ = _e888;
+                                let _e895 = phi_1091_;
+                                phi_1092_ = _e895;
                             } else {
-                                phi_1085_ = 4u;
+                                phi_1092_ = 4u;
                             }
-                            let _e890 = phi_1085_;
-                            phi_1086_ = _e890;
+                            let _e897 = phi_1092_;
+                            phi_1093_ = _e897;
                         }
-                        let _e892 = phi_1086_;
-                        phi_1087_ = _e892;
+                        let _e899 = phi_1093_;
+                        phi_1094_ = _e899;
                     } else {
-                        phi_1087_ = 3u;
+                        phi_1094_ = 3u;
                     }
-                    let _e894 = phi_1087_;
-                    phi_1088_ = _e894;
+                    let _e901 = phi_1094_;
+                    phi_1095_ = _e901;
                 } else {
-                    phi_1088_ = 2u;
+                    phi_1095_ = 2u;
                 }
-                let _e896 = phi_1088_;
-                phi_1089_ = _e896;
+                let _e903 = phi_1095_;
+                phi_1096_ = _e903;
             }
-            let _e898 = phi_1089_;
-            if !((_e898 == 0u)) {
-                if !((_e898 == 5u)) {
-                    phi_1101_ = !(_e874);
-                    phi_1102_ = false;
+            let _e905 = phi_1096_;
+            if !((_e905 == 0u)) {
+                if !((_e905 == 5u)) {
+                    phi_1108_ = !(_e881);
+                    phi_1109_ = false;
                 } else {
-                    phi_1101_ = bool();
-                    phi_1102_ = true;
+                    phi_1108_ = bool();
+                    phi_1109_ = true;
                 }
-                let _e905 = phi_1101_;
-                let _e907 = phi_1102_;
-                phi_1103_ = _e905;
-                phi_1104_ = _e907;
+                let _e912 = phi_1108_;
+                let _e914 = phi_1109_;
+                phi_1110_ = _e912;
+                phi_1111_ = _e914;
             } else {
-                phi_1103_ = bool();
-                phi_1104_ = true;
+                phi_1110_ = bool();
+                phi_1111_ = true;
             }
-            let _e909 = phi_1103_;
-            let _e911 = phi_1104_;
-            if _e911 {
-                phi_1108_ = false;
+            let _e916 = phi_1110_;
+            let _e918 = phi_1111_;
+            if _e918 {
+                phi_1115_ = false;
             } else {
-                phi_1108_ = _e909;
+                phi_1115_ = _e916;
             }
-            let _e913 = phi_1108_;
-            if _e874 {
-                phi_1114_ = ((_e793 & 4u) != 0u);
+            let _e920 = phi_1115_;
+            if _e881 {
+                phi_1121_ = ((_e800 & 4u) != 0u);
             } else {
-                phi_1114_ = _e247;
+                phi_1121_ = _e247;
             }
-            let _e917 = phi_1114_;
-            if _e913 {
+            let _e924 = phi_1121_;
+            if _e920 {
                 if _e247 {
-                    phi_1122_ = (2u | 1u);
+                    phi_1129_ = (2u | 1u);
                 } else {
-                    phi_1122_ = 2u;
+                    phi_1129_ = 2u;
                 }
-                let _e920 = phi_1122_;
+                let _e927 = phi_1129_;
                 if false {
-                    phi_1127_ = (_e920 | 4u);
+                    phi_1134_ = (_e927 | 4u);
                 } else {
-                    phi_1127_ = _e920;
+                    phi_1134_ = _e927;
                 }
-                let _e923 = phi_1127_;
-                phi_1147_ = _e923;
+                let _e930 = phi_1134_;
+                phi_1154_ = _e930;
             } else {
-                if (_e898 == 7u) {
+                if (_e905 == 7u) {
                     if _e247 {
-                        phi_1136_ = (2u | 1u);
+                        phi_1143_ = (2u | 1u);
                     } else {
-                        phi_1136_ = 2u;
+                        phi_1143_ = 2u;
                     }
-                    let _e927 = phi_1136_;
-                    if _e917 {
-                        phi_1141_ = (_e927 | 4u);
+                    let _e934 = phi_1143_;
+                    if _e924 {
+                        phi_1148_ = (_e934 | 4u);
                     } else {
-                        phi_1141_ = _e927;
+                        phi_1148_ = _e934;
                     }
-                    let _e930 = phi_1141_;
-                    phi_1146_ = _e930;
+                    let _e937 = phi_1148_;
+                    phi_1153_ = _e937;
                 } else {
                     if _e247 {
-                        phi_1145_ = 1u;
+                        phi_1152_ = 1u;
                     } else {
-                        phi_1145_ = 0u;
+                        phi_1152_ = 0u;
                     }
-                    let _e932 = phi_1145_;
-                    phi_1146_ = _e932;
+                    let _e939 = phi_1152_;
+                    phi_1153_ = _e939;
                 }
-                let _e934 = phi_1146_;
-                phi_1147_ = _e934;
+                let _e941 = phi_1153_;
+                phi_1154_ = _e941;
             }
-            let _e936 = phi_1147_;
-            if _e917 {
-                phi_1151_ = 0f;
+            let _e943 = phi_1154_;
+            if _e924 {
+                phi_1158_ = 0f;
             } else {
-                phi_1151_ = 1f;
+                phi_1158_ = 1f;
             }
-            let _e938 = phi_1151_;
+            let _e945 = phi_1158_;
             if _e251 {
                 if (_e89 == 0.99999994f) {
-                    phi_1160_ = true;
+                    phi_1167_ = true;
                 } else {
-                    phi_1160_ = (_e89 == 0.000000059604645f);
+                    phi_1167_ = (_e89 == 0.000000059604645f);
                 }
-                let _e942 = phi_1160_;
-                phi_1161_ = _e942;
+                let _e949 = phi_1167_;
+                phi_1168_ = _e949;
             } else {
-                phi_1161_ = true;
+                phi_1168_ = true;
             }
-            let _e944 = phi_1161_;
-            phi_1163_ = mask_Masked(_e938, _e936, _e913, _e944);
+            let _e951 = phi_1168_;
+            phi_1170_ = mask_Masked(_e945, _e943, _e920, _e951);
         }
-        let _e947 = phi_1163_;
-        visibility.member[_e76.first_primitive] = _e947.visibility;
-        let _e952 = p.member.light.number;
-        let _e953 = (_e952 * 3u);
-        let _e955 = (_e953 % 32u);
-        let _e957 = p.member.light.mask_words;
-        let _e959 = ((_e76.first_primitive * _e957) + (_e953 / 32u));
-        let _e961 = bits.member[_e959];
-        bits.member[_e959] = ((_e961 & ~((7u << bitcast<u32>((_e955 & 31u))))) | (_e947.bits << bitcast<u32>((_e955 & 31u))));
-        if (_e955 > 29u) {
-            let _e976 = bits.member[(_e959 + 1u)];
-            let _e978 = (32u - _e955);
-            bits.member[(_e959 + 1u)] = ((_e976 & ~((7u >> bitcast<u32>((_e978 & 31u))))) | (_e947.bits >> bitcast<u32>((_e978 & 31u))));
+        let _e954 = phi_1170_;
+        visibility.member[_e76.first_primitive] = _e954.visibility;
+        let _e959 = p.member.light.number;
+        let _e960 = (_e959 * 3u);
+        let _e962 = (_e960 % 32u);
+        let _e964 = p.member.light.mask_words;
+        let _e966 = ((_e76.first_primitive * _e964) + (_e960 / 32u));
+        let _e968 = bits.member[_e966];
+        bits.member[_e966] = ((_e968 & ~((7u << bitcast<u32>((_e962 & 31u))))) | (_e954.bits << bitcast<u32>((_e962 & 31u))));
+        if (_e962 > 29u) {
+            let _e983 = bits.member[(_e966 + 1u)];
+            let _e985 = (32u - _e962);
+            bits.member[(_e966 + 1u)] = ((_e983 & ~((7u >> bitcast<u32>((_e985 & 31u))))) | (_e954.bits >> bitcast<u32>((_e985 & 31u))));
         }
-        let _e993 = samples.member[_e76.first_primitive].normal[0u];
-        let _e995 = global[0u];
-        if (_e993 == _e995) {
-            let _e998 = samples.member[_e76.first_primitive].normal[1u];
-            let _e1000 = global[1u];
-            if (_e998 == _e1000) {
-                let _e1003 = samples.member[_e76.first_primitive].normal[2u];
-                let _e1005 = global[2u];
-                phi_1235_ = (_e1003 == _e1005);
-                phi_1236_ = false;
+        let _e1000 = samples.member[_e76.first_primitive].normal[0u];
+        let _e1002 = global[0u];
+        if (_e1000 == _e1002) {
+            let _e1005 = samples.member[_e76.first_primitive].normal[1u];
+            let _e1007 = global[1u];
+            if (_e1005 == _e1007) {
+                let _e1010 = samples.member[_e76.first_primitive].normal[2u];
+                let _e1012 = global[2u];
+                phi_1242_ = (_e1010 == _e1012);
+                phi_1243_ = false;
             } else {
-                phi_1235_ = bool();
-                phi_1236_ = true;
+                phi_1242_ = bool();
+                phi_1243_ = true;
             }
-            let _e1008 = phi_1235_;
-            let _e1010 = phi_1236_;
-            phi_1237_ = _e1008;
-            phi_1238_ = _e1010;
+            let _e1015 = phi_1242_;
+            let _e1017 = phi_1243_;
+            phi_1244_ = _e1015;
+            phi_1245_ = _e1017;
         } else {
-            phi_1237_ = bool();
-            phi_1238_ = true;
+            phi_1244_ = bool();
+            phi_1245_ = true;
         }
-        let _e1012 = phi_1237_;
-        let _e1014 = phi_1238_;
-        if _e1014 {
-            phi_1242_ = false;
+        let _e1019 = phi_1244_;
+        let _e1021 = phi_1245_;
+        if _e1021 {
+            phi_1249_ = false;
         } else {
-            phi_1242_ = _e1012;
+            phi_1249_ = _e1019;
         }
-        let _e1016 = phi_1242_;
-        if !(_e1016) {
-            let _e1019 = samples.member[_e76.first_primitive].position;
-            let _e1021 = p.member.current.eye;
-            let _e1032 = p.member.current.forward;
-            phi_1270_ = ((((_e1019.x - _e1021.x) * _e1032.x) + ((_e1019.y - _e1021.y) * _e1032.y)) + ((_e1019.z - _e1021.z) * _e1032.z));
+        let _e1023 = phi_1249_;
+        if !(_e1023) {
+            let _e1026 = samples.member[_e76.first_primitive].position;
+            let _e1028 = p.member.current.eye;
+            let _e1039 = p.member.current.forward;
+            phi_1277_ = ((((_e1026.x - _e1028.x) * _e1039.x) + ((_e1026.y - _e1028.y) * _e1039.y)) + ((_e1026.z - _e1028.z) * _e1039.z));
         } else {
-            phi_1270_ = 0f;
+            phi_1277_ = 0f;
         }
-        let _e1042 = phi_1270_;
-        depths.member[_e76.first_primitive] = _e1042;
-        phi_1275_ = doubt_Listed(_e76.first_primitive, _e947.is_trusted);
-        phi_1276_ = _e947.needs_ray;
+        let _e1049 = phi_1277_;
+        depths.member[_e76.first_primitive] = _e1049;
+        phi_1282_ = doubt_Listed(_e76.first_primitive, _e954.is_trusted);
+        phi_1283_ = _e954.needs_ray;
     } else {
-        phi_1275_ = doubt_Listed(0u, false);
-        phi_1276_ = false;
+        phi_1282_ = doubt_Listed(0u, false);
+        phi_1283_ = false;
     }
-    let _e1048 = phi_1275_;
-    let _e1050 = phi_1276_;
+    let _e1055 = phi_1282_;
+    let _e1057 = phi_1283_;
     if (_e56 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1050 {
-        let _e1056 = atomicAdd((&shared_[0u]), 1u);
-        phi_1289_ = _e1056;
+    if _e1057 {
+        let _e1063 = atomicAdd((&shared_[0u]), 1u);
+        phi_1296_ = _e1063;
     } else {
-        phi_1289_ = 0u;
+        phi_1296_ = 0u;
     }
-    let _e1058 = phi_1289_;
+    let _e1065 = phi_1296_;
     workgroupBarrier();
     if (_e56 == 0u) {
-        let _e1062 = atomicLoad((&shared_[0u]));
-        let _e1063 = atomicAdd((&list.member[3u]), _e1062);
-        atomicStore((&shared_[1u]), _e1063);
+        let _e1069 = atomicLoad((&shared_[0u]));
+        let _e1070 = atomicAdd((&list.member[3u]), _e1069);
+        atomicStore((&shared_[1u]), _e1070);
     }
     workgroupBarrier();
-    if _e1050 {
-        if _e1048.is_trusted {
-            phi_1306_ = (_e1048.pixel | 2147483648u);
+    if _e1057 {
+        if _e1055.is_trusted {
+            phi_1313_ = (_e1055.pixel | 2147483648u);
         } else {
-            phi_1306_ = _e1048.pixel;
+            phi_1313_ = _e1055.pixel;
         }
-        let _e1067 = phi_1306_;
-        let _e1069 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1069) + _e1058)]), _e1067);
+        let _e1074 = phi_1313_;
+        let _e1076 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1076) + _e1065)]), _e1074);
     }
     return;
 }

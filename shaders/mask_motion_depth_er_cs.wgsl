@@ -180,27 +180,20 @@ fn function_() {
     var phi_396_: bool;
     var phi_400_: bool;
     var phi_401_: bool;
-    var phi_540_: f32;
-    var phi_545_: f32;
-    var phi_546_: bool;
     var phi_547_: f32;
-    var phi_548_: bool;
     var phi_552_: f32;
-    var phi_573_: f32;
-    var phi_578_: f32;
-    var phi_579_: bool;
+    var phi_553_: bool;
+    var phi_554_: f32;
+    var phi_555_: bool;
+    var phi_559_: f32;
     var phi_580_: f32;
-    var phi_581_: bool;
     var phi_585_: f32;
-    var phi_606_: bool;
-    var phi_625_: vec2<u32>;
-    var phi_626_: bool;
-    var phi_627_: bool;
-    var phi_628_: bool;
-    var phi_629_: vec2<u32>;
-    var phi_630_: bool;
-    var phi_631_: bool;
-    var phi_632_: bool;
+    var phi_586_: bool;
+    var phi_587_: f32;
+    var phi_588_: bool;
+    var phi_592_: f32;
+    var phi_613_: bool;
+    var phi_632_: vec2<u32>;
     var phi_633_: bool;
     var phi_634_: bool;
     var phi_635_: bool;
@@ -216,85 +209,92 @@ fn function_() {
     var phi_645_: bool;
     var phi_646_: bool;
     var phi_647_: bool;
-    var phi_656_: bool;
-    var phi_657_: bool;
-    var phi_658_: bool;
-    var phi_659_: bool;
+    var phi_648_: bool;
+    var phi_649_: bool;
+    var phi_650_: vec2<u32>;
+    var phi_651_: bool;
+    var phi_652_: bool;
+    var phi_653_: bool;
+    var phi_654_: bool;
     var phi_663_: bool;
     var phi_664_: bool;
-    var phi_665_: vec2<u32>;
-    var phi_703_: bool;
-    var phi_705_: lt_mask_Reprojection;
-    var phi_706_: lt_mask_Reprojection;
-    var phi_707_: lt_mask_Reprojection;
-    var phi_708_: bool;
-    var phi_709_: bool;
-    var phi_710_: lt_mask_Reprojection;
-    var phi_711_: lt_mask_Reprojection;
+    var phi_665_: bool;
+    var phi_666_: bool;
+    var phi_670_: bool;
+    var phi_671_: bool;
+    var phi_672_: vec2<u32>;
+    var phi_710_: bool;
     var phi_712_: lt_mask_Reprojection;
-    var phi_713_: bool;
-    var phi_714_: bool;
-    var phi_769_: bool;
-    var phi_773_: f32;
-    var phi_777_: lt_mask_Reprojection;
-    var phi_778_: bool;
-    var phi_790_: bool;
-    var phi_791_: bool;
-    var phi_792_: bool;
-    var phi_793_: lt_mask_Reprojection;
-    var phi_794_: bool;
+    var phi_713_: lt_mask_Reprojection;
+    var phi_714_: lt_mask_Reprojection;
+    var phi_715_: bool;
+    var phi_716_: bool;
+    var phi_717_: lt_mask_Reprojection;
+    var phi_718_: lt_mask_Reprojection;
+    var phi_719_: lt_mask_Reprojection;
+    var phi_720_: bool;
+    var phi_721_: bool;
+    var phi_776_: bool;
+    var phi_780_: f32;
+    var phi_784_: lt_mask_Reprojection;
+    var phi_785_: bool;
+    var phi_797_: bool;
     var phi_798_: bool;
-    var phi_799_: lt_mask_Reprojection;
+    var phi_799_: bool;
+    var phi_800_: lt_mask_Reprojection;
+    var phi_801_: bool;
     var phi_805_: bool;
-    var phi_837_: u32;
-    var phi_866_: lt_mask_Neighbourhood;
-    var phi_867_: lt_mask_Neighbourhood;
-    var phi_868_: lt_mask_Neighbourhood;
-    var phi_900_: bool;
-    var phi_901_: bool;
-    var phi_923_: bool;
-    var phi_924_: bool;
-    var phi_925_: bool;
-    var phi_929_: bool;
-    var phi_951_: bool;
-    var phi_952_: bool;
-    var phi_965_: bool;
-    var phi_966_: bool;
-    var phi_967_: bool;
-    var phi_974_: u32;
-    var phi_975_: u32;
-    var phi_976_: u32;
-    var phi_977_: u32;
-    var phi_978_: u32;
-    var phi_979_: u32;
-    var phi_980_: u32;
-    var phi_992_: bool;
-    var phi_993_: bool;
-    var phi_994_: bool;
-    var phi_995_: bool;
+    var phi_806_: lt_mask_Reprojection;
+    var phi_812_: bool;
+    var phi_844_: u32;
+    var phi_873_: lt_mask_Neighbourhood;
+    var phi_874_: lt_mask_Neighbourhood;
+    var phi_875_: lt_mask_Neighbourhood;
+    var phi_907_: bool;
+    var phi_908_: bool;
+    var phi_930_: bool;
+    var phi_931_: bool;
+    var phi_932_: bool;
+    var phi_936_: bool;
+    var phi_958_: bool;
+    var phi_959_: bool;
+    var phi_972_: bool;
+    var phi_973_: bool;
+    var phi_974_: bool;
+    var phi_981_: u32;
+    var phi_982_: u32;
+    var phi_983_: u32;
+    var phi_984_: u32;
+    var phi_985_: u32;
+    var phi_986_: u32;
+    var phi_987_: u32;
     var phi_999_: bool;
-    var phi_1005_: bool;
-    var phi_1013_: u32;
-    var phi_1018_: u32;
-    var phi_1027_: u32;
-    var phi_1032_: u32;
-    var phi_1036_: u32;
-    var phi_1037_: u32;
-    var phi_1038_: u32;
-    var phi_1042_: f32;
-    var phi_1051_: bool;
-    var phi_1052_: bool;
-    var phi_1054_: mask_Masked;
-    var phi_1126_: bool;
-    var phi_1127_: bool;
-    var phi_1128_: bool;
-    var phi_1129_: bool;
+    var phi_1000_: bool;
+    var phi_1001_: bool;
+    var phi_1002_: bool;
+    var phi_1006_: bool;
+    var phi_1012_: bool;
+    var phi_1020_: u32;
+    var phi_1025_: u32;
+    var phi_1034_: u32;
+    var phi_1039_: u32;
+    var phi_1043_: u32;
+    var phi_1044_: u32;
+    var phi_1045_: u32;
+    var phi_1049_: f32;
+    var phi_1058_: bool;
+    var phi_1059_: bool;
+    var phi_1061_: mask_Masked;
     var phi_1133_: bool;
-    var phi_1161_: f32;
-    var phi_1166_: doubt_Listed;
-    var phi_1167_: bool;
-    var phi_1180_: u32;
-    var phi_1197_: u32;
+    var phi_1134_: bool;
+    var phi_1135_: bool;
+    var phi_1136_: bool;
+    var phi_1140_: bool;
+    var phi_1168_: f32;
+    var phi_1173_: doubt_Listed;
+    var phi_1174_: bool;
+    var phi_1187_: u32;
+    var phi_1204_: u32;
 
     let _e54 = id_1;
     let _e55 = local_1;
@@ -397,7 +397,7 @@ fn function_() {
         }
         let _e241 = phi_349_;
         if _e241.unnamed_1 {
-            phi_1054_ = mask_Masked(_e241.unnamed.visibility, 0u, false, false);
+            phi_1061_ = mask_Masked(_e241.unnamed.visibility, 0u, false, false);
         } else {
             let _e246 = (_e88 < 0.5f);
             if (_e88 > 0f) {
@@ -444,11 +444,11 @@ fn function_() {
             }
             let _e301 = phi_401_;
             if _e301 {
-                phi_710_ = lt_mask_Reprojection(_e268.pixel, _e268.is_valid, false);
-                phi_711_ = lt_mask_Reprojection();
-                phi_712_ = lt_mask_Reprojection();
-                phi_713_ = true;
-                phi_714_ = false;
+                phi_717_ = lt_mask_Reprojection(_e268.pixel, _e268.is_valid, false);
+                phi_718_ = lt_mask_Reprojection();
+                phi_719_ = lt_mask_Reprojection();
+                phi_720_ = true;
+                phi_721_ = false;
             } else {
                 let _e305 = p.member.current.grid[0u];
                 let _e307 = p.member.current.grid[1u];
@@ -459,650 +459,652 @@ fn function_() {
                 let _e332 = (_e86.y - _e326.y);
                 let _e335 = (_e86.z - _e326.z);
                 let _e337 = p.member.previous.forward;
-                let _e345 = (((_e329 * _e337.x) + (_e332 * _e337.y)) + (_e335 * _e337.z));
-                let _e347 = p.member.previous.right;
-                let _e357 = p.member.previous.right;
+                let _e346 = (1f / (((_e329 * _e337.x) + (_e332 * _e337.y)) + (_e335 * _e337.z)));
+                let _e348 = p.member.previous.right;
+                let _e350 = p.member.previous.right;
+                let _e362 = (1f / (((_e350.x * _e350.x) + (_e350.y * _e350.y)) + (_e350.z * _e350.z)));
+                let _e370 = p.member.previous.up;
                 let _e372 = p.member.previous.up;
-                let _e382 = p.member.previous.up;
-                let _e399 = p.member.previous.size[0u];
-                let _e406 = p.member.previous.size[1u];
-                let _e410 = (((((((_e329 * _e347.x) + (_e332 * _e347.y)) + (_e335 * _e347.z)) / ((((_e357.x * _e357.x) + (_e357.y * _e357.y)) + (_e357.z * _e357.z)) * _e345)) + 1f) * (0.5f * f32(_e399))) - _e321);
-                let _e411 = (((1f - ((((_e329 * _e372.x) + (_e332 * _e372.y)) + (_e335 * _e372.z)) / ((((_e382.x * _e382.x) + (_e382.y * _e382.y)) + (_e382.z * _e382.z)) * _e345))) * (0.5f * f32(_e406))) - _e323);
-                let _e415 = p.member.current.size[0u];
-                let _e417 = p.member.current.size[1u];
-                let _e419 = (_e321 + _e410);
-                if (_e419 > -8388608f) {
-                    let _e431 = f32(select(0i, select(select(i32(_e419), i32(-2147483648), (_e419 < bitcast<f32>(3472883712u))), 2147483647i, (_e419 > bitcast<f32>(1325400063u))), (_e419 == _e419)));
-                    if (_e431 > _e419) {
-                        phi_540_ = 1f;
+                let _e384 = (1f / (((_e372.x * _e372.x) + (_e372.y * _e372.y)) + (_e372.z * _e372.z)));
+                let _e406 = p.member.previous.size[0u];
+                let _e413 = p.member.previous.size[1u];
+                let _e417 = (((((((_e329 * (_e348.x * _e362)) + (_e332 * (_e348.y * _e362))) + (_e335 * (_e348.z * _e362))) * _e346) + 1f) * (0.5f * f32(_e406))) - _e321);
+                let _e418 = (((1f - ((((_e329 * (_e370.x * _e384)) + (_e332 * (_e370.y * _e384))) + (_e335 * (_e370.z * _e384))) * _e346)) * (0.5f * f32(_e413))) - _e323);
+                let _e422 = p.member.current.size[0u];
+                let _e424 = p.member.current.size[1u];
+                let _e426 = (_e321 + _e417);
+                if (_e426 > -8388608f) {
+                    let _e438 = f32(select(0i, select(select(i32(_e426), i32(-2147483648), (_e426 < bitcast<f32>(3472883712u))), 2147483647i, (_e426 > bitcast<f32>(1325400063u))), (_e426 == _e426)));
+                    if (_e438 > _e426) {
+                        phi_547_ = 1f;
                     } else {
-                        phi_540_ = 0f;
+                        phi_547_ = 0f;
                     }
-                    let _e434 = phi_540_;
-                    if (_e419 < 8388608f) {
-                        phi_545_ = (_e431 - _e434);
-                        phi_546_ = false;
+                    let _e441 = phi_547_;
+                    if (_e426 < 8388608f) {
+                        phi_552_ = (_e438 - _e441);
+                        phi_553_ = false;
                     } else {
-                        phi_545_ = f32();
-                        phi_546_ = true;
+                        phi_552_ = f32();
+                        phi_553_ = true;
                     }
-                    let _e437 = phi_545_;
-                    let _e439 = phi_546_;
-                    phi_547_ = _e437;
-                    phi_548_ = _e439;
+                    let _e444 = phi_552_;
+                    let _e446 = phi_553_;
+                    phi_554_ = _e444;
+                    phi_555_ = _e446;
                 } else {
-                    phi_547_ = f32();
-                    phi_548_ = true;
+                    phi_554_ = f32();
+                    phi_555_ = true;
                 }
-                let _e441 = phi_547_;
-                let _e443 = phi_548_;
-                if _e443 {
-                    phi_552_ = _e419;
+                let _e448 = phi_554_;
+                let _e450 = phi_555_;
+                if _e450 {
+                    phi_559_ = _e426;
                 } else {
-                    phi_552_ = _e441;
+                    phi_559_ = _e448;
                 }
-                let _e445 = phi_552_;
-                let _e446 = (_e323 + _e411);
-                if (_e446 > -8388608f) {
-                    let _e458 = f32(select(0i, select(select(i32(_e446), i32(-2147483648), (_e446 < bitcast<f32>(3472883712u))), 2147483647i, (_e446 > bitcast<f32>(1325400063u))), (_e446 == _e446)));
-                    if (_e458 > _e446) {
-                        phi_573_ = 1f;
+                let _e452 = phi_559_;
+                let _e453 = (_e323 + _e418);
+                if (_e453 > -8388608f) {
+                    let _e465 = f32(select(0i, select(select(i32(_e453), i32(-2147483648), (_e453 < bitcast<f32>(3472883712u))), 2147483647i, (_e453 > bitcast<f32>(1325400063u))), (_e453 == _e453)));
+                    if (_e465 > _e453) {
+                        phi_580_ = 1f;
                     } else {
-                        phi_573_ = 0f;
+                        phi_580_ = 0f;
                     }
-                    let _e461 = phi_573_;
-                    if (_e446 < 8388608f) {
-                        phi_578_ = (_e458 - _e461);
-                        phi_579_ = false;
+                    let _e468 = phi_580_;
+                    if (_e453 < 8388608f) {
+                        phi_585_ = (_e465 - _e468);
+                        phi_586_ = false;
                     } else {
-                        phi_578_ = f32();
-                        phi_579_ = true;
+                        phi_585_ = f32();
+                        phi_586_ = true;
                     }
-                    let _e464 = phi_578_;
-                    let _e466 = phi_579_;
-                    phi_580_ = _e464;
-                    phi_581_ = _e466;
+                    let _e471 = phi_585_;
+                    let _e473 = phi_586_;
+                    phi_587_ = _e471;
+                    phi_588_ = _e473;
                 } else {
-                    phi_580_ = f32();
-                    phi_581_ = true;
+                    phi_587_ = f32();
+                    phi_588_ = true;
                 }
-                let _e468 = phi_580_;
-                let _e470 = phi_581_;
-                if _e470 {
-                    phi_585_ = _e446;
+                let _e475 = phi_587_;
+                let _e477 = phi_588_;
+                if _e477 {
+                    phi_592_ = _e453;
                 } else {
-                    phi_585_ = _e468;
+                    phi_592_ = _e475;
                 }
-                let _e472 = phi_585_;
-                if (_e445 >= 0f) {
-                    if (_e472 >= 0f) {
-                        if (_e445 < f32(_e415)) {
-                            let _e478 = (_e472 < f32(_e417));
-                            if (_e410 == 0f) {
-                                phi_606_ = (_e411 == 0f);
+                let _e479 = phi_592_;
+                if (_e452 >= 0f) {
+                    if (_e479 >= 0f) {
+                        if (_e452 < f32(_e422)) {
+                            let _e485 = (_e479 < f32(_e424));
+                            if (_e417 == 0f) {
+                                phi_613_ = (_e418 == 0f);
                             } else {
-                                phi_606_ = false;
+                                phi_613_ = false;
                             }
-                            let _e482 = phi_606_;
-                            if _e478 {
-                                phi_625_ = vec2<u32>(select(select(u32(_e445), 0u, (_e445 < bitcast<f32>(0u))), 4294967295u, (_e445 > bitcast<f32>(1333788671u))), select(select(u32(_e472), 0u, (_e472 < bitcast<f32>(0u))), 4294967295u, (_e472 > bitcast<f32>(1333788671u))));
-                                phi_626_ = false;
+                            let _e489 = phi_613_;
+                            if _e485 {
+                                phi_632_ = vec2<u32>(select(select(u32(_e452), 0u, (_e452 < bitcast<f32>(0u))), 4294967295u, (_e452 > bitcast<f32>(1333788671u))), select(select(u32(_e479), 0u, (_e479 < bitcast<f32>(0u))), 4294967295u, (_e479 > bitcast<f32>(1333788671u))));
+                                phi_633_ = false;
                             } else {
-                                phi_625_ = vec2<u32>();
-                                phi_626_ = true;
+                                phi_632_ = vec2<u32>();
+                                phi_633_ = true;
                             }
-                            let _e499 = phi_625_;
-                            let _e501 = phi_626_;
-                            phi_627_ = _e482;
-                            phi_628_ = _e478;
-                            phi_629_ = _e499;
-                            phi_630_ = _e482;
-                            phi_631_ = _e478;
-                            phi_632_ = false;
-                            phi_633_ = _e501;
+                            let _e506 = phi_632_;
+                            let _e508 = phi_633_;
+                            phi_634_ = _e489;
+                            phi_635_ = _e485;
+                            phi_636_ = _e506;
+                            phi_637_ = _e489;
+                            phi_638_ = _e485;
+                            phi_639_ = false;
+                            phi_640_ = _e508;
                         } else {
-                            phi_627_ = bool();
-                            phi_628_ = bool();
-                            phi_629_ = vec2<u32>();
-                            phi_630_ = bool();
-                            phi_631_ = bool();
-                            phi_632_ = true;
-                            phi_633_ = false;
+                            phi_634_ = bool();
+                            phi_635_ = bool();
+                            phi_636_ = vec2<u32>();
+                            phi_637_ = bool();
+                            phi_638_ = bool();
+                            phi_639_ = true;
+                            phi_640_ = false;
                         }
-                        let _e503 = phi_627_;
-                        let _e505 = phi_628_;
-                        let _e507 = phi_629_;
-                        let _e509 = phi_630_;
-                        let _e511 = phi_631_;
-                        let _e513 = phi_632_;
-                        let _e515 = phi_633_;
-                        phi_634_ = _e503;
-                        phi_635_ = _e505;
-                        phi_636_ = _e507;
-                        phi_637_ = _e509;
-                        phi_638_ = _e511;
-                        phi_639_ = _e513;
-                        phi_640_ = _e515;
+                        let _e510 = phi_634_;
+                        let _e512 = phi_635_;
+                        let _e514 = phi_636_;
+                        let _e516 = phi_637_;
+                        let _e518 = phi_638_;
+                        let _e520 = phi_639_;
+                        let _e522 = phi_640_;
+                        phi_641_ = _e510;
+                        phi_642_ = _e512;
+                        phi_643_ = _e514;
+                        phi_644_ = _e516;
+                        phi_645_ = _e518;
+                        phi_646_ = _e520;
+                        phi_647_ = _e522;
                     } else {
-                        phi_634_ = bool();
-                        phi_635_ = bool();
-                        phi_636_ = vec2<u32>();
-                        phi_637_ = bool();
-                        phi_638_ = bool();
-                        phi_639_ = true;
-                        phi_640_ = false;
+                        phi_641_ = bool();
+                        phi_642_ = bool();
+                        phi_643_ = vec2<u32>();
+                        phi_644_ = bool();
+                        phi_645_ = bool();
+                        phi_646_ = true;
+                        phi_647_ = false;
                     }
-                    let _e517 = phi_634_;
-                    let _e519 = phi_635_;
-                    let _e521 = phi_636_;
-                    let _e523 = phi_637_;
-                    let _e525 = phi_638_;
-                    let _e527 = phi_639_;
-                    let _e529 = phi_640_;
-                    phi_641_ = _e517;
-                    phi_642_ = _e519;
-                    phi_643_ = _e521;
-                    phi_644_ = _e523;
-                    phi_645_ = _e525;
-                    phi_646_ = _e527;
-                    phi_647_ = _e529;
+                    let _e524 = phi_641_;
+                    let _e526 = phi_642_;
+                    let _e528 = phi_643_;
+                    let _e530 = phi_644_;
+                    let _e532 = phi_645_;
+                    let _e534 = phi_646_;
+                    let _e536 = phi_647_;
+                    phi_648_ = _e524;
+                    phi_649_ = _e526;
+                    phi_650_ = _e528;
+                    phi_651_ = _e530;
+                    phi_652_ = _e532;
+                    phi_653_ = _e534;
+                    phi_654_ = _e536;
                 } else {
-                    phi_641_ = bool();
-                    phi_642_ = bool();
-                    phi_643_ = vec2<u32>();
-                    phi_644_ = bool();
-                    phi_645_ = bool();
-                    phi_646_ = true;
-                    phi_647_ = false;
+                    phi_648_ = bool();
+                    phi_649_ = bool();
+                    phi_650_ = vec2<u32>();
+                    phi_651_ = bool();
+                    phi_652_ = bool();
+                    phi_653_ = true;
+                    phi_654_ = false;
                 }
-                let _e531 = phi_641_;
-                let _e533 = phi_642_;
-                let _e535 = phi_643_;
-                let _e537 = phi_644_;
-                let _e539 = phi_645_;
-                let _e541 = phi_646_;
-                let _e543 = phi_647_;
-                if _e541 {
-                    if (_e410 == 0f) {
-                        phi_656_ = (_e411 == 0f);
+                let _e538 = phi_648_;
+                let _e540 = phi_649_;
+                let _e542 = phi_650_;
+                let _e544 = phi_651_;
+                let _e546 = phi_652_;
+                let _e548 = phi_653_;
+                let _e550 = phi_654_;
+                if _e548 {
+                    if (_e417 == 0f) {
+                        phi_663_ = (_e418 == 0f);
                     } else {
-                        phi_656_ = false;
+                        phi_663_ = false;
                     }
-                    let _e547 = phi_656_;
-                    phi_657_ = _e547;
-                    phi_658_ = false;
-                    phi_659_ = true;
+                    let _e554 = phi_663_;
+                    phi_664_ = _e554;
+                    phi_665_ = false;
+                    phi_666_ = true;
                 } else {
-                    phi_657_ = _e537;
-                    phi_658_ = _e539;
-                    phi_659_ = _e543;
+                    phi_664_ = _e544;
+                    phi_665_ = _e546;
+                    phi_666_ = _e550;
                 }
-                let _e549 = phi_657_;
-                let _e551 = phi_658_;
-                let _e553 = phi_659_;
-                if _e553 {
-                    phi_663_ = _e549;
-                    phi_664_ = _e551;
-                    phi_665_ = vec2<u32>(_e54.x, _e54.y);
+                let _e556 = phi_664_;
+                let _e558 = phi_665_;
+                let _e560 = phi_666_;
+                if _e560 {
+                    phi_670_ = _e556;
+                    phi_671_ = _e558;
+                    phi_672_ = vec2<u32>(_e54.x, _e54.y);
                 } else {
-                    phi_663_ = _e531;
-                    phi_664_ = _e533;
-                    phi_665_ = _e535;
+                    phi_670_ = _e538;
+                    phi_671_ = _e540;
+                    phi_672_ = _e542;
                 }
-                let _e555 = phi_663_;
-                let _e557 = phi_664_;
-                let _e559 = phi_665_;
-                let _e569 = lt_mask_Reprojection(vec2<u32>(_e559.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e576 = lt_mask_Reprojection(vec2<u32>(_e569.pixel.x, _e559.y), _e569.is_valid, _e569.has_moved);
-                let _e580 = lt_mask_Reprojection(_e576.pixel, _e557, _e576.has_moved);
-                let _e584 = lt_mask_Reprojection(_e580.pixel, _e580.is_valid, !(_e555));
-                if _e557 {
-                    let _e587 = p.member.previous.eye;
-                    let _e598 = p.member.previous.forward;
-                    let _e607 = (((((_e86.x - _e587.x) * _e598.x) + ((_e86.y - _e587.y) * _e598.y)) + ((_e86.z - _e587.z) * _e598.z)) > 0f);
-                    let _e611 = lt_mask_Reprojection(_e584.pixel, _e607, _e584.has_moved);
-                    if _e607 {
-                        phi_703_ = false;
+                let _e562 = phi_670_;
+                let _e564 = phi_671_;
+                let _e566 = phi_672_;
+                let _e576 = lt_mask_Reprojection(vec2<u32>(_e566.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e583 = lt_mask_Reprojection(vec2<u32>(_e576.pixel.x, _e566.y), _e576.is_valid, _e576.has_moved);
+                let _e587 = lt_mask_Reprojection(_e583.pixel, _e564, _e583.has_moved);
+                let _e591 = lt_mask_Reprojection(_e587.pixel, _e587.is_valid, !(_e562));
+                if _e564 {
+                    let _e594 = p.member.previous.eye;
+                    let _e605 = p.member.previous.forward;
+                    let _e614 = (((((_e86.x - _e594.x) * _e605.x) + ((_e86.y - _e594.y) * _e605.y)) + ((_e86.z - _e594.z) * _e605.z)) > 0f);
+                    let _e618 = lt_mask_Reprojection(_e591.pixel, _e614, _e591.has_moved);
+                    if _e614 {
+                        phi_710_ = false;
                     } else {
-                        phi_703_ = true;
+                        phi_710_ = true;
                     }
-                    let _e613 = phi_703_;
-                    phi_705_ = _e611;
-                    phi_706_ = _e611;
-                    phi_707_ = lt_mask_Reprojection();
-                    phi_708_ = _e607;
-                    phi_709_ = _e613;
+                    let _e620 = phi_710_;
+                    phi_712_ = _e618;
+                    phi_713_ = _e618;
+                    phi_714_ = lt_mask_Reprojection();
+                    phi_715_ = _e614;
+                    phi_716_ = _e620;
                 } else {
-                    phi_705_ = lt_mask_Reprojection();
-                    phi_706_ = lt_mask_Reprojection();
-                    phi_707_ = lt_mask_Reprojection(_e584.pixel, false, _e584.has_moved);
-                    phi_708_ = false;
-                    phi_709_ = false;
+                    phi_712_ = lt_mask_Reprojection();
+                    phi_713_ = lt_mask_Reprojection();
+                    phi_714_ = lt_mask_Reprojection(_e591.pixel, false, _e591.has_moved);
+                    phi_715_ = false;
+                    phi_716_ = false;
                 }
-                let _e619 = phi_705_;
-                let _e621 = phi_706_;
-                let _e623 = phi_707_;
-                let _e625 = phi_708_;
-                let _e627 = phi_709_;
-                phi_710_ = _e619;
-                phi_711_ = _e621;
-                phi_712_ = _e623;
-                phi_713_ = _e625;
-                phi_714_ = _e627;
+                let _e626 = phi_712_;
+                let _e628 = phi_713_;
+                let _e630 = phi_714_;
+                let _e632 = phi_715_;
+                let _e634 = phi_716_;
+                phi_717_ = _e626;
+                phi_718_ = _e628;
+                phi_719_ = _e630;
+                phi_720_ = _e632;
+                phi_721_ = _e634;
             }
-            let _e629 = phi_710_;
-            let _e631 = phi_711_;
-            let _e633 = phi_712_;
-            let _e635 = phi_713_;
-            let _e637 = phi_714_;
-            if _e635 {
-                let _e640 = p.member.previous.eye;
-                let _e651 = p.member.previous.forward;
-                let _e659 = ((((_e86.x - _e640.x) * _e651.x) + ((_e86.y - _e640.y) * _e651.y)) + ((_e86.z - _e640.z) * _e651.z));
-                let _e665 = ((_e629.pixel.y * _e83) + _e629.pixel.x);
-                if (_e665 < arrayLength((&last_depths.member))) {
+            let _e636 = phi_717_;
+            let _e638 = phi_718_;
+            let _e640 = phi_719_;
+            let _e642 = phi_720_;
+            let _e644 = phi_721_;
+            if _e642 {
+                let _e647 = p.member.previous.eye;
+                let _e658 = p.member.previous.forward;
+                let _e666 = ((((_e86.x - _e647.x) * _e658.x) + ((_e86.y - _e647.y) * _e658.y)) + ((_e86.z - _e647.z) * _e658.z));
+                let _e672 = ((_e636.pixel.y * _e83) + _e636.pixel.x);
+                if (_e672 < arrayLength((&last_depths.member))) {
                 } else {
                     return;
                 }
-                let _e669 = last_depths.member[(0u + _e665)];
-                let _e671 = p.member.depth_tolerance;
-                let _e674 = abs(_e659);
-                let _e675 = abs(_e669);
-                if ((bitcast<u32>(_e675) & 2147483647u) > 2139095040u) {
-                    phi_769_ = true;
+                let _e676 = last_depths.member[(0u + _e672)];
+                let _e678 = p.member.depth_tolerance;
+                let _e681 = abs(_e666);
+                let _e682 = abs(_e676);
+                if ((bitcast<u32>(_e682) & 2147483647u) > 2139095040u) {
+                    phi_776_ = true;
                 } else {
-                    let _e679 = (_e675 > _e674);
-                    if _e679 {
+                    let _e686 = (_e682 > _e681);
+                    if _e686 {
                     }
-                    phi_769_ = _e679;
+                    phi_776_ = _e686;
                 }
-                let _e681 = phi_769_;
-                if _e681 {
-                    phi_773_ = _e675;
+                let _e688 = phi_776_;
+                if _e688 {
+                    phi_780_ = _e682;
                 } else {
-                    phi_773_ = _e674;
+                    phi_780_ = _e681;
                 }
-                let _e683 = phi_773_;
-                phi_777_ = lt_mask_Reprojection(_e629.pixel, (abs((_e659 - _e669)) <= (_e671 * _e683)), _e629.has_moved);
-                phi_778_ = true;
+                let _e690 = phi_780_;
+                phi_784_ = lt_mask_Reprojection(_e636.pixel, (abs((_e666 - _e676)) <= (_e678 * _e690)), _e636.has_moved);
+                phi_785_ = true;
             } else {
-                phi_777_ = _e631;
-                phi_778_ = _e637;
+                phi_784_ = _e638;
+                phi_785_ = _e644;
             }
-            let _e691 = phi_777_;
-            let _e693 = phi_778_;
-            if _e693 {
-                if _e691.is_valid {
-                    let _e696 = p.member.flags;
-                    phi_790_ = ((_e696 & 1u) != 0u);
-                    phi_791_ = false;
+            let _e698 = phi_784_;
+            let _e700 = phi_785_;
+            if _e700 {
+                if _e698.is_valid {
+                    let _e703 = p.member.flags;
+                    phi_797_ = ((_e703 & 1u) != 0u);
+                    phi_798_ = false;
                 } else {
-                    phi_790_ = bool();
-                    phi_791_ = true;
+                    phi_797_ = bool();
+                    phi_798_ = true;
                 }
-                let _e700 = phi_790_;
-                let _e702 = phi_791_;
-                phi_792_ = _e700;
-                phi_793_ = _e691;
-                phi_794_ = _e702;
+                let _e707 = phi_797_;
+                let _e709 = phi_798_;
+                phi_799_ = _e707;
+                phi_800_ = _e698;
+                phi_801_ = _e709;
             } else {
-                phi_792_ = bool();
-                phi_793_ = _e633;
-                phi_794_ = true;
+                phi_799_ = bool();
+                phi_800_ = _e640;
+                phi_801_ = true;
             }
-            let _e704 = phi_792_;
-            let _e706 = phi_793_;
-            let _e708 = phi_794_;
-            if _e708 {
-                phi_798_ = false;
-                phi_799_ = _e706;
-            } else {
-                phi_798_ = _e704;
-                phi_799_ = _e691;
-            }
-            let _e710 = phi_798_;
-            let _e712 = phi_799_;
-            let _e716 = lt_mask_Reprojection(_e712.pixel, _e710, _e712.has_moved);
-            let _e717 = lt_mask_Neighbourhood(false, true);
-            if _e250 {
+            let _e711 = phi_799_;
+            let _e713 = phi_800_;
+            let _e715 = phi_801_;
+            if _e715 {
                 phi_805_ = false;
+                phi_806_ = _e713;
             } else {
-                phi_805_ = true;
+                phi_805_ = _e711;
+                phi_806_ = _e698;
             }
-            let _e719 = phi_805_;
-            if _e719 {
-                if _e710 {
+            let _e717 = phi_805_;
+            let _e719 = phi_806_;
+            let _e723 = lt_mask_Reprojection(_e719.pixel, _e717, _e719.has_moved);
+            let _e724 = lt_mask_Neighbourhood(false, true);
+            if _e250 {
+                phi_812_ = false;
+            } else {
+                phi_812_ = true;
+            }
+            let _e726 = phi_812_;
+            if _e726 {
+                if _e717 {
                     if ((0u & 2u) != 0u) {
-                        phi_866_ = _e717;
+                        phi_873_ = _e724;
                     } else {
                         if (32u == 0u) {
                             return;
                         }
-                        let _e728 = (_e83 / 32u);
+                        let _e735 = (_e83 / 32u);
                         if (32u == 0u) {
                             return;
                         }
                         if ((_e83 % 32u) > 0u) {
-                            phi_837_ = (_e728 + 1u);
+                            phi_844_ = (_e735 + 1u);
                         } else {
-                            phi_837_ = _e728;
+                            phi_844_ = _e735;
                         }
-                        let _e734 = phi_837_;
-                        let _e744 = ((((_e716.pixel.y * _e734) + (_e716.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e246) | (select(0u, 1u, _e716.has_moved) << bitcast<u32>(1i))));
-                        if (_e744 < arrayLength((&heard.member))) {
+                        let _e741 = phi_844_;
+                        let _e751 = ((((_e723.pixel.y * _e741) + (_e723.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e246) | (select(0u, 1u, _e723.has_moved) << bitcast<u32>(1i))));
+                        if (_e751 < arrayLength((&heard.member))) {
                         } else {
                             return;
                         }
-                        let _e748 = heard.member[(0u + _e744)];
-                        let _e754 = (((_e748 >> bitcast<u32>(((_e716.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_866_ = lt_mask_Neighbourhood(_e754, !(_e754));
+                        let _e755 = heard.member[(0u + _e751)];
+                        let _e761 = (((_e755 >> bitcast<u32>(((_e723.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_873_ = lt_mask_Neighbourhood(_e761, !(_e761));
                     }
-                    let _e758 = phi_866_;
-                    phi_867_ = _e758;
+                    let _e765 = phi_873_;
+                    phi_874_ = _e765;
                 } else {
-                    phi_867_ = _e717;
+                    phi_874_ = _e724;
                 }
-                let _e760 = phi_867_;
-                phi_868_ = _e760;
+                let _e767 = phi_874_;
+                phi_875_ = _e767;
             } else {
-                phi_868_ = _e717;
+                phi_875_ = _e724;
             }
-            let _e762 = phi_868_;
-            let _e765 = p.member.frame;
-            let _e767 = p.member.refresh;
-            if (_e767 == 0u) {
-                phi_901_ = false;
+            let _e769 = phi_875_;
+            let _e772 = p.member.frame;
+            let _e774 = p.member.refresh;
+            if (_e774 == 0u) {
+                phi_908_ = false;
             } else {
-                if (_e767 == 0u) {
+                if (_e774 == 0u) {
                     return;
                 }
-                let _e776 = ((_e54.x + (_e54.y * (((_e767 * 5u) / 8u) | 1u))) + (_e765 % _e767));
-                if (_e767 == 0u) {
-                    phi_900_ = (_e776 == 0u);
+                let _e783 = ((_e54.x + (_e54.y * (((_e774 * 5u) / 8u) | 1u))) + (_e772 % _e774));
+                if (_e774 == 0u) {
+                    phi_907_ = (_e783 == 0u);
                 } else {
-                    if (_e767 == 0u) {
+                    if (_e774 == 0u) {
                         return;
                     }
-                    phi_900_ = ((_e776 % _e767) == 0u);
+                    phi_907_ = ((_e783 % _e774) == 0u);
                 }
-                let _e783 = phi_900_;
-                phi_901_ = _e783;
+                let _e790 = phi_907_;
+                phi_908_ = _e790;
             }
-            let _e785 = phi_901_;
-            if _e710 {
-                if _e785 {
-                    phi_923_ = bool();
+            let _e792 = phi_908_;
+            if _e717 {
+                if _e792 {
+                    phi_930_ = bool();
                 } else {
-                    phi_923_ = ((0u & 2u) != 0u);
+                    phi_930_ = ((0u & 2u) != 0u);
                 }
-                let _e791 = phi_923_;
-                phi_924_ = _e791;
-                phi_925_ = _e785;
+                let _e798 = phi_930_;
+                phi_931_ = _e798;
+                phi_932_ = _e792;
             } else {
-                phi_924_ = bool();
-                phi_925_ = true;
+                phi_931_ = bool();
+                phi_932_ = true;
             }
-            let _e793 = phi_924_;
-            let _e795 = phi_925_;
-            if _e795 {
-                phi_929_ = false;
+            let _e800 = phi_931_;
+            let _e802 = phi_932_;
+            if _e802 {
+                phi_936_ = false;
             } else {
-                phi_929_ = _e793;
+                phi_936_ = _e800;
             }
-            let _e797 = phi_929_;
-            if _e797 {
-                phi_980_ = 7u;
+            let _e804 = phi_936_;
+            if _e804 {
+                phi_987_ = 7u;
             } else {
                 if (_e88 != 0.5f) {
-                    if _e710 {
-                        if _e785 {
-                            phi_977_ = 6u;
+                    if _e717 {
+                        if _e792 {
+                            phi_984_ = 6u;
                         } else {
                             if _e250 {
-                                phi_952_ = true;
+                                phi_959_ = true;
                             } else {
-                                if _e762.any_expands {
-                                    phi_951_ = false;
+                                if _e769.any_expands {
+                                    phi_958_ = false;
                                 } else {
-                                    phi_951_ = true;
+                                    phi_958_ = true;
                                 }
-                                let _e799 = phi_951_;
-                                phi_952_ = _e799;
+                                let _e806 = phi_958_;
+                                phi_959_ = _e806;
                             }
-                            let _e801 = phi_952_;
-                            if _e801 {
+                            let _e808 = phi_959_;
+                            if _e808 {
                                 if _e250 {
                                     if false {
-                                        if _e762.all_remove {
-                                            phi_965_ = false;
+                                        if _e769.all_remove {
+                                            phi_972_ = false;
                                         } else {
-                                            phi_965_ = true;
+                                            phi_972_ = true;
                                         }
-                                        let _e803 = phi_965_;
-                                        phi_966_ = _e803;
+                                        let _e810 = phi_972_;
+                                        phi_973_ = _e810;
                                     } else {
-                                        phi_966_ = true;
+                                        phi_973_ = true;
                                     }
-                                    let _e805 = phi_966_;
-                                    phi_967_ = _e805;
+                                    let _e812 = phi_973_;
+                                    phi_974_ = _e812;
                                 } else {
-                                    phi_967_ = true;
+                                    phi_974_ = true;
                                 }
-                                let _e807 = phi_967_;
-                                if _e807 {
+                                let _e814 = phi_974_;
+                                if _e814 {
                                     if _e250 {
-                                        phi_974_ = 1u;
+                                        phi_981_ = 1u;
                                     } else {
-                                        phi_974_ = 0u;
+                                        phi_981_ = 0u;
                                     }
-                                    let _e809 = phi_974_;
-                                    phi_975_ = _e809;
+                                    let _e816 = phi_981_;
+                                    phi_982_ = _e816;
                                 } else {
-                                    phi_975_ = 5u;
+                                    phi_982_ = 5u;
                                 }
-                                let _e811 = phi_975_;
-                                phi_976_ = _e811;
+                                let _e818 = phi_982_;
+                                phi_983_ = _e818;
                             } else {
-                                phi_976_ = 4u;
+                                phi_983_ = 4u;
                             }
-                            let _e813 = phi_976_;
-                            phi_977_ = _e813;
+                            let _e820 = phi_983_;
+                            phi_984_ = _e820;
                         }
-                        let _e815 = phi_977_;
-                        phi_978_ = _e815;
+                        let _e822 = phi_984_;
+                        phi_985_ = _e822;
                     } else {
-                        phi_978_ = 3u;
+                        phi_985_ = 3u;
                     }
-                    let _e817 = phi_978_;
-                    phi_979_ = _e817;
+                    let _e824 = phi_985_;
+                    phi_986_ = _e824;
                 } else {
-                    phi_979_ = 2u;
+                    phi_986_ = 2u;
                 }
-                let _e819 = phi_979_;
-                phi_980_ = _e819;
+                let _e826 = phi_986_;
+                phi_987_ = _e826;
             }
-            let _e821 = phi_980_;
-            if !((_e821 == 0u)) {
-                if !((_e821 == 5u)) {
-                    phi_992_ = !(_e797);
-                    phi_993_ = false;
+            let _e828 = phi_987_;
+            if !((_e828 == 0u)) {
+                if !((_e828 == 5u)) {
+                    phi_999_ = !(_e804);
+                    phi_1000_ = false;
                 } else {
-                    phi_992_ = bool();
-                    phi_993_ = true;
+                    phi_999_ = bool();
+                    phi_1000_ = true;
                 }
-                let _e828 = phi_992_;
-                let _e830 = phi_993_;
-                phi_994_ = _e828;
-                phi_995_ = _e830;
+                let _e835 = phi_999_;
+                let _e837 = phi_1000_;
+                phi_1001_ = _e835;
+                phi_1002_ = _e837;
             } else {
-                phi_994_ = bool();
-                phi_995_ = true;
+                phi_1001_ = bool();
+                phi_1002_ = true;
             }
-            let _e832 = phi_994_;
-            let _e834 = phi_995_;
-            if _e834 {
-                phi_999_ = false;
+            let _e839 = phi_1001_;
+            let _e841 = phi_1002_;
+            if _e841 {
+                phi_1006_ = false;
             } else {
-                phi_999_ = _e832;
+                phi_1006_ = _e839;
             }
-            let _e836 = phi_999_;
-            if _e797 {
-                phi_1005_ = ((0u & 4u) != 0u);
+            let _e843 = phi_1006_;
+            if _e804 {
+                phi_1012_ = ((0u & 4u) != 0u);
             } else {
-                phi_1005_ = _e246;
+                phi_1012_ = _e246;
             }
-            let _e840 = phi_1005_;
-            if _e836 {
+            let _e847 = phi_1012_;
+            if _e843 {
                 if _e246 {
-                    phi_1013_ = (2u | 1u);
+                    phi_1020_ = (2u | 1u);
                 } else {
-                    phi_1013_ = 2u;
+                    phi_1020_ = 2u;
                 }
-                let _e843 = phi_1013_;
+                let _e850 = phi_1020_;
                 if false {
-                    phi_1018_ = (_e843 | 4u);
+                    phi_1025_ = (_e850 | 4u);
                 } else {
-                    phi_1018_ = _e843;
+                    phi_1025_ = _e850;
                 }
-                let _e846 = phi_1018_;
-                phi_1038_ = _e846;
+                let _e853 = phi_1025_;
+                phi_1045_ = _e853;
             } else {
-                if (_e821 == 7u) {
+                if (_e828 == 7u) {
                     if _e246 {
-                        phi_1027_ = (2u | 1u);
+                        phi_1034_ = (2u | 1u);
                     } else {
-                        phi_1027_ = 2u;
+                        phi_1034_ = 2u;
                     }
-                    let _e850 = phi_1027_;
-                    if _e840 {
-                        phi_1032_ = (_e850 | 4u);
+                    let _e857 = phi_1034_;
+                    if _e847 {
+                        phi_1039_ = (_e857 | 4u);
                     } else {
-                        phi_1032_ = _e850;
+                        phi_1039_ = _e857;
                     }
-                    let _e853 = phi_1032_;
-                    phi_1037_ = _e853;
+                    let _e860 = phi_1039_;
+                    phi_1044_ = _e860;
                 } else {
                     if _e246 {
-                        phi_1036_ = 1u;
+                        phi_1043_ = 1u;
                     } else {
-                        phi_1036_ = 0u;
+                        phi_1043_ = 0u;
                     }
-                    let _e855 = phi_1036_;
-                    phi_1037_ = _e855;
+                    let _e862 = phi_1043_;
+                    phi_1044_ = _e862;
                 }
-                let _e857 = phi_1037_;
-                phi_1038_ = _e857;
+                let _e864 = phi_1044_;
+                phi_1045_ = _e864;
             }
-            let _e859 = phi_1038_;
-            if _e840 {
-                phi_1042_ = 0f;
+            let _e866 = phi_1045_;
+            if _e847 {
+                phi_1049_ = 0f;
             } else {
-                phi_1042_ = 1f;
+                phi_1049_ = 1f;
             }
-            let _e861 = phi_1042_;
+            let _e868 = phi_1049_;
             if _e250 {
                 if (_e88 == 0.99999994f) {
-                    phi_1051_ = true;
+                    phi_1058_ = true;
                 } else {
-                    phi_1051_ = (_e88 == 0.000000059604645f);
+                    phi_1058_ = (_e88 == 0.000000059604645f);
                 }
-                let _e865 = phi_1051_;
-                phi_1052_ = _e865;
+                let _e872 = phi_1058_;
+                phi_1059_ = _e872;
             } else {
-                phi_1052_ = true;
+                phi_1059_ = true;
             }
-            let _e867 = phi_1052_;
-            phi_1054_ = mask_Masked(_e861, _e859, _e836, _e867);
+            let _e874 = phi_1059_;
+            phi_1061_ = mask_Masked(_e868, _e866, _e843, _e874);
         }
-        let _e870 = phi_1054_;
-        visibility.member[_e75.first_primitive] = _e870.visibility;
-        let _e875 = p.member.light.number;
-        let _e876 = (_e875 * 3u);
-        let _e878 = (_e876 % 32u);
-        let _e880 = p.member.light.mask_words;
-        let _e882 = ((_e75.first_primitive * _e880) + (_e876 / 32u));
-        let _e884 = bits.member[_e882];
-        bits.member[_e882] = ((_e884 & ~((7u << bitcast<u32>((_e878 & 31u))))) | (_e870.bits << bitcast<u32>((_e878 & 31u))));
-        if (_e878 > 29u) {
-            let _e899 = bits.member[(_e882 + 1u)];
-            let _e901 = (32u - _e878);
-            bits.member[(_e882 + 1u)] = ((_e899 & ~((7u >> bitcast<u32>((_e901 & 31u))))) | (_e870.bits >> bitcast<u32>((_e901 & 31u))));
+        let _e877 = phi_1061_;
+        visibility.member[_e75.first_primitive] = _e877.visibility;
+        let _e882 = p.member.light.number;
+        let _e883 = (_e882 * 3u);
+        let _e885 = (_e883 % 32u);
+        let _e887 = p.member.light.mask_words;
+        let _e889 = ((_e75.first_primitive * _e887) + (_e883 / 32u));
+        let _e891 = bits.member[_e889];
+        bits.member[_e889] = ((_e891 & ~((7u << bitcast<u32>((_e885 & 31u))))) | (_e877.bits << bitcast<u32>((_e885 & 31u))));
+        if (_e885 > 29u) {
+            let _e906 = bits.member[(_e889 + 1u)];
+            let _e908 = (32u - _e885);
+            bits.member[(_e889 + 1u)] = ((_e906 & ~((7u >> bitcast<u32>((_e908 & 31u))))) | (_e877.bits >> bitcast<u32>((_e908 & 31u))));
         }
-        let _e916 = samples.member[_e75.first_primitive].normal[0u];
-        let _e918 = global[0u];
-        if (_e916 == _e918) {
-            let _e921 = samples.member[_e75.first_primitive].normal[1u];
-            let _e923 = global[1u];
-            if (_e921 == _e923) {
-                let _e926 = samples.member[_e75.first_primitive].normal[2u];
-                let _e928 = global[2u];
-                phi_1126_ = (_e926 == _e928);
-                phi_1127_ = false;
+        let _e923 = samples.member[_e75.first_primitive].normal[0u];
+        let _e925 = global[0u];
+        if (_e923 == _e925) {
+            let _e928 = samples.member[_e75.first_primitive].normal[1u];
+            let _e930 = global[1u];
+            if (_e928 == _e930) {
+                let _e933 = samples.member[_e75.first_primitive].normal[2u];
+                let _e935 = global[2u];
+                phi_1133_ = (_e933 == _e935);
+                phi_1134_ = false;
             } else {
-                phi_1126_ = bool();
-                phi_1127_ = true;
+                phi_1133_ = bool();
+                phi_1134_ = true;
             }
-            let _e931 = phi_1126_;
-            let _e933 = phi_1127_;
-            phi_1128_ = _e931;
-            phi_1129_ = _e933;
+            let _e938 = phi_1133_;
+            let _e940 = phi_1134_;
+            phi_1135_ = _e938;
+            phi_1136_ = _e940;
         } else {
-            phi_1128_ = bool();
-            phi_1129_ = true;
+            phi_1135_ = bool();
+            phi_1136_ = true;
         }
-        let _e935 = phi_1128_;
-        let _e937 = phi_1129_;
-        if _e937 {
-            phi_1133_ = false;
+        let _e942 = phi_1135_;
+        let _e944 = phi_1136_;
+        if _e944 {
+            phi_1140_ = false;
         } else {
-            phi_1133_ = _e935;
+            phi_1140_ = _e942;
         }
-        let _e939 = phi_1133_;
-        if !(_e939) {
-            let _e942 = samples.member[_e75.first_primitive].position;
-            let _e944 = p.member.current.eye;
-            let _e955 = p.member.current.forward;
-            phi_1161_ = ((((_e942.x - _e944.x) * _e955.x) + ((_e942.y - _e944.y) * _e955.y)) + ((_e942.z - _e944.z) * _e955.z));
+        let _e946 = phi_1140_;
+        if !(_e946) {
+            let _e949 = samples.member[_e75.first_primitive].position;
+            let _e951 = p.member.current.eye;
+            let _e962 = p.member.current.forward;
+            phi_1168_ = ((((_e949.x - _e951.x) * _e962.x) + ((_e949.y - _e951.y) * _e962.y)) + ((_e949.z - _e951.z) * _e962.z));
         } else {
-            phi_1161_ = 0f;
+            phi_1168_ = 0f;
         }
-        let _e965 = phi_1161_;
-        depths.member[_e75.first_primitive] = _e965;
-        phi_1166_ = doubt_Listed(_e75.first_primitive, _e870.is_trusted);
-        phi_1167_ = _e870.needs_ray;
+        let _e972 = phi_1168_;
+        depths.member[_e75.first_primitive] = _e972;
+        phi_1173_ = doubt_Listed(_e75.first_primitive, _e877.is_trusted);
+        phi_1174_ = _e877.needs_ray;
     } else {
-        phi_1166_ = doubt_Listed(0u, false);
-        phi_1167_ = false;
+        phi_1173_ = doubt_Listed(0u, false);
+        phi_1174_ = false;
     }
-    let _e971 = phi_1166_;
-    let _e973 = phi_1167_;
+    let _e978 = phi_1173_;
+    let _e980 = phi_1174_;
     if (_e55 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e973 {
-        let _e979 = atomicAdd((&shared_[0u]), 1u);
-        phi_1180_ = _e979;
+    if _e980 {
+        let _e986 = atomicAdd((&shared_[0u]), 1u);
+        phi_1187_ = _e986;
     } else {
-        phi_1180_ = 0u;
+        phi_1187_ = 0u;
     }
-    let _e981 = phi_1180_;
+    let _e988 = phi_1187_;
     workgroupBarrier();
     if (_e55 == 0u) {
-        let _e985 = atomicLoad((&shared_[0u]));
-        let _e986 = atomicAdd((&list.member[3u]), _e985);
-        atomicStore((&shared_[1u]), _e986);
+        let _e992 = atomicLoad((&shared_[0u]));
+        let _e993 = atomicAdd((&list.member[3u]), _e992);
+        atomicStore((&shared_[1u]), _e993);
     }
     workgroupBarrier();
-    if _e973 {
-        if _e971.is_trusted {
-            phi_1197_ = (_e971.pixel | 2147483648u);
+    if _e980 {
+        if _e978.is_trusted {
+            phi_1204_ = (_e978.pixel | 2147483648u);
         } else {
-            phi_1197_ = _e971.pixel;
+            phi_1204_ = _e978.pixel;
         }
-        let _e990 = phi_1197_;
-        let _e992 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e992) + _e981)]), _e990);
+        let _e997 = phi_1204_;
+        let _e999 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e999) + _e988)]), _e997);
     }
     return;
 }

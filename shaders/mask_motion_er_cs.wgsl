@@ -177,27 +177,20 @@ fn function_() {
     var phi_399_: bool;
     var phi_403_: bool;
     var phi_404_: bool;
-    var phi_543_: f32;
-    var phi_548_: f32;
-    var phi_549_: bool;
     var phi_550_: f32;
-    var phi_551_: bool;
     var phi_555_: f32;
-    var phi_576_: f32;
-    var phi_581_: f32;
-    var phi_582_: bool;
+    var phi_556_: bool;
+    var phi_557_: f32;
+    var phi_558_: bool;
+    var phi_562_: f32;
     var phi_583_: f32;
-    var phi_584_: bool;
     var phi_588_: f32;
-    var phi_609_: bool;
-    var phi_628_: vec2<u32>;
-    var phi_629_: bool;
-    var phi_630_: bool;
-    var phi_631_: bool;
-    var phi_632_: vec2<u32>;
-    var phi_633_: bool;
-    var phi_634_: bool;
-    var phi_635_: bool;
+    var phi_589_: bool;
+    var phi_590_: f32;
+    var phi_591_: bool;
+    var phi_595_: f32;
+    var phi_616_: bool;
+    var phi_635_: vec2<u32>;
     var phi_636_: bool;
     var phi_637_: bool;
     var phi_638_: bool;
@@ -213,66 +206,73 @@ fn function_() {
     var phi_648_: bool;
     var phi_649_: bool;
     var phi_650_: bool;
-    var phi_659_: bool;
-    var phi_660_: bool;
-    var phi_661_: bool;
-    var phi_662_: bool;
+    var phi_651_: bool;
+    var phi_652_: bool;
+    var phi_653_: vec2<u32>;
+    var phi_654_: bool;
+    var phi_655_: bool;
+    var phi_656_: bool;
+    var phi_657_: bool;
     var phi_666_: bool;
     var phi_667_: bool;
-    var phi_668_: vec2<u32>;
-    var phi_706_: bool;
-    var phi_708_: lt_mask_Reprojection;
-    var phi_709_: lt_mask_Reprojection;
-    var phi_710_: bool;
-    var phi_714_: bool;
+    var phi_668_: bool;
+    var phi_669_: bool;
+    var phi_673_: bool;
+    var phi_674_: bool;
+    var phi_675_: vec2<u32>;
+    var phi_713_: bool;
     var phi_715_: lt_mask_Reprojection;
     var phi_716_: lt_mask_Reprojection;
     var phi_717_: bool;
-    var phi_725_: bool;
-    var phi_726_: lt_mask_Reprojection;
+    var phi_721_: bool;
+    var phi_722_: lt_mask_Reprojection;
+    var phi_723_: lt_mask_Reprojection;
+    var phi_724_: bool;
     var phi_732_: bool;
-    var phi_772_: lt_mask_Neighbourhood;
-    var phi_773_: lt_mask_Neighbourhood;
-    var phi_774_: lt_mask_Neighbourhood;
-    var phi_806_: bool;
-    var phi_807_: bool;
-    var phi_829_: bool;
-    var phi_830_: bool;
-    var phi_831_: bool;
-    var phi_835_: bool;
-    var phi_857_: bool;
-    var phi_858_: bool;
-    var phi_871_: bool;
-    var phi_872_: bool;
-    var phi_873_: bool;
-    var phi_880_: u32;
-    var phi_881_: u32;
-    var phi_882_: u32;
-    var phi_883_: u32;
-    var phi_884_: u32;
-    var phi_885_: u32;
-    var phi_886_: u32;
-    var phi_898_: bool;
-    var phi_899_: bool;
-    var phi_900_: bool;
-    var phi_901_: bool;
+    var phi_733_: lt_mask_Reprojection;
+    var phi_739_: bool;
+    var phi_779_: lt_mask_Neighbourhood;
+    var phi_780_: lt_mask_Neighbourhood;
+    var phi_781_: lt_mask_Neighbourhood;
+    var phi_813_: bool;
+    var phi_814_: bool;
+    var phi_836_: bool;
+    var phi_837_: bool;
+    var phi_838_: bool;
+    var phi_842_: bool;
+    var phi_864_: bool;
+    var phi_865_: bool;
+    var phi_878_: bool;
+    var phi_879_: bool;
+    var phi_880_: bool;
+    var phi_887_: u32;
+    var phi_888_: u32;
+    var phi_889_: u32;
+    var phi_890_: u32;
+    var phi_891_: u32;
+    var phi_892_: u32;
+    var phi_893_: u32;
     var phi_905_: bool;
-    var phi_911_: bool;
-    var phi_919_: u32;
-    var phi_924_: u32;
-    var phi_933_: u32;
-    var phi_938_: u32;
-    var phi_942_: u32;
-    var phi_943_: u32;
-    var phi_944_: u32;
-    var phi_948_: f32;
-    var phi_957_: bool;
-    var phi_958_: bool;
-    var phi_960_: mask_Masked;
-    var phi_1012_: doubt_Listed;
-    var phi_1013_: bool;
-    var phi_1026_: u32;
-    var phi_1043_: u32;
+    var phi_906_: bool;
+    var phi_907_: bool;
+    var phi_908_: bool;
+    var phi_912_: bool;
+    var phi_918_: bool;
+    var phi_926_: u32;
+    var phi_931_: u32;
+    var phi_940_: u32;
+    var phi_945_: u32;
+    var phi_949_: u32;
+    var phi_950_: u32;
+    var phi_951_: u32;
+    var phi_955_: f32;
+    var phi_964_: bool;
+    var phi_965_: bool;
+    var phi_967_: mask_Masked;
+    var phi_1019_: doubt_Listed;
+    var phi_1020_: bool;
+    var phi_1033_: u32;
+    var phi_1050_: u32;
 
     let _e50 = id_1;
     let _e51 = local_1;
@@ -388,7 +388,7 @@ fn function_() {
         }
         let _e241 = phi_352_;
         if _e241.unnamed_1 {
-            phi_960_ = mask_Masked(_e241.unnamed.visibility, 0u, false, false);
+            phi_967_ = mask_Masked(_e241.unnamed.visibility, 0u, false, false);
         } else {
             let _e246 = (_e88 < 0.5f);
             if (_e88 > 0f) {
@@ -435,9 +435,9 @@ fn function_() {
             }
             let _e301 = phi_404_;
             if _e301 {
-                phi_715_ = lt_mask_Reprojection(_e268.pixel, _e268.is_valid, false);
-                phi_716_ = lt_mask_Reprojection();
-                phi_717_ = true;
+                phi_722_ = lt_mask_Reprojection(_e268.pixel, _e268.is_valid, false);
+                phi_723_ = lt_mask_Reprojection();
+                phi_724_ = true;
             } else {
                 let _e305 = p.member.current.grid[0u];
                 let _e307 = p.member.current.grid[1u];
@@ -448,536 +448,538 @@ fn function_() {
                 let _e332 = (_e86.y - _e326.y);
                 let _e335 = (_e86.z - _e326.z);
                 let _e337 = p.member.previous.forward;
-                let _e345 = (((_e329 * _e337.x) + (_e332 * _e337.y)) + (_e335 * _e337.z));
-                let _e347 = p.member.previous.right;
-                let _e357 = p.member.previous.right;
+                let _e346 = (1f / (((_e329 * _e337.x) + (_e332 * _e337.y)) + (_e335 * _e337.z)));
+                let _e348 = p.member.previous.right;
+                let _e350 = p.member.previous.right;
+                let _e362 = (1f / (((_e350.x * _e350.x) + (_e350.y * _e350.y)) + (_e350.z * _e350.z)));
+                let _e370 = p.member.previous.up;
                 let _e372 = p.member.previous.up;
-                let _e382 = p.member.previous.up;
-                let _e399 = p.member.previous.size[0u];
-                let _e406 = p.member.previous.size[1u];
-                let _e410 = (((((((_e329 * _e347.x) + (_e332 * _e347.y)) + (_e335 * _e347.z)) / ((((_e357.x * _e357.x) + (_e357.y * _e357.y)) + (_e357.z * _e357.z)) * _e345)) + 1f) * (0.5f * f32(_e399))) - _e321);
-                let _e411 = (((1f - ((((_e329 * _e372.x) + (_e332 * _e372.y)) + (_e335 * _e372.z)) / ((((_e382.x * _e382.x) + (_e382.y * _e382.y)) + (_e382.z * _e382.z)) * _e345))) * (0.5f * f32(_e406))) - _e323);
-                let _e415 = p.member.current.size[0u];
-                let _e417 = p.member.current.size[1u];
-                let _e419 = (_e321 + _e410);
-                if (_e419 > -8388608f) {
-                    let _e431 = f32(select(0i, select(select(i32(_e419), i32(-2147483648), (_e419 < bitcast<f32>(3472883712u))), 2147483647i, (_e419 > bitcast<f32>(1325400063u))), (_e419 == _e419)));
-                    if (_e431 > _e419) {
-                        phi_543_ = 1f;
+                let _e384 = (1f / (((_e372.x * _e372.x) + (_e372.y * _e372.y)) + (_e372.z * _e372.z)));
+                let _e406 = p.member.previous.size[0u];
+                let _e413 = p.member.previous.size[1u];
+                let _e417 = (((((((_e329 * (_e348.x * _e362)) + (_e332 * (_e348.y * _e362))) + (_e335 * (_e348.z * _e362))) * _e346) + 1f) * (0.5f * f32(_e406))) - _e321);
+                let _e418 = (((1f - ((((_e329 * (_e370.x * _e384)) + (_e332 * (_e370.y * _e384))) + (_e335 * (_e370.z * _e384))) * _e346)) * (0.5f * f32(_e413))) - _e323);
+                let _e422 = p.member.current.size[0u];
+                let _e424 = p.member.current.size[1u];
+                let _e426 = (_e321 + _e417);
+                if (_e426 > -8388608f) {
+                    let _e438 = f32(select(0i, select(select(i32(_e426), i32(-2147483648), (_e426 < bitcast<f32>(3472883712u))), 2147483647i, (_e426 > bitcast<f32>(1325400063u))), (_e426 == _e426)));
+                    if (_e438 > _e426) {
+                        phi_550_ = 1f;
                     } else {
-                        phi_543_ = 0f;
+                        phi_550_ = 0f;
                     }
-                    let _e434 = phi_543_;
-                    if (_e419 < 8388608f) {
-                        phi_548_ = (_e431 - _e434);
-                        phi_549_ = false;
+                    let _e441 = phi_550_;
+                    if (_e426 < 8388608f) {
+                        phi_555_ = (_e438 - _e441);
+                        phi_556_ = false;
                     } else {
-                        phi_548_ = f32();
-                        phi_549_ = true;
+                        phi_555_ = f32();
+                        phi_556_ = true;
                     }
-                    let _e437 = phi_548_;
-                    let _e439 = phi_549_;
-                    phi_550_ = _e437;
-                    phi_551_ = _e439;
+                    let _e444 = phi_555_;
+                    let _e446 = phi_556_;
+                    phi_557_ = _e444;
+                    phi_558_ = _e446;
                 } else {
-                    phi_550_ = f32();
-                    phi_551_ = true;
+                    phi_557_ = f32();
+                    phi_558_ = true;
                 }
-                let _e441 = phi_550_;
-                let _e443 = phi_551_;
-                if _e443 {
-                    phi_555_ = _e419;
+                let _e448 = phi_557_;
+                let _e450 = phi_558_;
+                if _e450 {
+                    phi_562_ = _e426;
                 } else {
-                    phi_555_ = _e441;
+                    phi_562_ = _e448;
                 }
-                let _e445 = phi_555_;
-                let _e446 = (_e323 + _e411);
-                if (_e446 > -8388608f) {
-                    let _e458 = f32(select(0i, select(select(i32(_e446), i32(-2147483648), (_e446 < bitcast<f32>(3472883712u))), 2147483647i, (_e446 > bitcast<f32>(1325400063u))), (_e446 == _e446)));
-                    if (_e458 > _e446) {
-                        phi_576_ = 1f;
+                let _e452 = phi_562_;
+                let _e453 = (_e323 + _e418);
+                if (_e453 > -8388608f) {
+                    let _e465 = f32(select(0i, select(select(i32(_e453), i32(-2147483648), (_e453 < bitcast<f32>(3472883712u))), 2147483647i, (_e453 > bitcast<f32>(1325400063u))), (_e453 == _e453)));
+                    if (_e465 > _e453) {
+                        phi_583_ = 1f;
                     } else {
-                        phi_576_ = 0f;
+                        phi_583_ = 0f;
                     }
-                    let _e461 = phi_576_;
-                    if (_e446 < 8388608f) {
-                        phi_581_ = (_e458 - _e461);
-                        phi_582_ = false;
+                    let _e468 = phi_583_;
+                    if (_e453 < 8388608f) {
+                        phi_588_ = (_e465 - _e468);
+                        phi_589_ = false;
                     } else {
-                        phi_581_ = f32();
-                        phi_582_ = true;
+                        phi_588_ = f32();
+                        phi_589_ = true;
                     }
-                    let _e464 = phi_581_;
-                    let _e466 = phi_582_;
-                    phi_583_ = _e464;
-                    phi_584_ = _e466;
+                    let _e471 = phi_588_;
+                    let _e473 = phi_589_;
+                    phi_590_ = _e471;
+                    phi_591_ = _e473;
                 } else {
-                    phi_583_ = f32();
-                    phi_584_ = true;
+                    phi_590_ = f32();
+                    phi_591_ = true;
                 }
-                let _e468 = phi_583_;
-                let _e470 = phi_584_;
-                if _e470 {
-                    phi_588_ = _e446;
+                let _e475 = phi_590_;
+                let _e477 = phi_591_;
+                if _e477 {
+                    phi_595_ = _e453;
                 } else {
-                    phi_588_ = _e468;
+                    phi_595_ = _e475;
                 }
-                let _e472 = phi_588_;
-                if (_e445 >= 0f) {
-                    if (_e472 >= 0f) {
-                        if (_e445 < f32(_e415)) {
-                            let _e478 = (_e472 < f32(_e417));
-                            if (_e410 == 0f) {
-                                phi_609_ = (_e411 == 0f);
+                let _e479 = phi_595_;
+                if (_e452 >= 0f) {
+                    if (_e479 >= 0f) {
+                        if (_e452 < f32(_e422)) {
+                            let _e485 = (_e479 < f32(_e424));
+                            if (_e417 == 0f) {
+                                phi_616_ = (_e418 == 0f);
                             } else {
-                                phi_609_ = false;
+                                phi_616_ = false;
                             }
-                            let _e482 = phi_609_;
-                            if _e478 {
-                                phi_628_ = vec2<u32>(select(select(u32(_e445), 0u, (_e445 < bitcast<f32>(0u))), 4294967295u, (_e445 > bitcast<f32>(1333788671u))), select(select(u32(_e472), 0u, (_e472 < bitcast<f32>(0u))), 4294967295u, (_e472 > bitcast<f32>(1333788671u))));
-                                phi_629_ = false;
+                            let _e489 = phi_616_;
+                            if _e485 {
+                                phi_635_ = vec2<u32>(select(select(u32(_e452), 0u, (_e452 < bitcast<f32>(0u))), 4294967295u, (_e452 > bitcast<f32>(1333788671u))), select(select(u32(_e479), 0u, (_e479 < bitcast<f32>(0u))), 4294967295u, (_e479 > bitcast<f32>(1333788671u))));
+                                phi_636_ = false;
                             } else {
-                                phi_628_ = vec2<u32>();
-                                phi_629_ = true;
+                                phi_635_ = vec2<u32>();
+                                phi_636_ = true;
                             }
-                            let _e499 = phi_628_;
-                            let _e501 = phi_629_;
-                            phi_630_ = _e482;
-                            phi_631_ = _e478;
-                            phi_632_ = _e499;
-                            phi_633_ = _e482;
-                            phi_634_ = _e478;
-                            phi_635_ = false;
-                            phi_636_ = _e501;
+                            let _e506 = phi_635_;
+                            let _e508 = phi_636_;
+                            phi_637_ = _e489;
+                            phi_638_ = _e485;
+                            phi_639_ = _e506;
+                            phi_640_ = _e489;
+                            phi_641_ = _e485;
+                            phi_642_ = false;
+                            phi_643_ = _e508;
                         } else {
-                            phi_630_ = bool();
-                            phi_631_ = bool();
-                            phi_632_ = vec2<u32>();
-                            phi_633_ = bool();
-                            phi_634_ = bool();
-                            phi_635_ = true;
-                            phi_636_ = false;
+                            phi_637_ = bool();
+                            phi_638_ = bool();
+                            phi_639_ = vec2<u32>();
+                            phi_640_ = bool();
+                            phi_641_ = bool();
+                            phi_642_ = true;
+                            phi_643_ = false;
                         }
-                        let _e503 = phi_630_;
-                        let _e505 = phi_631_;
-                        let _e507 = phi_632_;
-                        let _e509 = phi_633_;
-                        let _e511 = phi_634_;
-                        let _e513 = phi_635_;
-                        let _e515 = phi_636_;
-                        phi_637_ = _e503;
-                        phi_638_ = _e505;
-                        phi_639_ = _e507;
-                        phi_640_ = _e509;
-                        phi_641_ = _e511;
-                        phi_642_ = _e513;
-                        phi_643_ = _e515;
+                        let _e510 = phi_637_;
+                        let _e512 = phi_638_;
+                        let _e514 = phi_639_;
+                        let _e516 = phi_640_;
+                        let _e518 = phi_641_;
+                        let _e520 = phi_642_;
+                        let _e522 = phi_643_;
+                        phi_644_ = _e510;
+                        phi_645_ = _e512;
+                        phi_646_ = _e514;
+                        phi_647_ = _e516;
+                        phi_648_ = _e518;
+                        phi_649_ = _e520;
+                        phi_650_ = _e522;
                     } else {
-                        phi_637_ = bool();
-                        phi_638_ = bool();
-                        phi_639_ = vec2<u32>();
-                        phi_640_ = bool();
-                        phi_641_ = bool();
-                        phi_642_ = true;
-                        phi_643_ = false;
+                        phi_644_ = bool();
+                        phi_645_ = bool();
+                        phi_646_ = vec2<u32>();
+                        phi_647_ = bool();
+                        phi_648_ = bool();
+                        phi_649_ = true;
+                        phi_650_ = false;
                     }
-                    let _e517 = phi_637_;
-                    let _e519 = phi_638_;
-                    let _e521 = phi_639_;
-                    let _e523 = phi_640_;
-                    let _e525 = phi_641_;
-                    let _e527 = phi_642_;
-                    let _e529 = phi_643_;
-                    phi_644_ = _e517;
-                    phi_645_ = _e519;
-                    phi_646_ = _e521;
-                    phi_647_ = _e523;
-                    phi_648_ = _e525;
-                    phi_649_ = _e527;
-                    phi_650_ = _e529;
+                    let _e524 = phi_644_;
+                    let _e526 = phi_645_;
+                    let _e528 = phi_646_;
+                    let _e530 = phi_647_;
+                    let _e532 = phi_648_;
+                    let _e534 = phi_649_;
+                    let _e536 = phi_650_;
+                    phi_651_ = _e524;
+                    phi_652_ = _e526;
+                    phi_653_ = _e528;
+                    phi_654_ = _e530;
+                    phi_655_ = _e532;
+                    phi_656_ = _e534;
+                    phi_657_ = _e536;
                 } else {
-                    phi_644_ = bool();
-                    phi_645_ = bool();
-                    phi_646_ = vec2<u32>();
-                    phi_647_ = bool();
-                    phi_648_ = bool();
-                    phi_649_ = true;
-                    phi_650_ = false;
+                    phi_651_ = bool();
+                    phi_652_ = bool();
+                    phi_653_ = vec2<u32>();
+                    phi_654_ = bool();
+                    phi_655_ = bool();
+                    phi_656_ = true;
+                    phi_657_ = false;
                 }
-                let _e531 = phi_644_;
-                let _e533 = phi_645_;
-                let _e535 = phi_646_;
-                let _e537 = phi_647_;
-                let _e539 = phi_648_;
-                let _e541 = phi_649_;
-                let _e543 = phi_650_;
-                if _e541 {
-                    if (_e410 == 0f) {
-                        phi_659_ = (_e411 == 0f);
+                let _e538 = phi_651_;
+                let _e540 = phi_652_;
+                let _e542 = phi_653_;
+                let _e544 = phi_654_;
+                let _e546 = phi_655_;
+                let _e548 = phi_656_;
+                let _e550 = phi_657_;
+                if _e548 {
+                    if (_e417 == 0f) {
+                        phi_666_ = (_e418 == 0f);
                     } else {
-                        phi_659_ = false;
+                        phi_666_ = false;
                     }
-                    let _e547 = phi_659_;
-                    phi_660_ = _e547;
-                    phi_661_ = false;
-                    phi_662_ = true;
+                    let _e554 = phi_666_;
+                    phi_667_ = _e554;
+                    phi_668_ = false;
+                    phi_669_ = true;
                 } else {
-                    phi_660_ = _e537;
-                    phi_661_ = _e539;
-                    phi_662_ = _e543;
+                    phi_667_ = _e544;
+                    phi_668_ = _e546;
+                    phi_669_ = _e550;
                 }
-                let _e549 = phi_660_;
-                let _e551 = phi_661_;
-                let _e553 = phi_662_;
-                if _e553 {
-                    phi_666_ = _e549;
-                    phi_667_ = _e551;
-                    phi_668_ = vec2<u32>(_e50.x, _e50.y);
+                let _e556 = phi_667_;
+                let _e558 = phi_668_;
+                let _e560 = phi_669_;
+                if _e560 {
+                    phi_673_ = _e556;
+                    phi_674_ = _e558;
+                    phi_675_ = vec2<u32>(_e50.x, _e50.y);
                 } else {
-                    phi_666_ = _e531;
-                    phi_667_ = _e533;
-                    phi_668_ = _e535;
+                    phi_673_ = _e538;
+                    phi_674_ = _e540;
+                    phi_675_ = _e542;
                 }
-                let _e555 = phi_666_;
-                let _e557 = phi_667_;
-                let _e559 = phi_668_;
-                let _e569 = lt_mask_Reprojection(vec2<u32>(_e559.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e576 = lt_mask_Reprojection(vec2<u32>(_e569.pixel.x, _e559.y), _e569.is_valid, _e569.has_moved);
-                let _e580 = lt_mask_Reprojection(_e576.pixel, _e557, _e576.has_moved);
-                let _e584 = lt_mask_Reprojection(_e580.pixel, _e580.is_valid, !(_e555));
-                if _e557 {
-                    let _e587 = p.member.previous.eye;
-                    let _e598 = p.member.previous.forward;
-                    let _e607 = (((((_e86.x - _e587.x) * _e598.x) + ((_e86.y - _e587.y) * _e598.y)) + ((_e86.z - _e587.z) * _e598.z)) > 0f);
-                    let _e611 = lt_mask_Reprojection(_e584.pixel, _e607, _e584.has_moved);
-                    if _e607 {
-                        phi_706_ = false;
+                let _e562 = phi_673_;
+                let _e564 = phi_674_;
+                let _e566 = phi_675_;
+                let _e576 = lt_mask_Reprojection(vec2<u32>(_e566.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e583 = lt_mask_Reprojection(vec2<u32>(_e576.pixel.x, _e566.y), _e576.is_valid, _e576.has_moved);
+                let _e587 = lt_mask_Reprojection(_e583.pixel, _e564, _e583.has_moved);
+                let _e591 = lt_mask_Reprojection(_e587.pixel, _e587.is_valid, !(_e562));
+                if _e564 {
+                    let _e594 = p.member.previous.eye;
+                    let _e605 = p.member.previous.forward;
+                    let _e614 = (((((_e86.x - _e594.x) * _e605.x) + ((_e86.y - _e594.y) * _e605.y)) + ((_e86.z - _e594.z) * _e605.z)) > 0f);
+                    let _e618 = lt_mask_Reprojection(_e591.pixel, _e614, _e591.has_moved);
+                    if _e614 {
+                        phi_713_ = false;
                     } else {
-                        phi_706_ = true;
+                        phi_713_ = true;
                     }
-                    let _e613 = phi_706_;
-                    phi_708_ = _e611;
-                    phi_709_ = _e611;
-                    phi_710_ = _e613;
+                    let _e620 = phi_713_;
+                    phi_715_ = _e618;
+                    phi_716_ = _e618;
+                    phi_717_ = _e620;
                 } else {
-                    phi_708_ = lt_mask_Reprojection();
-                    phi_709_ = lt_mask_Reprojection(_e584.pixel, false, _e584.has_moved);
-                    phi_710_ = true;
+                    phi_715_ = lt_mask_Reprojection();
+                    phi_716_ = lt_mask_Reprojection(_e591.pixel, false, _e591.has_moved);
+                    phi_717_ = true;
                 }
-                let _e619 = phi_708_;
-                let _e621 = phi_709_;
-                let _e623 = phi_710_;
-                if _e623 {
-                    phi_714_ = false;
+                let _e626 = phi_715_;
+                let _e628 = phi_716_;
+                let _e630 = phi_717_;
+                if _e630 {
+                    phi_721_ = false;
                 } else {
-                    phi_714_ = true;
+                    phi_721_ = true;
                 }
-                let _e625 = phi_714_;
-                phi_715_ = _e619;
-                phi_716_ = _e621;
-                phi_717_ = _e625;
+                let _e632 = phi_721_;
+                phi_722_ = _e626;
+                phi_723_ = _e628;
+                phi_724_ = _e632;
             }
-            let _e627 = phi_715_;
-            let _e629 = phi_716_;
-            let _e631 = phi_717_;
-            if _e631 {
-                let _e633 = p.member.flags;
-                phi_725_ = ((_e633 & 1u) != 0u);
-                phi_726_ = _e627;
+            let _e634 = phi_722_;
+            let _e636 = phi_723_;
+            let _e638 = phi_724_;
+            if _e638 {
+                let _e640 = p.member.flags;
+                phi_732_ = ((_e640 & 1u) != 0u);
+                phi_733_ = _e634;
             } else {
-                phi_725_ = false;
-                phi_726_ = _e629;
-            }
-            let _e637 = phi_725_;
-            let _e639 = phi_726_;
-            let _e643 = lt_mask_Reprojection(_e639.pixel, _e637, _e639.has_moved);
-            let _e644 = lt_mask_Neighbourhood(false, true);
-            if _e250 {
                 phi_732_ = false;
-            } else {
-                phi_732_ = true;
+                phi_733_ = _e636;
             }
-            let _e646 = phi_732_;
-            if _e646 {
-                if _e637 {
+            let _e644 = phi_732_;
+            let _e646 = phi_733_;
+            let _e650 = lt_mask_Reprojection(_e646.pixel, _e644, _e646.has_moved);
+            let _e651 = lt_mask_Neighbourhood(false, true);
+            if _e250 {
+                phi_739_ = false;
+            } else {
+                phi_739_ = true;
+            }
+            let _e653 = phi_739_;
+            if _e653 {
+                if _e644 {
                     if ((0u & 2u) != 0u) {
-                        phi_772_ = _e644;
+                        phi_779_ = _e651;
                     } else {
-                        let _e663 = ((((_e643.pixel.y * _e83) + (_e643.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e246) | (select(0u, 1u, _e643.has_moved) << bitcast<u32>(1i))));
-                        if (_e663 < arrayLength((&heard.member))) {
+                        let _e670 = ((((_e650.pixel.y * _e83) + (_e650.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e246) | (select(0u, 1u, _e650.has_moved) << bitcast<u32>(1i))));
+                        if (_e670 < arrayLength((&heard.member))) {
                         } else {
                             return;
                         }
-                        let _e667 = heard.member[(0u + _e663)];
-                        let _e673 = (((_e667 >> bitcast<u32>(((_e643.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_772_ = lt_mask_Neighbourhood(_e673, !(_e673));
+                        let _e674 = heard.member[(0u + _e670)];
+                        let _e680 = (((_e674 >> bitcast<u32>(((_e650.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_779_ = lt_mask_Neighbourhood(_e680, !(_e680));
                     }
-                    let _e677 = phi_772_;
-                    phi_773_ = _e677;
+                    let _e684 = phi_779_;
+                    phi_780_ = _e684;
                 } else {
-                    phi_773_ = _e644;
+                    phi_780_ = _e651;
                 }
-                let _e679 = phi_773_;
-                phi_774_ = _e679;
+                let _e686 = phi_780_;
+                phi_781_ = _e686;
             } else {
-                phi_774_ = _e644;
+                phi_781_ = _e651;
             }
-            let _e681 = phi_774_;
-            let _e684 = p.member.frame;
-            let _e686 = p.member.refresh;
-            if (_e686 == 0u) {
-                phi_807_ = false;
+            let _e688 = phi_781_;
+            let _e691 = p.member.frame;
+            let _e693 = p.member.refresh;
+            if (_e693 == 0u) {
+                phi_814_ = false;
             } else {
-                if (_e686 == 0u) {
+                if (_e693 == 0u) {
                     return;
                 }
-                let _e695 = ((_e50.x + (_e50.y * (((_e686 * 5u) / 8u) | 1u))) + (_e684 % _e686));
-                if (_e686 == 0u) {
-                    phi_806_ = (_e695 == 0u);
+                let _e702 = ((_e50.x + (_e50.y * (((_e693 * 5u) / 8u) | 1u))) + (_e691 % _e693));
+                if (_e693 == 0u) {
+                    phi_813_ = (_e702 == 0u);
                 } else {
-                    if (_e686 == 0u) {
+                    if (_e693 == 0u) {
                         return;
                     }
-                    phi_806_ = ((_e695 % _e686) == 0u);
+                    phi_813_ = ((_e702 % _e693) == 0u);
                 }
-                let _e702 = phi_806_;
-                phi_807_ = _e702;
+                let _e709 = phi_813_;
+                phi_814_ = _e709;
             }
-            let _e704 = phi_807_;
-            if _e637 {
-                if _e704 {
-                    phi_829_ = bool();
+            let _e711 = phi_814_;
+            if _e644 {
+                if _e711 {
+                    phi_836_ = bool();
                 } else {
-                    phi_829_ = ((0u & 2u) != 0u);
+                    phi_836_ = ((0u & 2u) != 0u);
                 }
-                let _e710 = phi_829_;
-                phi_830_ = _e710;
-                phi_831_ = _e704;
+                let _e717 = phi_836_;
+                phi_837_ = _e717;
+                phi_838_ = _e711;
             } else {
-                phi_830_ = bool();
-                phi_831_ = true;
+                phi_837_ = bool();
+                phi_838_ = true;
             }
-            let _e712 = phi_830_;
-            let _e714 = phi_831_;
-            if _e714 {
-                phi_835_ = false;
+            let _e719 = phi_837_;
+            let _e721 = phi_838_;
+            if _e721 {
+                phi_842_ = false;
             } else {
-                phi_835_ = _e712;
+                phi_842_ = _e719;
             }
-            let _e716 = phi_835_;
-            if _e716 {
-                phi_886_ = 7u;
+            let _e723 = phi_842_;
+            if _e723 {
+                phi_893_ = 7u;
             } else {
                 if (_e88 != 0.5f) {
-                    if _e637 {
-                        if _e704 {
-                            phi_883_ = 6u;
+                    if _e644 {
+                        if _e711 {
+                            phi_890_ = 6u;
                         } else {
                             if _e250 {
-                                phi_858_ = true;
+                                phi_865_ = true;
                             } else {
-                                if _e681.any_expands {
-                                    phi_857_ = false;
+                                if _e688.any_expands {
+                                    phi_864_ = false;
                                 } else {
-                                    phi_857_ = true;
+                                    phi_864_ = true;
                                 }
-                                let _e718 = phi_857_;
-                                phi_858_ = _e718;
+                                let _e725 = phi_864_;
+                                phi_865_ = _e725;
                             }
-                            let _e720 = phi_858_;
-                            if _e720 {
+                            let _e727 = phi_865_;
+                            if _e727 {
                                 if _e250 {
                                     if false {
-                                        if _e681.all_remove {
-                                            phi_871_ = false;
+                                        if _e688.all_remove {
+                                            phi_878_ = false;
                                         } else {
-                                            phi_871_ = true;
+                                            phi_878_ = true;
                                         }
-                                        let _e722 = phi_871_;
-                                        phi_872_ = _e722;
+                                        let _e729 = phi_878_;
+                                        phi_879_ = _e729;
                                     } else {
-                                        phi_872_ = true;
+                                        phi_879_ = true;
                                     }
-                                    let _e724 = phi_872_;
-                                    phi_873_ = _e724;
+                                    let _e731 = phi_879_;
+                                    phi_880_ = _e731;
                                 } else {
-                                    phi_873_ = true;
+                                    phi_880_ = true;
                                 }
-                                let _e726 = phi_873_;
-                                if _e726 {
+                                let _e733 = phi_880_;
+                                if _e733 {
                                     if _e250 {
-                                        phi_880_ = 1u;
+                                        phi_887_ = 1u;
                                     } else {
-                                        phi_880_ = 0u;
+                                        phi_887_ = 0u;
                                     }
-                                    let _e728 = phi_880_;
-                                    phi_881_ = _e728;
+                                    let _e735 = phi_887_;
+                                    phi_888_ = _e735;
                                 } else {
-                                    phi_881_ = 5u;
+                                    phi_888_ = 5u;
                                 }
-                                let _e730 = phi_881_;
-                                phi_882_ = _e730;
+                                let _e737 = phi_888_;
+                                phi_889_ = _e737;
                             } else {
-                                phi_882_ = 4u;
+                                phi_889_ = 4u;
                             }
-                            let _e732 = phi_882_;
-                            phi_883_ = _e732;
+                            let _e739 = phi_889_;
+                            phi_890_ = _e739;
                         }
-                        let _e734 = phi_883_;
-                        phi_884_ = _e734;
+                        let _e741 = phi_890_;
+                        phi_891_ = _e741;
                     } else {
-                        phi_884_ = 3u;
+                        phi_891_ = 3u;
                     }
-                    let _e736 = phi_884_;
-                    phi_885_ = _e736;
+                    let _e743 = phi_891_;
+                    phi_892_ = _e743;
                 } else {
-                    phi_885_ = 2u;
+                    phi_892_ = 2u;
                 }
-                let _e738 = phi_885_;
-                phi_886_ = _e738;
+                let _e745 = phi_892_;
+                phi_893_ = _e745;
             }
-            let _e740 = phi_886_;
-            if !((_e740 == 0u)) {
-                if !((_e740 == 5u)) {
-                    phi_898_ = !(_e716);
-                    phi_899_ = false;
+            let _e747 = phi_893_;
+            if !((_e747 == 0u)) {
+                if !((_e747 == 5u)) {
+                    phi_905_ = !(_e723);
+                    phi_906_ = false;
                 } else {
-                    phi_898_ = bool();
-                    phi_899_ = true;
+                    phi_905_ = bool();
+                    phi_906_ = true;
                 }
-                let _e747 = phi_898_;
-                let _e749 = phi_899_;
-                phi_900_ = _e747;
-                phi_901_ = _e749;
+                let _e754 = phi_905_;
+                let _e756 = phi_906_;
+                phi_907_ = _e754;
+                phi_908_ = _e756;
             } else {
-                phi_900_ = bool();
-                phi_901_ = true;
+                phi_907_ = bool();
+                phi_908_ = true;
             }
-            let _e751 = phi_900_;
-            let _e753 = phi_901_;
-            if _e753 {
-                phi_905_ = false;
+            let _e758 = phi_907_;
+            let _e760 = phi_908_;
+            if _e760 {
+                phi_912_ = false;
             } else {
-                phi_905_ = _e751;
+                phi_912_ = _e758;
             }
-            let _e755 = phi_905_;
-            if _e716 {
-                phi_911_ = ((0u & 4u) != 0u);
+            let _e762 = phi_912_;
+            if _e723 {
+                phi_918_ = ((0u & 4u) != 0u);
             } else {
-                phi_911_ = _e246;
+                phi_918_ = _e246;
             }
-            let _e759 = phi_911_;
-            if _e755 {
+            let _e766 = phi_918_;
+            if _e762 {
                 if _e246 {
-                    phi_919_ = (2u | 1u);
+                    phi_926_ = (2u | 1u);
                 } else {
-                    phi_919_ = 2u;
+                    phi_926_ = 2u;
                 }
-                let _e762 = phi_919_;
+                let _e769 = phi_926_;
                 if false {
-                    phi_924_ = (_e762 | 4u);
+                    phi_931_ = (_e769 | 4u);
                 } else {
-                    phi_924_ = _e762;
+                    phi_931_ = _e769;
                 }
-                let _e765 = phi_924_;
-                phi_944_ = _e765;
+                let _e772 = phi_931_;
+                phi_951_ = _e772;
             } else {
-                if (_e740 == 7u) {
+                if (_e747 == 7u) {
                     if _e246 {
-                        phi_933_ = (2u | 1u);
+                        phi_940_ = (2u | 1u);
                     } else {
-                        phi_933_ = 2u;
+                        phi_940_ = 2u;
                     }
-                    let _e769 = phi_933_;
-                    if _e759 {
-                        phi_938_ = (_e769 | 4u);
+                    let _e776 = phi_940_;
+                    if _e766 {
+                        phi_945_ = (_e776 | 4u);
                     } else {
-                        phi_938_ = _e769;
+                        phi_945_ = _e776;
                     }
-                    let _e772 = phi_938_;
-                    phi_943_ = _e772;
+                    let _e779 = phi_945_;
+                    phi_950_ = _e779;
                 } else {
                     if _e246 {
-                        phi_942_ = 1u;
+                        phi_949_ = 1u;
                     } else {
-                        phi_942_ = 0u;
+                        phi_949_ = 0u;
                     }
-                    let _e774 = phi_942_;
-                    phi_943_ = _e774;
+                    let _e781 = phi_949_;
+                    phi_950_ = _e781;
                 }
-                let _e776 = phi_943_;
-                phi_944_ = _e776;
+                let _e783 = phi_950_;
+                phi_951_ = _e783;
             }
-            let _e778 = phi_944_;
-            if _e759 {
-                phi_948_ = 0f;
+            let _e785 = phi_951_;
+            if _e766 {
+                phi_955_ = 0f;
             } else {
-                phi_948_ = 1f;
+                phi_955_ = 1f;
             }
-            let _e780 = phi_948_;
+            let _e787 = phi_955_;
             if _e250 {
                 if (_e88 == 0.99999994f) {
-                    phi_957_ = true;
+                    phi_964_ = true;
                 } else {
-                    phi_957_ = (_e88 == 0.000000059604645f);
+                    phi_964_ = (_e88 == 0.000000059604645f);
                 }
-                let _e784 = phi_957_;
-                phi_958_ = _e784;
+                let _e791 = phi_964_;
+                phi_965_ = _e791;
             } else {
-                phi_958_ = true;
+                phi_965_ = true;
             }
-            let _e786 = phi_958_;
-            phi_960_ = mask_Masked(_e780, _e778, _e755, _e786);
+            let _e793 = phi_965_;
+            phi_967_ = mask_Masked(_e787, _e785, _e762, _e793);
         }
-        let _e789 = phi_960_;
-        visibility.member[_e67.first_primitive] = _e789.visibility;
-        let _e794 = p.member.light.number;
-        let _e795 = (_e794 * 3u);
-        let _e797 = (_e795 % 32u);
-        let _e799 = p.member.light.mask_words;
-        let _e801 = ((_e67.first_primitive * _e799) + (_e795 / 32u));
-        let _e803 = bits.member[_e801];
-        bits.member[_e801] = ((_e803 & ~((7u << bitcast<u32>((_e797 & 31u))))) | (_e789.bits << bitcast<u32>((_e797 & 31u))));
-        if (_e797 > 29u) {
-            let _e818 = bits.member[(_e801 + 1u)];
-            let _e820 = (32u - _e797);
-            bits.member[(_e801 + 1u)] = ((_e818 & ~((7u >> bitcast<u32>((_e820 & 31u))))) | (_e789.bits >> bitcast<u32>((_e820 & 31u))));
+        let _e796 = phi_967_;
+        visibility.member[_e67.first_primitive] = _e796.visibility;
+        let _e801 = p.member.light.number;
+        let _e802 = (_e801 * 3u);
+        let _e804 = (_e802 % 32u);
+        let _e806 = p.member.light.mask_words;
+        let _e808 = ((_e67.first_primitive * _e806) + (_e802 / 32u));
+        let _e810 = bits.member[_e808];
+        bits.member[_e808] = ((_e810 & ~((7u << bitcast<u32>((_e804 & 31u))))) | (_e796.bits << bitcast<u32>((_e804 & 31u))));
+        if (_e804 > 29u) {
+            let _e825 = bits.member[(_e808 + 1u)];
+            let _e827 = (32u - _e804);
+            bits.member[(_e808 + 1u)] = ((_e825 & ~((7u >> bitcast<u32>((_e827 & 31u))))) | (_e796.bits >> bitcast<u32>((_e827 & 31u))));
         }
-        phi_1012_ = doubt_Listed(_e67.first_primitive, _e789.is_trusted);
-        phi_1013_ = _e789.needs_ray;
+        phi_1019_ = doubt_Listed(_e67.first_primitive, _e796.is_trusted);
+        phi_1020_ = _e796.needs_ray;
     } else {
-        phi_1012_ = doubt_Listed(0u, false);
-        phi_1013_ = false;
+        phi_1019_ = doubt_Listed(0u, false);
+        phi_1020_ = false;
     }
-    let _e836 = phi_1012_;
-    let _e838 = phi_1013_;
+    let _e843 = phi_1019_;
+    let _e845 = phi_1020_;
     if (_e51 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e838 {
-        let _e844 = atomicAdd((&shared_[0u]), 1u);
-        phi_1026_ = _e844;
+    if _e845 {
+        let _e851 = atomicAdd((&shared_[0u]), 1u);
+        phi_1033_ = _e851;
     } else {
-        phi_1026_ = 0u;
+        phi_1033_ = 0u;
     }
-    let _e846 = phi_1026_;
+    let _e853 = phi_1033_;
     workgroupBarrier();
     if (_e51 == 0u) {
-        let _e850 = atomicLoad((&shared_[0u]));
-        let _e851 = atomicAdd((&list.member[3u]), _e850);
-        atomicStore((&shared_[1u]), _e851);
+        let _e857 = atomicLoad((&shared_[0u]));
+        let _e858 = atomicAdd((&list.member[3u]), _e857);
+        atomicStore((&shared_[1u]), _e858);
     }
     workgroupBarrier();
-    if _e838 {
-        if _e836.is_trusted {
-            phi_1043_ = (_e836.pixel | 2147483648u);
+    if _e845 {
+        if _e843.is_trusted {
+            phi_1050_ = (_e843.pixel | 2147483648u);
         } else {
-            phi_1043_ = _e836.pixel;
+            phi_1050_ = _e843.pixel;
         }
-        let _e855 = phi_1043_;
-        let _e857 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e857) + _e846)]), _e855);
+        let _e862 = phi_1050_;
+        let _e864 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e864) + _e853)]), _e862);
     }
     return;
 }

@@ -177,27 +177,20 @@ fn function_() {
     var phi_400_: bool;
     var phi_404_: bool;
     var phi_405_: bool;
-    var phi_544_: f32;
-    var phi_549_: f32;
-    var phi_550_: bool;
     var phi_551_: f32;
-    var phi_552_: bool;
     var phi_556_: f32;
-    var phi_577_: f32;
-    var phi_582_: f32;
-    var phi_583_: bool;
+    var phi_557_: bool;
+    var phi_558_: f32;
+    var phi_559_: bool;
+    var phi_563_: f32;
     var phi_584_: f32;
-    var phi_585_: bool;
     var phi_589_: f32;
-    var phi_610_: bool;
-    var phi_629_: vec2<u32>;
-    var phi_630_: bool;
-    var phi_631_: bool;
-    var phi_632_: bool;
-    var phi_633_: vec2<u32>;
-    var phi_634_: bool;
-    var phi_635_: bool;
-    var phi_636_: bool;
+    var phi_590_: bool;
+    var phi_591_: f32;
+    var phi_592_: bool;
+    var phi_596_: f32;
+    var phi_617_: bool;
+    var phi_636_: vec2<u32>;
     var phi_637_: bool;
     var phi_638_: bool;
     var phi_639_: bool;
@@ -213,79 +206,86 @@ fn function_() {
     var phi_649_: bool;
     var phi_650_: bool;
     var phi_651_: bool;
-    var phi_660_: bool;
-    var phi_661_: bool;
-    var phi_662_: bool;
-    var phi_663_: bool;
+    var phi_652_: bool;
+    var phi_653_: bool;
+    var phi_654_: vec2<u32>;
+    var phi_655_: bool;
+    var phi_656_: bool;
+    var phi_657_: bool;
+    var phi_658_: bool;
     var phi_667_: bool;
     var phi_668_: bool;
-    var phi_669_: vec2<u32>;
-    var phi_707_: bool;
-    var phi_709_: lt_mask_Reprojection;
-    var phi_710_: lt_mask_Reprojection;
-    var phi_711_: bool;
-    var phi_715_: bool;
+    var phi_669_: bool;
+    var phi_670_: bool;
+    var phi_674_: bool;
+    var phi_675_: bool;
+    var phi_676_: vec2<u32>;
+    var phi_714_: bool;
     var phi_716_: lt_mask_Reprojection;
     var phi_717_: lt_mask_Reprojection;
     var phi_718_: bool;
-    var phi_726_: bool;
-    var phi_727_: lt_mask_Reprojection;
-    var phi_793_: u32;
-    var phi_798_: u32;
-    var phi_799_: u32;
+    var phi_722_: bool;
+    var phi_723_: lt_mask_Reprojection;
+    var phi_724_: lt_mask_Reprojection;
+    var phi_725_: bool;
+    var phi_733_: bool;
+    var phi_734_: lt_mask_Reprojection;
     var phi_800_: u32;
-    var phi_801_: bool;
-    var phi_802_: u32;
-    var phi_803_: bool;
-    var phi_804_: bool;
     var phi_805_: u32;
-    var phi_806_: bool;
-    var phi_807_: bool;
+    var phi_806_: u32;
+    var phi_807_: u32;
+    var phi_808_: bool;
+    var phi_809_: u32;
+    var phi_810_: bool;
     var phi_811_: bool;
-    var phi_815_: u32;
-    var phi_820_: bool;
-    var phi_860_: lt_mask_Neighbourhood;
-    var phi_861_: lt_mask_Neighbourhood;
-    var phi_862_: lt_mask_Neighbourhood;
-    var phi_894_: bool;
-    var phi_895_: bool;
-    var phi_917_: bool;
-    var phi_918_: bool;
-    var phi_919_: bool;
-    var phi_923_: bool;
-    var phi_945_: bool;
-    var phi_946_: bool;
-    var phi_959_: bool;
-    var phi_960_: bool;
-    var phi_961_: bool;
-    var phi_968_: u32;
-    var phi_969_: u32;
-    var phi_970_: u32;
-    var phi_971_: u32;
-    var phi_972_: u32;
-    var phi_973_: u32;
-    var phi_974_: u32;
-    var phi_986_: bool;
-    var phi_987_: bool;
-    var phi_988_: bool;
-    var phi_989_: bool;
+    var phi_812_: u32;
+    var phi_813_: bool;
+    var phi_814_: bool;
+    var phi_818_: bool;
+    var phi_822_: u32;
+    var phi_827_: bool;
+    var phi_867_: lt_mask_Neighbourhood;
+    var phi_868_: lt_mask_Neighbourhood;
+    var phi_869_: lt_mask_Neighbourhood;
+    var phi_901_: bool;
+    var phi_902_: bool;
+    var phi_924_: bool;
+    var phi_925_: bool;
+    var phi_926_: bool;
+    var phi_930_: bool;
+    var phi_952_: bool;
+    var phi_953_: bool;
+    var phi_966_: bool;
+    var phi_967_: bool;
+    var phi_968_: bool;
+    var phi_975_: u32;
+    var phi_976_: u32;
+    var phi_977_: u32;
+    var phi_978_: u32;
+    var phi_979_: u32;
+    var phi_980_: u32;
+    var phi_981_: u32;
     var phi_993_: bool;
-    var phi_999_: bool;
-    var phi_1007_: u32;
-    var phi_1012_: u32;
-    var phi_1021_: u32;
-    var phi_1026_: u32;
-    var phi_1030_: u32;
-    var phi_1031_: u32;
-    var phi_1032_: u32;
-    var phi_1036_: f32;
-    var phi_1045_: bool;
-    var phi_1046_: bool;
-    var phi_1048_: mask_Masked;
-    var phi_1100_: doubt_Listed;
-    var phi_1101_: bool;
-    var phi_1114_: u32;
-    var phi_1131_: u32;
+    var phi_994_: bool;
+    var phi_995_: bool;
+    var phi_996_: bool;
+    var phi_1000_: bool;
+    var phi_1006_: bool;
+    var phi_1014_: u32;
+    var phi_1019_: u32;
+    var phi_1028_: u32;
+    var phi_1033_: u32;
+    var phi_1037_: u32;
+    var phi_1038_: u32;
+    var phi_1039_: u32;
+    var phi_1043_: f32;
+    var phi_1052_: bool;
+    var phi_1053_: bool;
+    var phi_1055_: mask_Masked;
+    var phi_1107_: doubt_Listed;
+    var phi_1108_: bool;
+    var phi_1121_: u32;
+    var phi_1138_: u32;
 
     let _e51 = id_1;
     let _e52 = local_1;
@@ -402,7 +402,7 @@ fn function_() {
         }
         let _e242 = phi_353_;
         if _e242.unnamed_1 {
-            phi_1048_ = mask_Masked(_e242.unnamed.visibility, 0u, false, false);
+            phi_1055_ = mask_Masked(_e242.unnamed.visibility, 0u, false, false);
         } else {
             let _e247 = (_e89 < 0.5f);
             if (_e89 > 0f) {
@@ -449,9 +449,9 @@ fn function_() {
             }
             let _e302 = phi_405_;
             if _e302 {
-                phi_716_ = lt_mask_Reprojection(_e269.pixel, _e269.is_valid, false);
-                phi_717_ = lt_mask_Reprojection();
-                phi_718_ = true;
+                phi_723_ = lt_mask_Reprojection(_e269.pixel, _e269.is_valid, false);
+                phi_724_ = lt_mask_Reprojection();
+                phi_725_ = true;
             } else {
                 let _e306 = p.member.current.grid[0u];
                 let _e308 = p.member.current.grid[1u];
@@ -462,614 +462,616 @@ fn function_() {
                 let _e333 = (_e87.y - _e327.y);
                 let _e336 = (_e87.z - _e327.z);
                 let _e338 = p.member.previous.forward;
-                let _e346 = (((_e330 * _e338.x) + (_e333 * _e338.y)) + (_e336 * _e338.z));
-                let _e348 = p.member.previous.right;
-                let _e358 = p.member.previous.right;
+                let _e347 = (1f / (((_e330 * _e338.x) + (_e333 * _e338.y)) + (_e336 * _e338.z)));
+                let _e349 = p.member.previous.right;
+                let _e351 = p.member.previous.right;
+                let _e363 = (1f / (((_e351.x * _e351.x) + (_e351.y * _e351.y)) + (_e351.z * _e351.z)));
+                let _e371 = p.member.previous.up;
                 let _e373 = p.member.previous.up;
-                let _e383 = p.member.previous.up;
-                let _e400 = p.member.previous.size[0u];
-                let _e407 = p.member.previous.size[1u];
-                let _e411 = (((((((_e330 * _e348.x) + (_e333 * _e348.y)) + (_e336 * _e348.z)) / ((((_e358.x * _e358.x) + (_e358.y * _e358.y)) + (_e358.z * _e358.z)) * _e346)) + 1f) * (0.5f * f32(_e400))) - _e322);
-                let _e412 = (((1f - ((((_e330 * _e373.x) + (_e333 * _e373.y)) + (_e336 * _e373.z)) / ((((_e383.x * _e383.x) + (_e383.y * _e383.y)) + (_e383.z * _e383.z)) * _e346))) * (0.5f * f32(_e407))) - _e324);
-                let _e416 = p.member.current.size[0u];
-                let _e418 = p.member.current.size[1u];
-                let _e420 = (_e322 + _e411);
-                if (_e420 > -8388608f) {
-                    let _e432 = f32(select(0i, select(select(i32(_e420), i32(-2147483648), (_e420 < bitcast<f32>(3472883712u))), 2147483647i, (_e420 > bitcast<f32>(1325400063u))), (_e420 == _e420)));
-                    if (_e432 > _e420) {
-                        phi_544_ = 1f;
+                let _e385 = (1f / (((_e373.x * _e373.x) + (_e373.y * _e373.y)) + (_e373.z * _e373.z)));
+                let _e407 = p.member.previous.size[0u];
+                let _e414 = p.member.previous.size[1u];
+                let _e418 = (((((((_e330 * (_e349.x * _e363)) + (_e333 * (_e349.y * _e363))) + (_e336 * (_e349.z * _e363))) * _e347) + 1f) * (0.5f * f32(_e407))) - _e322);
+                let _e419 = (((1f - ((((_e330 * (_e371.x * _e385)) + (_e333 * (_e371.y * _e385))) + (_e336 * (_e371.z * _e385))) * _e347)) * (0.5f * f32(_e414))) - _e324);
+                let _e423 = p.member.current.size[0u];
+                let _e425 = p.member.current.size[1u];
+                let _e427 = (_e322 + _e418);
+                if (_e427 > -8388608f) {
+                    let _e439 = f32(select(0i, select(select(i32(_e427), i32(-2147483648), (_e427 < bitcast<f32>(3472883712u))), 2147483647i, (_e427 > bitcast<f32>(1325400063u))), (_e427 == _e427)));
+                    if (_e439 > _e427) {
+                        phi_551_ = 1f;
                     } else {
-                        phi_544_ = 0f;
+                        phi_551_ = 0f;
                     }
-                    let _e435 = phi_544_;
-                    if (_e420 < 8388608f) {
-                        phi_549_ = (_e432 - _e435);
-                        phi_550_ = false;
+                    let _e442 = phi_551_;
+                    if (_e427 < 8388608f) {
+                        phi_556_ = (_e439 - _e442);
+                        phi_557_ = false;
                     } else {
-                        phi_549_ = f32();
-                        phi_550_ = true;
+                        phi_556_ = f32();
+                        phi_557_ = true;
                     }
-                    let _e438 = phi_549_;
-                    let _e440 = phi_550_;
-                    phi_551_ = _e438;
-                    phi_552_ = _e440;
+                    let _e445 = phi_556_;
+                    let _e447 = phi_557_;
+                    phi_558_ = _e445;
+                    phi_559_ = _e447;
                 } else {
-                    phi_551_ = f32();
-                    phi_552_ = true;
+                    phi_558_ = f32();
+                    phi_559_ = true;
                 }
-                let _e442 = phi_551_;
-                let _e444 = phi_552_;
-                if _e444 {
-                    phi_556_ = _e420;
+                let _e449 = phi_558_;
+                let _e451 = phi_559_;
+                if _e451 {
+                    phi_563_ = _e427;
                 } else {
-                    phi_556_ = _e442;
+                    phi_563_ = _e449;
                 }
-                let _e446 = phi_556_;
-                let _e447 = (_e324 + _e412);
-                if (_e447 > -8388608f) {
-                    let _e459 = f32(select(0i, select(select(i32(_e447), i32(-2147483648), (_e447 < bitcast<f32>(3472883712u))), 2147483647i, (_e447 > bitcast<f32>(1325400063u))), (_e447 == _e447)));
-                    if (_e459 > _e447) {
-                        phi_577_ = 1f;
+                let _e453 = phi_563_;
+                let _e454 = (_e324 + _e419);
+                if (_e454 > -8388608f) {
+                    let _e466 = f32(select(0i, select(select(i32(_e454), i32(-2147483648), (_e454 < bitcast<f32>(3472883712u))), 2147483647i, (_e454 > bitcast<f32>(1325400063u))), (_e454 == _e454)));
+                    if (_e466 > _e454) {
+                        phi_584_ = 1f;
                     } else {
-                        phi_577_ = 0f;
+                        phi_584_ = 0f;
                     }
-                    let _e462 = phi_577_;
-                    if (_e447 < 8388608f) {
-                        phi_582_ = (_e459 - _e462);
-                        phi_583_ = false;
+                    let _e469 = phi_584_;
+                    if (_e454 < 8388608f) {
+                        phi_589_ = (_e466 - _e469);
+                        phi_590_ = false;
                     } else {
-                        phi_582_ = f32();
-                        phi_583_ = true;
+                        phi_589_ = f32();
+                        phi_590_ = true;
                     }
-                    let _e465 = phi_582_;
-                    let _e467 = phi_583_;
-                    phi_584_ = _e465;
-                    phi_585_ = _e467;
+                    let _e472 = phi_589_;
+                    let _e474 = phi_590_;
+                    phi_591_ = _e472;
+                    phi_592_ = _e474;
                 } else {
-                    phi_584_ = f32();
-                    phi_585_ = true;
+                    phi_591_ = f32();
+                    phi_592_ = true;
                 }
-                let _e469 = phi_584_;
-                let _e471 = phi_585_;
-                if _e471 {
-                    phi_589_ = _e447;
+                let _e476 = phi_591_;
+                let _e478 = phi_592_;
+                if _e478 {
+                    phi_596_ = _e454;
                 } else {
-                    phi_589_ = _e469;
+                    phi_596_ = _e476;
                 }
-                let _e473 = phi_589_;
-                if (_e446 >= 0f) {
-                    if (_e473 >= 0f) {
-                        if (_e446 < f32(_e416)) {
-                            let _e479 = (_e473 < f32(_e418));
-                            if (_e411 == 0f) {
-                                phi_610_ = (_e412 == 0f);
+                let _e480 = phi_596_;
+                if (_e453 >= 0f) {
+                    if (_e480 >= 0f) {
+                        if (_e453 < f32(_e423)) {
+                            let _e486 = (_e480 < f32(_e425));
+                            if (_e418 == 0f) {
+                                phi_617_ = (_e419 == 0f);
                             } else {
-                                phi_610_ = false;
+                                phi_617_ = false;
                             }
-                            let _e483 = phi_610_;
-                            if _e479 {
-                                phi_629_ = vec2<u32>(select(select(u32(_e446), 0u, (_e446 < bitcast<f32>(0u))), 4294967295u, (_e446 > bitcast<f32>(1333788671u))), select(select(u32(_e473), 0u, (_e473 < bitcast<f32>(0u))), 4294967295u, (_e473 > bitcast<f32>(1333788671u))));
-                                phi_630_ = false;
+                            let _e490 = phi_617_;
+                            if _e486 {
+                                phi_636_ = vec2<u32>(select(select(u32(_e453), 0u, (_e453 < bitcast<f32>(0u))), 4294967295u, (_e453 > bitcast<f32>(1333788671u))), select(select(u32(_e480), 0u, (_e480 < bitcast<f32>(0u))), 4294967295u, (_e480 > bitcast<f32>(1333788671u))));
+                                phi_637_ = false;
                             } else {
-                                phi_629_ = vec2<u32>();
-                                phi_630_ = true;
+                                phi_636_ = vec2<u32>();
+                                phi_637_ = true;
                             }
-                            let _e500 = phi_629_;
-                            let _e502 = phi_630_;
-                            phi_631_ = _e483;
-                            phi_632_ = _e479;
-                            phi_633_ = _e500;
-                            phi_634_ = _e483;
-                            phi_635_ = _e479;
-                            phi_636_ = false;
-                            phi_637_ = _e502;
+                            let _e507 = phi_636_;
+                            let _e509 = phi_637_;
+                            phi_638_ = _e490;
+                            phi_639_ = _e486;
+                            phi_640_ = _e507;
+                            phi_641_ = _e490;
+                            phi_642_ = _e486;
+                            phi_643_ = false;
+                            phi_644_ = _e509;
                         } else {
-                            phi_631_ = bool();
-                            phi_632_ = bool();
-                            phi_633_ = vec2<u32>();
-                            phi_634_ = bool();
-                            phi_635_ = bool();
-                            phi_636_ = true;
-                            phi_637_ = false;
+                            phi_638_ = bool();
+                            phi_639_ = bool();
+                            phi_640_ = vec2<u32>();
+                            phi_641_ = bool();
+                            phi_642_ = bool();
+                            phi_643_ = true;
+                            phi_644_ = false;
                         }
-                        let _e504 = phi_631_;
-                        let _e506 = phi_632_;
-                        let _e508 = phi_633_;
-                        let _e510 = phi_634_;
-                        let _e512 = phi_635_;
-                        let _e514 = phi_636_;
-                        let _e516 = phi_637_;
-                        phi_638_ = _e504;
-                        phi_639_ = _e506;
-                        phi_640_ = _e508;
-                        phi_641_ = _e510;
-                        phi_642_ = _e512;
-                        phi_643_ = _e514;
-                        phi_644_ = _e516;
+                        let _e511 = phi_638_;
+                        let _e513 = phi_639_;
+                        let _e515 = phi_640_;
+                        let _e517 = phi_641_;
+                        let _e519 = phi_642_;
+                        let _e521 = phi_643_;
+                        let _e523 = phi_644_;
+                        phi_645_ = _e511;
+                        phi_646_ = _e513;
+                        phi_647_ = _e515;
+                        phi_648_ = _e517;
+                        phi_649_ = _e519;
+                        phi_650_ = _e521;
+                        phi_651_ = _e523;
                     } else {
-                        phi_638_ = bool();
-                        phi_639_ = bool();
-                        phi_640_ = vec2<u32>();
-                        phi_641_ = bool();
-                        phi_642_ = bool();
-                        phi_643_ = true;
-                        phi_644_ = false;
+                        phi_645_ = bool();
+                        phi_646_ = bool();
+                        phi_647_ = vec2<u32>();
+                        phi_648_ = bool();
+                        phi_649_ = bool();
+                        phi_650_ = true;
+                        phi_651_ = false;
                     }
-                    let _e518 = phi_638_;
-                    let _e520 = phi_639_;
-                    let _e522 = phi_640_;
-                    let _e524 = phi_641_;
-                    let _e526 = phi_642_;
-                    let _e528 = phi_643_;
-                    let _e530 = phi_644_;
-                    phi_645_ = _e518;
-                    phi_646_ = _e520;
-                    phi_647_ = _e522;
-                    phi_648_ = _e524;
-                    phi_649_ = _e526;
-                    phi_650_ = _e528;
-                    phi_651_ = _e530;
+                    let _e525 = phi_645_;
+                    let _e527 = phi_646_;
+                    let _e529 = phi_647_;
+                    let _e531 = phi_648_;
+                    let _e533 = phi_649_;
+                    let _e535 = phi_650_;
+                    let _e537 = phi_651_;
+                    phi_652_ = _e525;
+                    phi_653_ = _e527;
+                    phi_654_ = _e529;
+                    phi_655_ = _e531;
+                    phi_656_ = _e533;
+                    phi_657_ = _e535;
+                    phi_658_ = _e537;
                 } else {
-                    phi_645_ = bool();
-                    phi_646_ = bool();
-                    phi_647_ = vec2<u32>();
-                    phi_648_ = bool();
-                    phi_649_ = bool();
-                    phi_650_ = true;
-                    phi_651_ = false;
+                    phi_652_ = bool();
+                    phi_653_ = bool();
+                    phi_654_ = vec2<u32>();
+                    phi_655_ = bool();
+                    phi_656_ = bool();
+                    phi_657_ = true;
+                    phi_658_ = false;
                 }
-                let _e532 = phi_645_;
-                let _e534 = phi_646_;
-                let _e536 = phi_647_;
-                let _e538 = phi_648_;
-                let _e540 = phi_649_;
-                let _e542 = phi_650_;
-                let _e544 = phi_651_;
-                if _e542 {
-                    if (_e411 == 0f) {
-                        phi_660_ = (_e412 == 0f);
+                let _e539 = phi_652_;
+                let _e541 = phi_653_;
+                let _e543 = phi_654_;
+                let _e545 = phi_655_;
+                let _e547 = phi_656_;
+                let _e549 = phi_657_;
+                let _e551 = phi_658_;
+                if _e549 {
+                    if (_e418 == 0f) {
+                        phi_667_ = (_e419 == 0f);
                     } else {
-                        phi_660_ = false;
+                        phi_667_ = false;
                     }
-                    let _e548 = phi_660_;
-                    phi_661_ = _e548;
-                    phi_662_ = false;
-                    phi_663_ = true;
+                    let _e555 = phi_667_;
+                    phi_668_ = _e555;
+                    phi_669_ = false;
+                    phi_670_ = true;
                 } else {
-                    phi_661_ = _e538;
-                    phi_662_ = _e540;
-                    phi_663_ = _e544;
+                    phi_668_ = _e545;
+                    phi_669_ = _e547;
+                    phi_670_ = _e551;
                 }
-                let _e550 = phi_661_;
-                let _e552 = phi_662_;
-                let _e554 = phi_663_;
-                if _e554 {
-                    phi_667_ = _e550;
-                    phi_668_ = _e552;
-                    phi_669_ = vec2<u32>(_e51.x, _e51.y);
+                let _e557 = phi_668_;
+                let _e559 = phi_669_;
+                let _e561 = phi_670_;
+                if _e561 {
+                    phi_674_ = _e557;
+                    phi_675_ = _e559;
+                    phi_676_ = vec2<u32>(_e51.x, _e51.y);
                 } else {
-                    phi_667_ = _e532;
-                    phi_668_ = _e534;
-                    phi_669_ = _e536;
+                    phi_674_ = _e539;
+                    phi_675_ = _e541;
+                    phi_676_ = _e543;
                 }
-                let _e556 = phi_667_;
-                let _e558 = phi_668_;
-                let _e560 = phi_669_;
-                let _e570 = lt_mask_Reprojection(vec2<u32>(_e560.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e577 = lt_mask_Reprojection(vec2<u32>(_e570.pixel.x, _e560.y), _e570.is_valid, _e570.has_moved);
-                let _e581 = lt_mask_Reprojection(_e577.pixel, _e558, _e577.has_moved);
-                let _e585 = lt_mask_Reprojection(_e581.pixel, _e581.is_valid, !(_e556));
-                if _e558 {
-                    let _e588 = p.member.previous.eye;
-                    let _e599 = p.member.previous.forward;
-                    let _e608 = (((((_e87.x - _e588.x) * _e599.x) + ((_e87.y - _e588.y) * _e599.y)) + ((_e87.z - _e588.z) * _e599.z)) > 0f);
-                    let _e612 = lt_mask_Reprojection(_e585.pixel, _e608, _e585.has_moved);
-                    if _e608 {
-                        phi_707_ = false;
+                let _e563 = phi_674_;
+                let _e565 = phi_675_;
+                let _e567 = phi_676_;
+                let _e577 = lt_mask_Reprojection(vec2<u32>(_e567.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e584 = lt_mask_Reprojection(vec2<u32>(_e577.pixel.x, _e567.y), _e577.is_valid, _e577.has_moved);
+                let _e588 = lt_mask_Reprojection(_e584.pixel, _e565, _e584.has_moved);
+                let _e592 = lt_mask_Reprojection(_e588.pixel, _e588.is_valid, !(_e563));
+                if _e565 {
+                    let _e595 = p.member.previous.eye;
+                    let _e606 = p.member.previous.forward;
+                    let _e615 = (((((_e87.x - _e595.x) * _e606.x) + ((_e87.y - _e595.y) * _e606.y)) + ((_e87.z - _e595.z) * _e606.z)) > 0f);
+                    let _e619 = lt_mask_Reprojection(_e592.pixel, _e615, _e592.has_moved);
+                    if _e615 {
+                        phi_714_ = false;
                     } else {
-                        phi_707_ = true;
+                        phi_714_ = true;
                     }
-                    let _e614 = phi_707_;
-                    phi_709_ = _e612;
-                    phi_710_ = _e612;
-                    phi_711_ = _e614;
+                    let _e621 = phi_714_;
+                    phi_716_ = _e619;
+                    phi_717_ = _e619;
+                    phi_718_ = _e621;
                 } else {
-                    phi_709_ = lt_mask_Reprojection();
-                    phi_710_ = lt_mask_Reprojection(_e585.pixel, false, _e585.has_moved);
-                    phi_711_ = true;
+                    phi_716_ = lt_mask_Reprojection();
+                    phi_717_ = lt_mask_Reprojection(_e592.pixel, false, _e592.has_moved);
+                    phi_718_ = true;
                 }
-                let _e620 = phi_709_;
-                let _e622 = phi_710_;
-                let _e624 = phi_711_;
-                if _e624 {
-                    phi_715_ = false;
+                let _e627 = phi_716_;
+                let _e629 = phi_717_;
+                let _e631 = phi_718_;
+                if _e631 {
+                    phi_722_ = false;
                 } else {
-                    phi_715_ = true;
+                    phi_722_ = true;
                 }
-                let _e626 = phi_715_;
-                phi_716_ = _e620;
-                phi_717_ = _e622;
-                phi_718_ = _e626;
+                let _e633 = phi_722_;
+                phi_723_ = _e627;
+                phi_724_ = _e629;
+                phi_725_ = _e633;
             }
-            let _e628 = phi_716_;
-            let _e630 = phi_717_;
-            let _e632 = phi_718_;
-            if _e632 {
-                let _e634 = p.member.flags;
-                phi_726_ = ((_e634 & 1u) != 0u);
-                phi_727_ = _e628;
+            let _e635 = phi_723_;
+            let _e637 = phi_724_;
+            let _e639 = phi_725_;
+            if _e639 {
+                let _e641 = p.member.flags;
+                phi_733_ = ((_e641 & 1u) != 0u);
+                phi_734_ = _e635;
             } else {
-                phi_726_ = false;
-                phi_727_ = _e630;
+                phi_733_ = false;
+                phi_734_ = _e637;
             }
-            let _e638 = phi_726_;
-            let _e640 = phi_727_;
-            let _e644 = lt_mask_Reprojection(_e640.pixel, _e638, _e640.has_moved);
-            let _e646 = p.member.flags;
-            let _e648 = ((_e646 & 2u) != 0u);
-            let _e650 = p.member.flags;
-            if ((_e650 & 4u) == 0u) {
-                phi_805_ = u32();
-                phi_806_ = true;
-                phi_807_ = false;
+            let _e645 = phi_733_;
+            let _e647 = phi_734_;
+            let _e651 = lt_mask_Reprojection(_e647.pixel, _e645, _e647.has_moved);
+            let _e653 = p.member.flags;
+            let _e655 = ((_e653 & 2u) != 0u);
+            let _e657 = p.member.flags;
+            if ((_e657 & 4u) == 0u) {
+                phi_812_ = u32();
+                phi_813_ = true;
+                phi_814_ = false;
             } else {
-                if _e638 {
-                    if !(_e644.has_moved) {
-                        let _e659 = ((((_e51.y * _e84) + (_e51.x / 32u)) * 6u) + 4u);
-                        if (_e659 < _e57) {
+                if _e645 {
+                    if !(_e651.has_moved) {
+                        let _e666 = ((((_e51.y * _e84) + (_e51.x / 32u)) * 6u) + 4u);
+                        if (_e666 < _e57) {
                         } else {
                             return;
                         }
-                        let _e663 = heard.member[(0u + _e659)];
-                        if (((_e663 >> bitcast<u32>(((_e51.x % 32u) & 31u))) & 1u) != 0u) {
-                            let _e674 = ((((_e51.y * _e84) + (_e51.x / 32u)) * 6u) + 5u);
-                            if (_e674 < _e57) {
+                        let _e670 = heard.member[(0u + _e666)];
+                        if (((_e670 >> bitcast<u32>(((_e51.x % 32u) & 31u))) & 1u) != 0u) {
+                            let _e681 = ((((_e51.y * _e84) + (_e51.x / 32u)) * 6u) + 5u);
+                            if (_e681 < _e57) {
                             } else {
                                 return;
                             }
-                            let _e678 = heard.member[(0u + _e674)];
+                            let _e685 = heard.member[(0u + _e681)];
                             if false {
-                                phi_793_ = (2u | 1u);
+                                phi_800_ = (2u | 1u);
                             } else {
-                                phi_793_ = 2u;
+                                phi_800_ = 2u;
                             }
-                            let _e687 = phi_793_;
-                            if (((_e678 >> bitcast<u32>(((_e51.x % 32u) & 31u))) & 1u) != 0u) {
-                                phi_798_ = (_e687 | 4u);
+                            let _e694 = phi_800_;
+                            if (((_e685 >> bitcast<u32>(((_e51.x % 32u) & 31u))) & 1u) != 0u) {
+                                phi_805_ = (_e694 | 4u);
                             } else {
-                                phi_798_ = _e687;
+                                phi_805_ = _e694;
                             }
-                            let _e690 = phi_798_;
-                            phi_799_ = _e690;
+                            let _e697 = phi_805_;
+                            phi_806_ = _e697;
                         } else {
-                            phi_799_ = 0u;
+                            phi_806_ = 0u;
                         }
-                        let _e692 = phi_799_;
-                        phi_800_ = _e692;
-                        phi_801_ = false;
+                        let _e699 = phi_806_;
+                        phi_807_ = _e699;
+                        phi_808_ = false;
                     } else {
-                        phi_800_ = u32();
-                        phi_801_ = true;
+                        phi_807_ = u32();
+                        phi_808_ = true;
                     }
-                    let _e694 = phi_800_;
-                    let _e696 = phi_801_;
-                    phi_802_ = _e694;
-                    phi_803_ = false;
-                    phi_804_ = _e696;
+                    let _e701 = phi_807_;
+                    let _e703 = phi_808_;
+                    phi_809_ = _e701;
+                    phi_810_ = false;
+                    phi_811_ = _e703;
                 } else {
-                    phi_802_ = u32();
-                    phi_803_ = true;
-                    phi_804_ = false;
+                    phi_809_ = u32();
+                    phi_810_ = true;
+                    phi_811_ = false;
                 }
-                let _e698 = phi_802_;
-                let _e700 = phi_803_;
-                let _e702 = phi_804_;
-                phi_805_ = _e698;
-                phi_806_ = _e700;
-                phi_807_ = _e702;
+                let _e705 = phi_809_;
+                let _e707 = phi_810_;
+                let _e709 = phi_811_;
+                phi_812_ = _e705;
+                phi_813_ = _e707;
+                phi_814_ = _e709;
             }
-            let _e704 = phi_805_;
-            let _e706 = phi_806_;
-            let _e708 = phi_807_;
-            if _e706 {
-                phi_811_ = true;
+            let _e711 = phi_812_;
+            let _e713 = phi_813_;
+            let _e715 = phi_814_;
+            if _e713 {
+                phi_818_ = true;
             } else {
-                phi_811_ = _e708;
+                phi_818_ = _e715;
             }
-            let _e710 = phi_811_;
-            if _e710 {
-                phi_815_ = 0u;
+            let _e717 = phi_818_;
+            if _e717 {
+                phi_822_ = 0u;
             } else {
-                phi_815_ = _e704;
+                phi_822_ = _e711;
             }
-            let _e712 = phi_815_;
-            let _e713 = lt_mask_Neighbourhood(false, true);
+            let _e719 = phi_822_;
+            let _e720 = lt_mask_Neighbourhood(false, true);
             if _e251 {
-                phi_820_ = _e648;
+                phi_827_ = _e655;
             } else {
-                phi_820_ = false;
+                phi_827_ = false;
             }
-            let _e715 = phi_820_;
-            if _e715 {
-                if _e638 {
-                    if ((_e712 & 2u) != 0u) {
-                        phi_860_ = _e713;
+            let _e722 = phi_827_;
+            if _e722 {
+                if _e645 {
+                    if ((_e719 & 2u) != 0u) {
+                        phi_867_ = _e720;
                     } else {
-                        let _e732 = ((((_e644.pixel.y * _e84) + (_e644.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e247) | (select(0u, 1u, _e644.has_moved) << bitcast<u32>(1i))));
-                        if (_e732 < _e57) {
+                        let _e739 = ((((_e651.pixel.y * _e84) + (_e651.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e247) | (select(0u, 1u, _e651.has_moved) << bitcast<u32>(1i))));
+                        if (_e739 < _e57) {
                         } else {
                             return;
                         }
-                        let _e736 = heard.member[(0u + _e732)];
-                        let _e742 = (((_e736 >> bitcast<u32>(((_e644.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_860_ = lt_mask_Neighbourhood(_e742, !(_e742));
+                        let _e743 = heard.member[(0u + _e739)];
+                        let _e749 = (((_e743 >> bitcast<u32>(((_e651.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_867_ = lt_mask_Neighbourhood(_e749, !(_e749));
                     }
-                    let _e746 = phi_860_;
-                    phi_861_ = _e746;
+                    let _e753 = phi_867_;
+                    phi_868_ = _e753;
                 } else {
-                    phi_861_ = _e713;
+                    phi_868_ = _e720;
                 }
-                let _e748 = phi_861_;
-                phi_862_ = _e748;
+                let _e755 = phi_868_;
+                phi_869_ = _e755;
             } else {
-                phi_862_ = _e713;
+                phi_869_ = _e720;
             }
-            let _e750 = phi_862_;
-            let _e753 = p.member.frame;
-            let _e755 = p.member.refresh;
-            if (_e755 == 0u) {
-                phi_895_ = false;
+            let _e757 = phi_869_;
+            let _e760 = p.member.frame;
+            let _e762 = p.member.refresh;
+            if (_e762 == 0u) {
+                phi_902_ = false;
             } else {
-                if (_e755 == 0u) {
+                if (_e762 == 0u) {
                     return;
                 }
-                let _e764 = ((_e51.x + (_e51.y * (((_e755 * 5u) / 8u) | 1u))) + (_e753 % _e755));
-                if (_e755 == 0u) {
-                    phi_894_ = (_e764 == 0u);
+                let _e771 = ((_e51.x + (_e51.y * (((_e762 * 5u) / 8u) | 1u))) + (_e760 % _e762));
+                if (_e762 == 0u) {
+                    phi_901_ = (_e771 == 0u);
                 } else {
-                    if (_e755 == 0u) {
+                    if (_e762 == 0u) {
                         return;
                     }
-                    phi_894_ = ((_e764 % _e755) == 0u);
+                    phi_901_ = ((_e771 % _e762) == 0u);
                 }
-                let _e771 = phi_894_;
-                phi_895_ = _e771;
+                let _e778 = phi_901_;
+                phi_902_ = _e778;
             }
-            let _e773 = phi_895_;
-            if _e638 {
-                if _e773 {
-                    phi_917_ = bool();
+            let _e780 = phi_902_;
+            if _e645 {
+                if _e780 {
+                    phi_924_ = bool();
                 } else {
-                    phi_917_ = ((_e712 & 2u) != 0u);
+                    phi_924_ = ((_e719 & 2u) != 0u);
                 }
-                let _e779 = phi_917_;
-                phi_918_ = _e779;
-                phi_919_ = _e773;
+                let _e786 = phi_924_;
+                phi_925_ = _e786;
+                phi_926_ = _e780;
             } else {
-                phi_918_ = bool();
-                phi_919_ = true;
+                phi_925_ = bool();
+                phi_926_ = true;
             }
-            let _e781 = phi_918_;
-            let _e783 = phi_919_;
-            if _e783 {
-                phi_923_ = false;
+            let _e788 = phi_925_;
+            let _e790 = phi_926_;
+            if _e790 {
+                phi_930_ = false;
             } else {
-                phi_923_ = _e781;
+                phi_930_ = _e788;
             }
-            let _e785 = phi_923_;
-            if _e785 {
-                phi_974_ = 7u;
+            let _e792 = phi_930_;
+            if _e792 {
+                phi_981_ = 7u;
             } else {
                 if (_e89 != 0.5f) {
-                    if _e638 {
-                        if _e773 {
-                            phi_971_ = 6u;
+                    if _e645 {
+                        if _e780 {
+                            phi_978_ = 6u;
                         } else {
                             if _e251 {
-                                phi_946_ = true;
+                                phi_953_ = true;
                             } else {
-                                if _e750.any_expands {
-                                    phi_945_ = false;
+                                if _e757.any_expands {
+                                    phi_952_ = false;
                                 } else {
-                                    phi_945_ = true;
+                                    phi_952_ = true;
                                 }
-                                let _e787 = phi_945_;
-                                phi_946_ = _e787;
+                                let _e794 = phi_952_;
+                                phi_953_ = _e794;
                             }
-                            let _e789 = phi_946_;
-                            if _e789 {
+                            let _e796 = phi_953_;
+                            if _e796 {
                                 if _e251 {
-                                    if _e648 {
-                                        if _e750.all_remove {
-                                            phi_959_ = false;
+                                    if _e655 {
+                                        if _e757.all_remove {
+                                            phi_966_ = false;
                                         } else {
-                                            phi_959_ = true;
+                                            phi_966_ = true;
                                         }
-                                        let _e791 = phi_959_;
-                                        phi_960_ = _e791;
+                                        let _e798 = phi_966_;
+                                        phi_967_ = _e798;
                                     } else {
-                                        phi_960_ = true;
+                                        phi_967_ = true;
                                     }
-                                    let _e793 = phi_960_;
-                                    phi_961_ = _e793;
+                                    let _e800 = phi_967_;
+                                    phi_968_ = _e800;
                                 } else {
-                                    phi_961_ = true;
+                                    phi_968_ = true;
                                 }
-                                let _e795 = phi_961_;
-                                if _e795 {
+                                let _e802 = phi_968_;
+                                if _e802 {
                                     if _e251 {
-                                        phi_968_ = 1u;
+                                        phi_975_ = 1u;
                                     } else {
-                                        phi_968_ = 0u;
+                                        phi_975_ = 0u;
                                     }
-                                    let _e797 = phi_968_;
-                                    phi_969_ = _e797;
+                                    let _e804 = phi_975_;
+                                    phi_976_ = _e804;
                                 } else {
-                                    phi_969_ = 5u;
+                                    phi_976_ = 5u;
                                 }
-                                let _e799 = phi_969_;
-                                phi_970_ = _e799;
+                                let _e806 = phi_976_;
+                                phi_977_ = _e806;
                             } else {
-                                phi_970_ = 4u;
+                                phi_977_ = 4u;
                             }
-                            let _e801 = phi_970_;
-                            phi_971_ = _e801;
+                            let _e808 = phi_977_;
+                            phi_978_ = _e808;
                         }
-                        let _e803 = phi_971_;
-                        phi_972_ = _e803;
+                        let _e810 = phi_978_;
+                        phi_979_ = _e810;
                     } else {
-                        phi_972_ = 3u;
+                        phi_979_ = 3u;
                     }
-                    let _e805 = phi_972_;
-                    phi_973_ = _e805;
+                    let _e812 = phi_979_;
+                    phi_980_ = _e812;
                 } else {
-                    phi_973_ = 2u;
+                    phi_980_ = 2u;
                 }
-                let _e807 = phi_973_;
-                phi_974_ = _e807;
+                let _e814 = phi_980_;
+                phi_981_ = _e814;
             }
-            let _e809 = phi_974_;
-            if !((_e809 == 0u)) {
-                if !((_e809 == 5u)) {
-                    phi_986_ = !(_e785);
-                    phi_987_ = false;
+            let _e816 = phi_981_;
+            if !((_e816 == 0u)) {
+                if !((_e816 == 5u)) {
+                    phi_993_ = !(_e792);
+                    phi_994_ = false;
                 } else {
-                    phi_986_ = bool();
-                    phi_987_ = true;
+                    phi_993_ = bool();
+                    phi_994_ = true;
                 }
-                let _e816 = phi_986_;
-                let _e818 = phi_987_;
-                phi_988_ = _e816;
-                phi_989_ = _e818;
+                let _e823 = phi_993_;
+                let _e825 = phi_994_;
+                phi_995_ = _e823;
+                phi_996_ = _e825;
             } else {
-                phi_988_ = bool();
-                phi_989_ = true;
+                phi_995_ = bool();
+                phi_996_ = true;
             }
-            let _e820 = phi_988_;
-            let _e822 = phi_989_;
-            if _e822 {
-                phi_993_ = false;
+            let _e827 = phi_995_;
+            let _e829 = phi_996_;
+            if _e829 {
+                phi_1000_ = false;
             } else {
-                phi_993_ = _e820;
+                phi_1000_ = _e827;
             }
-            let _e824 = phi_993_;
-            if _e785 {
-                phi_999_ = ((_e712 & 4u) != 0u);
+            let _e831 = phi_1000_;
+            if _e792 {
+                phi_1006_ = ((_e719 & 4u) != 0u);
             } else {
-                phi_999_ = _e247;
+                phi_1006_ = _e247;
             }
-            let _e828 = phi_999_;
-            if _e824 {
+            let _e835 = phi_1006_;
+            if _e831 {
                 if _e247 {
-                    phi_1007_ = (2u | 1u);
+                    phi_1014_ = (2u | 1u);
                 } else {
-                    phi_1007_ = 2u;
+                    phi_1014_ = 2u;
                 }
-                let _e831 = phi_1007_;
+                let _e838 = phi_1014_;
                 if false {
-                    phi_1012_ = (_e831 | 4u);
+                    phi_1019_ = (_e838 | 4u);
                 } else {
-                    phi_1012_ = _e831;
+                    phi_1019_ = _e838;
                 }
-                let _e834 = phi_1012_;
-                phi_1032_ = _e834;
+                let _e841 = phi_1019_;
+                phi_1039_ = _e841;
             } else {
-                if (_e809 == 7u) {
+                if (_e816 == 7u) {
                     if _e247 {
-                        phi_1021_ = (2u | 1u);
+                        phi_1028_ = (2u | 1u);
                     } else {
-                        phi_1021_ = 2u;
+                        phi_1028_ = 2u;
                     }
-                    let _e838 = phi_1021_;
-                    if _e828 {
-                        phi_1026_ = (_e838 | 4u);
+                    let _e845 = phi_1028_;
+                    if _e835 {
+                        phi_1033_ = (_e845 | 4u);
                     } else {
-                        phi_1026_ = _e838;
+                        phi_1033_ = _e845;
                     }
-                    let _e841 = phi_1026_;
-                    phi_1031_ = _e841;
+                    let _e848 = phi_1033_;
+                    phi_1038_ = _e848;
                 } else {
                     if _e247 {
-                        phi_1030_ = 1u;
+                        phi_1037_ = 1u;
                     } else {
-                        phi_1030_ = 0u;
+                        phi_1037_ = 0u;
                     }
-                    let _e843 = phi_1030_;
-                    phi_1031_ = _e843;
+                    let _e850 = phi_1037_;
+                    phi_1038_ = _e850;
                 }
-                let _e845 = phi_1031_;
-                phi_1032_ = _e845;
+                let _e852 = phi_1038_;
+                phi_1039_ = _e852;
             }
-            let _e847 = phi_1032_;
-            if _e828 {
-                phi_1036_ = 0f;
+            let _e854 = phi_1039_;
+            if _e835 {
+                phi_1043_ = 0f;
             } else {
-                phi_1036_ = 1f;
+                phi_1043_ = 1f;
             }
-            let _e849 = phi_1036_;
+            let _e856 = phi_1043_;
             if _e251 {
                 if (_e89 == 0.99999994f) {
-                    phi_1045_ = true;
+                    phi_1052_ = true;
                 } else {
-                    phi_1045_ = (_e89 == 0.000000059604645f);
+                    phi_1052_ = (_e89 == 0.000000059604645f);
                 }
-                let _e853 = phi_1045_;
-                phi_1046_ = _e853;
+                let _e860 = phi_1052_;
+                phi_1053_ = _e860;
             } else {
-                phi_1046_ = true;
+                phi_1053_ = true;
             }
-            let _e855 = phi_1046_;
-            phi_1048_ = mask_Masked(_e849, _e847, _e824, _e855);
+            let _e862 = phi_1053_;
+            phi_1055_ = mask_Masked(_e856, _e854, _e831, _e862);
         }
-        let _e858 = phi_1048_;
-        visibility.member[_e68.first_primitive] = _e858.visibility;
-        let _e863 = p.member.light.number;
-        let _e864 = (_e863 * 3u);
-        let _e866 = (_e864 % 32u);
-        let _e868 = p.member.light.mask_words;
-        let _e870 = ((_e68.first_primitive * _e868) + (_e864 / 32u));
-        let _e872 = bits.member[_e870];
-        bits.member[_e870] = ((_e872 & ~((7u << bitcast<u32>((_e866 & 31u))))) | (_e858.bits << bitcast<u32>((_e866 & 31u))));
-        if (_e866 > 29u) {
-            let _e887 = bits.member[(_e870 + 1u)];
-            let _e889 = (32u - _e866);
-            bits.member[(_e870 + 1u)] = ((_e887 & ~((7u >> bitcast<u32>((_e889 & 31u))))) | (_e858.bits >> bitcast<u32>((_e889 & 31u))));
+        let _e865 = phi_1055_;
+        visibility.member[_e68.first_primitive] = _e865.visibility;
+        let _e870 = p.member.light.number;
+        let _e871 = (_e870 * 3u);
+        let _e873 = (_e871 % 32u);
+        let _e875 = p.member.light.mask_words;
+        let _e877 = ((_e68.first_primitive * _e875) + (_e871 / 32u));
+        let _e879 = bits.member[_e877];
+        bits.member[_e877] = ((_e879 & ~((7u << bitcast<u32>((_e873 & 31u))))) | (_e865.bits << bitcast<u32>((_e873 & 31u))));
+        if (_e873 > 29u) {
+            let _e894 = bits.member[(_e877 + 1u)];
+            let _e896 = (32u - _e873);
+            bits.member[(_e877 + 1u)] = ((_e894 & ~((7u >> bitcast<u32>((_e896 & 31u))))) | (_e865.bits >> bitcast<u32>((_e896 & 31u))));
         }
-        phi_1100_ = doubt_Listed(_e68.first_primitive, _e858.is_trusted);
-        phi_1101_ = _e858.needs_ray;
+        phi_1107_ = doubt_Listed(_e68.first_primitive, _e865.is_trusted);
+        phi_1108_ = _e865.needs_ray;
     } else {
-        phi_1100_ = doubt_Listed(0u, false);
-        phi_1101_ = false;
+        phi_1107_ = doubt_Listed(0u, false);
+        phi_1108_ = false;
     }
-    let _e905 = phi_1100_;
-    let _e907 = phi_1101_;
+    let _e912 = phi_1107_;
+    let _e914 = phi_1108_;
     if (_e52 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e907 {
-        let _e913 = atomicAdd((&shared_[0u]), 1u);
-        phi_1114_ = _e913;
+    if _e914 {
+        let _e920 = atomicAdd((&shared_[0u]), 1u);
+        phi_1121_ = _e920;
     } else {
-        phi_1114_ = 0u;
+        phi_1121_ = 0u;
     }
-    let _e915 = phi_1114_;
+    let _e922 = phi_1121_;
     workgroupBarrier();
     if (_e52 == 0u) {
-        let _e919 = atomicLoad((&shared_[0u]));
-        let _e920 = atomicAdd((&list.member[3u]), _e919);
-        atomicStore((&shared_[1u]), _e920);
+        let _e926 = atomicLoad((&shared_[0u]));
+        let _e927 = atomicAdd((&list.member[3u]), _e926);
+        atomicStore((&shared_[1u]), _e927);
     }
     workgroupBarrier();
-    if _e907 {
-        if _e905.is_trusted {
-            phi_1131_ = (_e905.pixel | 2147483648u);
+    if _e914 {
+        if _e912.is_trusted {
+            phi_1138_ = (_e912.pixel | 2147483648u);
         } else {
-            phi_1131_ = _e905.pixel;
+            phi_1138_ = _e912.pixel;
         }
-        let _e924 = phi_1131_;
-        let _e926 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e926) + _e915)]), _e924);
+        let _e931 = phi_1138_;
+        let _e933 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e933) + _e922)]), _e931);
     }
     return;
 }

@@ -186,27 +186,20 @@ fn function_() {
     var phi_404_: bool;
     var phi_408_: bool;
     var phi_409_: bool;
-    var phi_545_: f32;
-    var phi_550_: f32;
-    var phi_551_: bool;
     var phi_552_: f32;
-    var phi_553_: bool;
     var phi_557_: f32;
-    var phi_578_: f32;
-    var phi_583_: f32;
-    var phi_584_: bool;
+    var phi_558_: bool;
+    var phi_559_: f32;
+    var phi_560_: bool;
+    var phi_564_: f32;
     var phi_585_: f32;
-    var phi_586_: bool;
     var phi_590_: f32;
-    var phi_611_: bool;
-    var phi_630_: vec2<u32>;
-    var phi_631_: bool;
-    var phi_632_: bool;
-    var phi_633_: bool;
-    var phi_634_: vec2<u32>;
-    var phi_635_: bool;
-    var phi_636_: bool;
-    var phi_637_: bool;
+    var phi_591_: bool;
+    var phi_592_: f32;
+    var phi_593_: bool;
+    var phi_597_: f32;
+    var phi_618_: bool;
+    var phi_637_: vec2<u32>;
     var phi_638_: bool;
     var phi_639_: bool;
     var phi_640_: bool;
@@ -222,99 +215,106 @@ fn function_() {
     var phi_650_: bool;
     var phi_651_: bool;
     var phi_652_: bool;
-    var phi_661_: bool;
-    var phi_662_: bool;
-    var phi_663_: bool;
-    var phi_664_: bool;
+    var phi_653_: bool;
+    var phi_654_: bool;
+    var phi_655_: vec2<u32>;
+    var phi_656_: bool;
+    var phi_657_: bool;
+    var phi_658_: bool;
+    var phi_659_: bool;
     var phi_668_: bool;
     var phi_669_: bool;
-    var phi_670_: vec2<u32>;
-    var phi_705_: bool;
-    var phi_707_: lt_mask_Reprojection;
-    var phi_708_: lt_mask_Reprojection;
-    var phi_709_: lt_mask_Reprojection;
-    var phi_710_: bool;
-    var phi_711_: bool;
-    var phi_712_: lt_mask_Reprojection;
-    var phi_713_: lt_mask_Reprojection;
+    var phi_670_: bool;
+    var phi_671_: bool;
+    var phi_675_: bool;
+    var phi_676_: bool;
+    var phi_677_: vec2<u32>;
+    var phi_712_: bool;
     var phi_714_: lt_mask_Reprojection;
-    var phi_715_: bool;
-    var phi_716_: bool;
-    var phi_768_: bool;
-    var phi_772_: f32;
-    var phi_776_: lt_mask_Reprojection;
-    var phi_777_: bool;
-    var phi_789_: bool;
-    var phi_790_: bool;
-    var phi_791_: bool;
-    var phi_792_: lt_mask_Reprojection;
-    var phi_793_: bool;
+    var phi_715_: lt_mask_Reprojection;
+    var phi_716_: lt_mask_Reprojection;
+    var phi_717_: bool;
+    var phi_718_: bool;
+    var phi_719_: lt_mask_Reprojection;
+    var phi_720_: lt_mask_Reprojection;
+    var phi_721_: lt_mask_Reprojection;
+    var phi_722_: bool;
+    var phi_723_: bool;
+    var phi_775_: bool;
+    var phi_779_: f32;
+    var phi_783_: lt_mask_Reprojection;
+    var phi_784_: bool;
+    var phi_796_: bool;
     var phi_797_: bool;
-    var phi_798_: lt_mask_Reprojection;
-    var phi_836_: u32;
-    var phi_885_: u32;
-    var phi_890_: u32;
-    var phi_891_: u32;
+    var phi_798_: bool;
+    var phi_799_: lt_mask_Reprojection;
+    var phi_800_: bool;
+    var phi_804_: bool;
+    var phi_805_: lt_mask_Reprojection;
+    var phi_843_: u32;
     var phi_892_: u32;
-    var phi_893_: bool;
-    var phi_894_: u32;
-    var phi_895_: bool;
-    var phi_896_: bool;
     var phi_897_: u32;
-    var phi_898_: bool;
-    var phi_899_: bool;
+    var phi_898_: u32;
+    var phi_899_: u32;
+    var phi_900_: bool;
+    var phi_901_: u32;
+    var phi_902_: bool;
     var phi_903_: bool;
-    var phi_907_: u32;
-    var phi_912_: bool;
-    var phi_944_: u32;
-    var phi_973_: lt_mask_Neighbourhood;
-    var phi_974_: lt_mask_Neighbourhood;
-    var phi_975_: lt_mask_Neighbourhood;
-    var phi_1007_: bool;
-    var phi_1008_: bool;
-    var phi_1030_: bool;
-    var phi_1031_: bool;
-    var phi_1032_: bool;
-    var phi_1036_: bool;
-    var phi_1058_: bool;
-    var phi_1059_: bool;
-    var phi_1072_: bool;
-    var phi_1073_: bool;
-    var phi_1074_: bool;
-    var phi_1081_: u32;
-    var phi_1082_: u32;
-    var phi_1083_: u32;
-    var phi_1084_: u32;
-    var phi_1085_: u32;
-    var phi_1086_: u32;
-    var phi_1087_: u32;
-    var phi_1099_: bool;
-    var phi_1100_: bool;
-    var phi_1101_: bool;
-    var phi_1102_: bool;
+    var phi_904_: u32;
+    var phi_905_: bool;
+    var phi_906_: bool;
+    var phi_910_: bool;
+    var phi_914_: u32;
+    var phi_919_: bool;
+    var phi_951_: u32;
+    var phi_980_: lt_mask_Neighbourhood;
+    var phi_981_: lt_mask_Neighbourhood;
+    var phi_982_: lt_mask_Neighbourhood;
+    var phi_1014_: bool;
+    var phi_1015_: bool;
+    var phi_1037_: bool;
+    var phi_1038_: bool;
+    var phi_1039_: bool;
+    var phi_1043_: bool;
+    var phi_1065_: bool;
+    var phi_1066_: bool;
+    var phi_1079_: bool;
+    var phi_1080_: bool;
+    var phi_1081_: bool;
+    var phi_1088_: u32;
+    var phi_1089_: u32;
+    var phi_1090_: u32;
+    var phi_1091_: u32;
+    var phi_1092_: u32;
+    var phi_1093_: u32;
+    var phi_1094_: u32;
     var phi_1106_: bool;
-    var phi_1112_: bool;
-    var phi_1120_: u32;
-    var phi_1125_: u32;
-    var phi_1134_: u32;
-    var phi_1139_: u32;
-    var phi_1143_: u32;
-    var phi_1144_: u32;
-    var phi_1145_: u32;
-    var phi_1149_: f32;
-    var phi_1158_: bool;
-    var phi_1159_: bool;
-    var phi_1161_: mask_Masked;
-    var phi_1233_: bool;
-    var phi_1234_: bool;
-    var phi_1235_: bool;
-    var phi_1236_: bool;
+    var phi_1107_: bool;
+    var phi_1108_: bool;
+    var phi_1109_: bool;
+    var phi_1113_: bool;
+    var phi_1119_: bool;
+    var phi_1127_: u32;
+    var phi_1132_: u32;
+    var phi_1141_: u32;
+    var phi_1146_: u32;
+    var phi_1150_: u32;
+    var phi_1151_: u32;
+    var phi_1152_: u32;
+    var phi_1156_: f32;
+    var phi_1165_: bool;
+    var phi_1166_: bool;
+    var phi_1168_: mask_Masked;
     var phi_1240_: bool;
-    var phi_1268_: f32;
-    var phi_1273_: doubt_Listed;
-    var phi_1274_: bool;
-    var phi_1287_: u32;
-    var phi_1304_: u32;
+    var phi_1241_: bool;
+    var phi_1242_: bool;
+    var phi_1243_: bool;
+    var phi_1247_: bool;
+    var phi_1275_: f32;
+    var phi_1280_: doubt_Listed;
+    var phi_1281_: bool;
+    var phi_1294_: u32;
+    var phi_1311_: u32;
 
     let _e56 = id_1;
     let _e57 = local_1;
@@ -418,7 +418,7 @@ fn function_() {
         }
         let _e247 = phi_360_;
         if _e247.unnamed_1 {
-            phi_1161_ = mask_Masked(_e247.unnamed.visibility, 0u, false, false);
+            phi_1168_ = mask_Masked(_e247.unnamed.visibility, 0u, false, false);
         } else {
             let _e252 = (_e94 < 0.5f);
             if (_e94 > 0f) {
@@ -465,11 +465,11 @@ fn function_() {
             }
             let _e304 = phi_409_;
             if _e304 {
-                phi_712_ = lt_mask_Reprojection(_e274.pixel, _e274.is_valid, false);
-                phi_713_ = lt_mask_Reprojection();
-                phi_714_ = lt_mask_Reprojection();
-                phi_715_ = true;
-                phi_716_ = false;
+                phi_719_ = lt_mask_Reprojection(_e274.pixel, _e274.is_valid, false);
+                phi_720_ = lt_mask_Reprojection();
+                phi_721_ = lt_mask_Reprojection();
+                phi_722_ = true;
+                phi_723_ = false;
             } else {
                 let _e308 = p.member.current.grid[0u];
                 let _e310 = p.member.current.grid[1u];
@@ -480,741 +480,743 @@ fn function_() {
                 let _e333 = (_e89.y - _e329.y);
                 let _e335 = (_e89.z - _e329.z);
                 let _e337 = p.member.previous.forward;
-                let _e345 = (((_e331 * _e337.x) + (_e333 * _e337.y)) + (_e335 * _e337.z));
-                let _e347 = p.member.previous.right;
-                let _e357 = p.member.previous.right;
+                let _e346 = (1f / (((_e331 * _e337.x) + (_e333 * _e337.y)) + (_e335 * _e337.z)));
+                let _e348 = p.member.previous.right;
+                let _e350 = p.member.previous.right;
+                let _e362 = (1f / (((_e350.x * _e350.x) + (_e350.y * _e350.y)) + (_e350.z * _e350.z)));
+                let _e370 = p.member.previous.up;
                 let _e372 = p.member.previous.up;
-                let _e382 = p.member.previous.up;
-                let _e399 = p.member.previous.size[0u];
-                let _e406 = p.member.previous.size[1u];
-                let _e410 = (((((((_e331 * _e347.x) + (_e333 * _e347.y)) + (_e335 * _e347.z)) / ((((_e357.x * _e357.x) + (_e357.y * _e357.y)) + (_e357.z * _e357.z)) * _e345)) + 1f) * (0.5f * f32(_e399))) - _e324);
-                let _e411 = (((1f - ((((_e331 * _e372.x) + (_e333 * _e372.y)) + (_e335 * _e372.z)) / ((((_e382.x * _e382.x) + (_e382.y * _e382.y)) + (_e382.z * _e382.z)) * _e345))) * (0.5f * f32(_e406))) - _e326);
-                let _e415 = p.member.current.size[0u];
-                let _e417 = p.member.current.size[1u];
-                let _e419 = (_e324 + _e410);
-                if (_e419 > -8388608f) {
-                    let _e431 = f32(select(0i, select(select(i32(_e419), i32(-2147483648), (_e419 < bitcast<f32>(3472883712u))), 2147483647i, (_e419 > bitcast<f32>(1325400063u))), (_e419 == _e419)));
-                    if (_e431 > _e419) {
-                        phi_545_ = 1f;
+                let _e384 = (1f / (((_e372.x * _e372.x) + (_e372.y * _e372.y)) + (_e372.z * _e372.z)));
+                let _e406 = p.member.previous.size[0u];
+                let _e413 = p.member.previous.size[1u];
+                let _e417 = (((((((_e331 * (_e348.x * _e362)) + (_e333 * (_e348.y * _e362))) + (_e335 * (_e348.z * _e362))) * _e346) + 1f) * (0.5f * f32(_e406))) - _e324);
+                let _e418 = (((1f - ((((_e331 * (_e370.x * _e384)) + (_e333 * (_e370.y * _e384))) + (_e335 * (_e370.z * _e384))) * _e346)) * (0.5f * f32(_e413))) - _e326);
+                let _e422 = p.member.current.size[0u];
+                let _e424 = p.member.current.size[1u];
+                let _e426 = (_e324 + _e417);
+                if (_e426 > -8388608f) {
+                    let _e438 = f32(select(0i, select(select(i32(_e426), i32(-2147483648), (_e426 < bitcast<f32>(3472883712u))), 2147483647i, (_e426 > bitcast<f32>(1325400063u))), (_e426 == _e426)));
+                    if (_e438 > _e426) {
+                        phi_552_ = 1f;
                     } else {
-                        phi_545_ = 0f;
+                        phi_552_ = 0f;
                     }
-                    let _e434 = phi_545_;
-                    if (_e419 < 8388608f) {
-                        phi_550_ = (_e431 - _e434);
-                        phi_551_ = false;
+                    let _e441 = phi_552_;
+                    if (_e426 < 8388608f) {
+                        phi_557_ = (_e438 - _e441);
+                        phi_558_ = false;
                     } else {
-                        phi_550_ = f32();
-                        phi_551_ = true;
+                        phi_557_ = f32();
+                        phi_558_ = true;
                     }
-                    let _e437 = phi_550_;
-                    let _e439 = phi_551_;
-                    phi_552_ = _e437;
-                    phi_553_ = _e439;
+                    let _e444 = phi_557_;
+                    let _e446 = phi_558_;
+                    phi_559_ = _e444;
+                    phi_560_ = _e446;
                 } else {
-                    phi_552_ = f32();
-                    phi_553_ = true;
+                    phi_559_ = f32();
+                    phi_560_ = true;
                 }
-                let _e441 = phi_552_;
-                let _e443 = phi_553_;
-                if _e443 {
-                    phi_557_ = _e419;
+                let _e448 = phi_559_;
+                let _e450 = phi_560_;
+                if _e450 {
+                    phi_564_ = _e426;
                 } else {
-                    phi_557_ = _e441;
+                    phi_564_ = _e448;
                 }
-                let _e445 = phi_557_;
-                let _e446 = (_e326 + _e411);
-                if (_e446 > -8388608f) {
-                    let _e458 = f32(select(0i, select(select(i32(_e446), i32(-2147483648), (_e446 < bitcast<f32>(3472883712u))), 2147483647i, (_e446 > bitcast<f32>(1325400063u))), (_e446 == _e446)));
-                    if (_e458 > _e446) {
-                        phi_578_ = 1f;
+                let _e452 = phi_564_;
+                let _e453 = (_e326 + _e418);
+                if (_e453 > -8388608f) {
+                    let _e465 = f32(select(0i, select(select(i32(_e453), i32(-2147483648), (_e453 < bitcast<f32>(3472883712u))), 2147483647i, (_e453 > bitcast<f32>(1325400063u))), (_e453 == _e453)));
+                    if (_e465 > _e453) {
+                        phi_585_ = 1f;
                     } else {
-                        phi_578_ = 0f;
+                        phi_585_ = 0f;
                     }
-                    let _e461 = phi_578_;
-                    if (_e446 < 8388608f) {
-                        phi_583_ = (_e458 - _e461);
-                        phi_584_ = false;
+                    let _e468 = phi_585_;
+                    if (_e453 < 8388608f) {
+                        phi_590_ = (_e465 - _e468);
+                        phi_591_ = false;
                     } else {
-                        phi_583_ = f32();
-                        phi_584_ = true;
+                        phi_590_ = f32();
+                        phi_591_ = true;
                     }
-                    let _e464 = phi_583_;
-                    let _e466 = phi_584_;
-                    phi_585_ = _e464;
-                    phi_586_ = _e466;
+                    let _e471 = phi_590_;
+                    let _e473 = phi_591_;
+                    phi_592_ = _e471;
+                    phi_593_ = _e473;
                 } else {
-                    phi_585_ = f32();
-                    phi_586_ = true;
+                    phi_592_ = f32();
+                    phi_593_ = true;
                 }
-                let _e468 = phi_585_;
-                let _e470 = phi_586_;
-                if _e470 {
-                    phi_590_ = _e446;
+                let _e475 = phi_592_;
+                let _e477 = phi_593_;
+                if _e477 {
+                    phi_597_ = _e453;
                 } else {
-                    phi_590_ = _e468;
+                    phi_597_ = _e475;
                 }
-                let _e472 = phi_590_;
-                if (_e445 >= 0f) {
-                    if (_e472 >= 0f) {
-                        if (_e445 < f32(_e415)) {
-                            let _e478 = (_e472 < f32(_e417));
-                            if (_e410 == 0f) {
-                                phi_611_ = (_e411 == 0f);
+                let _e479 = phi_597_;
+                if (_e452 >= 0f) {
+                    if (_e479 >= 0f) {
+                        if (_e452 < f32(_e422)) {
+                            let _e485 = (_e479 < f32(_e424));
+                            if (_e417 == 0f) {
+                                phi_618_ = (_e418 == 0f);
                             } else {
-                                phi_611_ = false;
+                                phi_618_ = false;
                             }
-                            let _e482 = phi_611_;
-                            if _e478 {
-                                phi_630_ = vec2<u32>(select(select(u32(_e445), 0u, (_e445 < bitcast<f32>(0u))), 4294967295u, (_e445 > bitcast<f32>(1333788671u))), select(select(u32(_e472), 0u, (_e472 < bitcast<f32>(0u))), 4294967295u, (_e472 > bitcast<f32>(1333788671u))));
-                                phi_631_ = false;
+                            let _e489 = phi_618_;
+                            if _e485 {
+                                phi_637_ = vec2<u32>(select(select(u32(_e452), 0u, (_e452 < bitcast<f32>(0u))), 4294967295u, (_e452 > bitcast<f32>(1333788671u))), select(select(u32(_e479), 0u, (_e479 < bitcast<f32>(0u))), 4294967295u, (_e479 > bitcast<f32>(1333788671u))));
+                                phi_638_ = false;
                             } else {
-                                phi_630_ = vec2<u32>();
-                                phi_631_ = true;
+                                phi_637_ = vec2<u32>();
+                                phi_638_ = true;
                             }
-                            let _e499 = phi_630_;
-                            let _e501 = phi_631_;
-                            phi_632_ = _e482;
-                            phi_633_ = _e478;
-                            phi_634_ = _e499;
-                            phi_635_ = _e482;
-                            phi_636_ = _e478;
-                            phi_637_ = false;
-                            phi_638_ = _e501;
+                            let _e506 = phi_637_;
+                            let _e508 = phi_638_;
+                            phi_639_ = _e489;
+                            phi_640_ = _e485;
+                            phi_641_ = _e506;
+                            phi_642_ = _e489;
+                            phi_643_ = _e485;
+                            phi_644_ = false;
+                            phi_645_ = _e508;
                         } else {
-                            phi_632_ = bool();
-                            phi_633_ = bool();
-                            phi_634_ = vec2<u32>();
-                            phi_635_ = bool();
-                            phi_636_ = bool();
-                            phi_637_ = true;
-                            phi_638_ = false;
+                            phi_639_ = bool();
+                            phi_640_ = bool();
+                            phi_641_ = vec2<u32>();
+                            phi_642_ = bool();
+                            phi_643_ = bool();
+                            phi_644_ = true;
+                            phi_645_ = false;
                         }
-                        let _e503 = phi_632_;
-                        let _e505 = phi_633_;
-                        let _e507 = phi_634_;
-                        let _e509 = phi_635_;
-                        let _e511 = phi_636_;
-                        let _e513 = phi_637_;
-                        let _e515 = phi_638_;
-                        phi_639_ = _e503;
-                        phi_640_ = _e505;
-                        phi_641_ = _e507;
-                        phi_642_ = _e509;
-                        phi_643_ = _e511;
-                        phi_644_ = _e513;
-                        phi_645_ = _e515;
+                        let _e510 = phi_639_;
+                        let _e512 = phi_640_;
+                        let _e514 = phi_641_;
+                        let _e516 = phi_642_;
+                        let _e518 = phi_643_;
+                        let _e520 = phi_644_;
+                        let _e522 = phi_645_;
+                        phi_646_ = _e510;
+                        phi_647_ = _e512;
+                        phi_648_ = _e514;
+                        phi_649_ = _e516;
+                        phi_650_ = _e518;
+                        phi_651_ = _e520;
+                        phi_652_ = _e522;
                     } else {
-                        phi_639_ = bool();
-                        phi_640_ = bool();
-                        phi_641_ = vec2<u32>();
-                        phi_642_ = bool();
-                        phi_643_ = bool();
-                        phi_644_ = true;
-                        phi_645_ = false;
+                        phi_646_ = bool();
+                        phi_647_ = bool();
+                        phi_648_ = vec2<u32>();
+                        phi_649_ = bool();
+                        phi_650_ = bool();
+                        phi_651_ = true;
+                        phi_652_ = false;
                     }
-                    let _e517 = phi_639_;
-                    let _e519 = phi_640_;
-                    let _e521 = phi_641_;
-                    let _e523 = phi_642_;
-                    let _e525 = phi_643_;
-                    let _e527 = phi_644_;
-                    let _e529 = phi_645_;
-                    phi_646_ = _e517;
-                    phi_647_ = _e519;
-                    phi_648_ = _e521;
-                    phi_649_ = _e523;
-                    phi_650_ = _e525;
-                    phi_651_ = _e527;
-                    phi_652_ = _e529;
+                    let _e524 = phi_646_;
+                    let _e526 = phi_647_;
+                    let _e528 = phi_648_;
+                    let _e530 = phi_649_;
+                    let _e532 = phi_650_;
+                    let _e534 = phi_651_;
+                    let _e536 = phi_652_;
+                    phi_653_ = _e524;
+                    phi_654_ = _e526;
+                    phi_655_ = _e528;
+                    phi_656_ = _e530;
+                    phi_657_ = _e532;
+                    phi_658_ = _e534;
+                    phi_659_ = _e536;
                 } else {
-                    phi_646_ = bool();
-                    phi_647_ = bool();
-                    phi_648_ = vec2<u32>();
-                    phi_649_ = bool();
-                    phi_650_ = bool();
-                    phi_651_ = true;
-                    phi_652_ = false;
+                    phi_653_ = bool();
+                    phi_654_ = bool();
+                    phi_655_ = vec2<u32>();
+                    phi_656_ = bool();
+                    phi_657_ = bool();
+                    phi_658_ = true;
+                    phi_659_ = false;
                 }
-                let _e531 = phi_646_;
-                let _e533 = phi_647_;
-                let _e535 = phi_648_;
-                let _e537 = phi_649_;
-                let _e539 = phi_650_;
-                let _e541 = phi_651_;
-                let _e543 = phi_652_;
-                if _e541 {
-                    if (_e410 == 0f) {
-                        phi_661_ = (_e411 == 0f);
+                let _e538 = phi_653_;
+                let _e540 = phi_654_;
+                let _e542 = phi_655_;
+                let _e544 = phi_656_;
+                let _e546 = phi_657_;
+                let _e548 = phi_658_;
+                let _e550 = phi_659_;
+                if _e548 {
+                    if (_e417 == 0f) {
+                        phi_668_ = (_e418 == 0f);
                     } else {
-                        phi_661_ = false;
+                        phi_668_ = false;
                     }
-                    let _e547 = phi_661_;
-                    phi_662_ = _e547;
-                    phi_663_ = false;
-                    phi_664_ = true;
+                    let _e554 = phi_668_;
+                    phi_669_ = _e554;
+                    phi_670_ = false;
+                    phi_671_ = true;
                 } else {
-                    phi_662_ = _e537;
-                    phi_663_ = _e539;
-                    phi_664_ = _e543;
+                    phi_669_ = _e544;
+                    phi_670_ = _e546;
+                    phi_671_ = _e550;
                 }
-                let _e549 = phi_662_;
-                let _e551 = phi_663_;
-                let _e553 = phi_664_;
-                if _e553 {
-                    phi_668_ = _e549;
-                    phi_669_ = _e551;
-                    phi_670_ = vec2<u32>(_e56.x, _e56.y);
+                let _e556 = phi_669_;
+                let _e558 = phi_670_;
+                let _e560 = phi_671_;
+                if _e560 {
+                    phi_675_ = _e556;
+                    phi_676_ = _e558;
+                    phi_677_ = vec2<u32>(_e56.x, _e56.y);
                 } else {
-                    phi_668_ = _e531;
-                    phi_669_ = _e533;
-                    phi_670_ = _e535;
+                    phi_675_ = _e538;
+                    phi_676_ = _e540;
+                    phi_677_ = _e542;
                 }
-                let _e555 = phi_668_;
-                let _e557 = phi_669_;
-                let _e559 = phi_670_;
-                let _e569 = lt_mask_Reprojection(vec2<u32>(_e559.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e576 = lt_mask_Reprojection(vec2<u32>(_e569.pixel.x, _e559.y), _e569.is_valid, _e569.has_moved);
-                let _e580 = lt_mask_Reprojection(_e576.pixel, _e557, _e576.has_moved);
-                let _e584 = lt_mask_Reprojection(_e580.pixel, _e580.is_valid, !(_e555));
-                if _e557 {
-                    let _e587 = p.member.previous.eye;
-                    let _e595 = p.member.previous.forward;
-                    let _e604 = (((((_e89.x - _e587.x) * _e595.x) + ((_e89.y - _e587.y) * _e595.y)) + ((_e89.z - _e587.z) * _e595.z)) > 0f);
-                    let _e608 = lt_mask_Reprojection(_e584.pixel, _e604, _e584.has_moved);
-                    if _e604 {
-                        phi_705_ = false;
+                let _e562 = phi_675_;
+                let _e564 = phi_676_;
+                let _e566 = phi_677_;
+                let _e576 = lt_mask_Reprojection(vec2<u32>(_e566.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e583 = lt_mask_Reprojection(vec2<u32>(_e576.pixel.x, _e566.y), _e576.is_valid, _e576.has_moved);
+                let _e587 = lt_mask_Reprojection(_e583.pixel, _e564, _e583.has_moved);
+                let _e591 = lt_mask_Reprojection(_e587.pixel, _e587.is_valid, !(_e562));
+                if _e564 {
+                    let _e594 = p.member.previous.eye;
+                    let _e602 = p.member.previous.forward;
+                    let _e611 = (((((_e89.x - _e594.x) * _e602.x) + ((_e89.y - _e594.y) * _e602.y)) + ((_e89.z - _e594.z) * _e602.z)) > 0f);
+                    let _e615 = lt_mask_Reprojection(_e591.pixel, _e611, _e591.has_moved);
+                    if _e611 {
+                        phi_712_ = false;
                     } else {
-                        phi_705_ = true;
+                        phi_712_ = true;
                     }
-                    let _e610 = phi_705_;
-                    phi_707_ = _e608;
-                    phi_708_ = _e608;
-                    phi_709_ = lt_mask_Reprojection();
-                    phi_710_ = _e604;
-                    phi_711_ = _e610;
+                    let _e617 = phi_712_;
+                    phi_714_ = _e615;
+                    phi_715_ = _e615;
+                    phi_716_ = lt_mask_Reprojection();
+                    phi_717_ = _e611;
+                    phi_718_ = _e617;
                 } else {
-                    phi_707_ = lt_mask_Reprojection();
-                    phi_708_ = lt_mask_Reprojection();
-                    phi_709_ = lt_mask_Reprojection(_e584.pixel, false, _e584.has_moved);
-                    phi_710_ = false;
-                    phi_711_ = false;
+                    phi_714_ = lt_mask_Reprojection();
+                    phi_715_ = lt_mask_Reprojection();
+                    phi_716_ = lt_mask_Reprojection(_e591.pixel, false, _e591.has_moved);
+                    phi_717_ = false;
+                    phi_718_ = false;
                 }
-                let _e616 = phi_707_;
-                let _e618 = phi_708_;
-                let _e620 = phi_709_;
-                let _e622 = phi_710_;
-                let _e624 = phi_711_;
-                phi_712_ = _e616;
-                phi_713_ = _e618;
-                phi_714_ = _e620;
-                phi_715_ = _e622;
-                phi_716_ = _e624;
+                let _e623 = phi_714_;
+                let _e625 = phi_715_;
+                let _e627 = phi_716_;
+                let _e629 = phi_717_;
+                let _e631 = phi_718_;
+                phi_719_ = _e623;
+                phi_720_ = _e625;
+                phi_721_ = _e627;
+                phi_722_ = _e629;
+                phi_723_ = _e631;
             }
-            let _e626 = phi_712_;
-            let _e628 = phi_713_;
-            let _e630 = phi_714_;
-            let _e632 = phi_715_;
-            let _e634 = phi_716_;
-            if _e632 {
-                let _e637 = p.member.previous.eye;
-                let _e645 = p.member.previous.forward;
-                let _e653 = ((((_e89.x - _e637.x) * _e645.x) + ((_e89.y - _e637.y) * _e645.y)) + ((_e89.z - _e637.z) * _e645.z));
-                let _e659 = ((_e626.pixel.y * _e86) + _e626.pixel.x);
-                if (_e659 < arrayLength((&last_depths.member))) {
+            let _e633 = phi_719_;
+            let _e635 = phi_720_;
+            let _e637 = phi_721_;
+            let _e639 = phi_722_;
+            let _e641 = phi_723_;
+            if _e639 {
+                let _e644 = p.member.previous.eye;
+                let _e652 = p.member.previous.forward;
+                let _e660 = ((((_e89.x - _e644.x) * _e652.x) + ((_e89.y - _e644.y) * _e652.y)) + ((_e89.z - _e644.z) * _e652.z));
+                let _e666 = ((_e633.pixel.y * _e86) + _e633.pixel.x);
+                if (_e666 < arrayLength((&last_depths.member))) {
                 } else {
                     return;
                 }
-                let _e663 = last_depths.member[(0u + _e659)];
-                let _e665 = p.member.depth_tolerance;
-                let _e668 = abs(_e653);
-                let _e669 = abs(_e663);
-                if ((bitcast<u32>(_e669) & 2147483647u) > 2139095040u) {
-                    phi_768_ = true;
+                let _e670 = last_depths.member[(0u + _e666)];
+                let _e672 = p.member.depth_tolerance;
+                let _e675 = abs(_e660);
+                let _e676 = abs(_e670);
+                if ((bitcast<u32>(_e676) & 2147483647u) > 2139095040u) {
+                    phi_775_ = true;
                 } else {
-                    let _e673 = (_e669 > _e668);
-                    if _e673 {
+                    let _e680 = (_e676 > _e675);
+                    if _e680 {
                     }
-                    phi_768_ = _e673;
+                    phi_775_ = _e680;
                 }
-                let _e675 = phi_768_;
-                if _e675 {
-                    phi_772_ = _e669;
+                let _e682 = phi_775_;
+                if _e682 {
+                    phi_779_ = _e676;
                 } else {
-                    phi_772_ = _e668;
+                    phi_779_ = _e675;
                 }
-                let _e677 = phi_772_;
-                phi_776_ = lt_mask_Reprojection(_e626.pixel, (abs((_e653 - _e663)) <= (_e665 * _e677)), _e626.has_moved);
-                phi_777_ = true;
+                let _e684 = phi_779_;
+                phi_783_ = lt_mask_Reprojection(_e633.pixel, (abs((_e660 - _e670)) <= (_e672 * _e684)), _e633.has_moved);
+                phi_784_ = true;
             } else {
-                phi_776_ = _e628;
-                phi_777_ = _e634;
+                phi_783_ = _e635;
+                phi_784_ = _e641;
             }
-            let _e685 = phi_776_;
-            let _e687 = phi_777_;
-            if _e687 {
-                if _e685.is_valid {
-                    let _e690 = p.member.flags;
-                    phi_789_ = ((_e690 & 1u) != 0u);
-                    phi_790_ = false;
+            let _e692 = phi_783_;
+            let _e694 = phi_784_;
+            if _e694 {
+                if _e692.is_valid {
+                    let _e697 = p.member.flags;
+                    phi_796_ = ((_e697 & 1u) != 0u);
+                    phi_797_ = false;
                 } else {
-                    phi_789_ = bool();
-                    phi_790_ = true;
+                    phi_796_ = bool();
+                    phi_797_ = true;
                 }
-                let _e694 = phi_789_;
-                let _e696 = phi_790_;
-                phi_791_ = _e694;
-                phi_792_ = _e685;
-                phi_793_ = _e696;
+                let _e701 = phi_796_;
+                let _e703 = phi_797_;
+                phi_798_ = _e701;
+                phi_799_ = _e692;
+                phi_800_ = _e703;
             } else {
-                phi_791_ = bool();
-                phi_792_ = _e630;
-                phi_793_ = true;
+                phi_798_ = bool();
+                phi_799_ = _e637;
+                phi_800_ = true;
             }
-            let _e698 = phi_791_;
-            let _e700 = phi_792_;
-            let _e702 = phi_793_;
-            if _e702 {
-                phi_797_ = false;
-                phi_798_ = _e700;
+            let _e705 = phi_798_;
+            let _e707 = phi_799_;
+            let _e709 = phi_800_;
+            if _e709 {
+                phi_804_ = false;
+                phi_805_ = _e707;
             } else {
-                phi_797_ = _e698;
-                phi_798_ = _e685;
+                phi_804_ = _e705;
+                phi_805_ = _e692;
             }
-            let _e704 = phi_797_;
-            let _e706 = phi_798_;
-            let _e710 = lt_mask_Reprojection(_e706.pixel, _e704, _e706.has_moved);
-            let _e712 = p.member.flags;
-            let _e714 = ((_e712 & 2u) != 0u);
-            let _e716 = p.member.flags;
-            if ((_e716 & 4u) == 0u) {
-                phi_897_ = u32();
-                phi_898_ = true;
-                phi_899_ = false;
+            let _e711 = phi_804_;
+            let _e713 = phi_805_;
+            let _e717 = lt_mask_Reprojection(_e713.pixel, _e711, _e713.has_moved);
+            let _e719 = p.member.flags;
+            let _e721 = ((_e719 & 2u) != 0u);
+            let _e723 = p.member.flags;
+            if ((_e723 & 4u) == 0u) {
+                phi_904_ = u32();
+                phi_905_ = true;
+                phi_906_ = false;
             } else {
-                if _e704 {
-                    if !(_e710.has_moved) {
+                if _e711 {
+                    if !(_e717.has_moved) {
                         if (32u == 0u) {
                             return;
                         }
-                        let _e722 = (_e86 / 32u);
+                        let _e729 = (_e86 / 32u);
                         if (32u == 0u) {
                             return;
                         }
                         if ((_e86 % 32u) > 0u) {
-                            phi_836_ = (_e722 + 1u);
+                            phi_843_ = (_e729 + 1u);
                         } else {
-                            phi_836_ = _e722;
+                            phi_843_ = _e729;
                         }
-                        let _e728 = phi_836_;
-                        let _e733 = ((((_e56.y * _e728) + (_e56.x / 32u)) * 6u) + 4u);
-                        if (_e733 < _e62) {
+                        let _e735 = phi_843_;
+                        let _e740 = ((((_e56.y * _e735) + (_e56.x / 32u)) * 6u) + 4u);
+                        if (_e740 < _e62) {
                         } else {
                             return;
                         }
-                        let _e737 = heard.member[(0u + _e733)];
-                        if (((_e737 >> bitcast<u32>(((_e56.x % 32u) & 31u))) & 1u) != 0u) {
-                            let _e748 = ((((_e56.y * _e728) + (_e56.x / 32u)) * 6u) + 5u);
-                            if (_e748 < _e62) {
+                        let _e744 = heard.member[(0u + _e740)];
+                        if (((_e744 >> bitcast<u32>(((_e56.x % 32u) & 31u))) & 1u) != 0u) {
+                            let _e755 = ((((_e56.y * _e735) + (_e56.x / 32u)) * 6u) + 5u);
+                            if (_e755 < _e62) {
                             } else {
                                 return;
                             }
-                            let _e752 = heard.member[(0u + _e748)];
+                            let _e759 = heard.member[(0u + _e755)];
                             if false {
-                                phi_885_ = (2u | 1u);
+                                phi_892_ = (2u | 1u);
                             } else {
-                                phi_885_ = 2u;
+                                phi_892_ = 2u;
                             }
-                            let _e761 = phi_885_;
-                            if (((_e752 >> bitcast<u32>(((_e56.x % 32u) & 31u))) & 1u) != 0u) {
-                                phi_890_ = (_e761 | 4u);
+                            let _e768 = phi_892_;
+                            if (((_e759 >> bitcast<u32>(((_e56.x % 32u) & 31u))) & 1u) != 0u) {
+                                phi_897_ = (_e768 | 4u);
                             } else {
-                                phi_890_ = _e761;
+                                phi_897_ = _e768;
                             }
-                            let _e764 = phi_890_;
-                            phi_891_ = _e764;
+                            let _e771 = phi_897_;
+                            phi_898_ = _e771;
                         } else {
-                            phi_891_ = 0u;
+                            phi_898_ = 0u;
                         }
-                        let _e766 = phi_891_;
-                        phi_892_ = _e766;
-                        phi_893_ = false;
+                        let _e773 = phi_898_;
+                        phi_899_ = _e773;
+                        phi_900_ = false;
                     } else {
-                        phi_892_ = u32();
-                        phi_893_ = true;
+                        phi_899_ = u32();
+                        phi_900_ = true;
                     }
-                    let _e768 = phi_892_;
-                    let _e770 = phi_893_;
-                    phi_894_ = _e768;
-                    phi_895_ = false;
-                    phi_896_ = _e770;
+                    let _e775 = phi_899_;
+                    let _e777 = phi_900_;
+                    phi_901_ = _e775;
+                    phi_902_ = false;
+                    phi_903_ = _e777;
                 } else {
-                    phi_894_ = u32();
-                    phi_895_ = true;
-                    phi_896_ = false;
+                    phi_901_ = u32();
+                    phi_902_ = true;
+                    phi_903_ = false;
                 }
-                let _e772 = phi_894_;
-                let _e774 = phi_895_;
-                let _e776 = phi_896_;
-                phi_897_ = _e772;
-                phi_898_ = _e774;
-                phi_899_ = _e776;
+                let _e779 = phi_901_;
+                let _e781 = phi_902_;
+                let _e783 = phi_903_;
+                phi_904_ = _e779;
+                phi_905_ = _e781;
+                phi_906_ = _e783;
             }
-            let _e778 = phi_897_;
-            let _e780 = phi_898_;
-            let _e782 = phi_899_;
-            if _e780 {
-                phi_903_ = true;
+            let _e785 = phi_904_;
+            let _e787 = phi_905_;
+            let _e789 = phi_906_;
+            if _e787 {
+                phi_910_ = true;
             } else {
-                phi_903_ = _e782;
+                phi_910_ = _e789;
             }
-            let _e784 = phi_903_;
-            if _e784 {
-                phi_907_ = 0u;
+            let _e791 = phi_910_;
+            if _e791 {
+                phi_914_ = 0u;
             } else {
-                phi_907_ = _e778;
+                phi_914_ = _e785;
             }
-            let _e786 = phi_907_;
-            let _e787 = lt_mask_Neighbourhood(false, true);
+            let _e793 = phi_914_;
+            let _e794 = lt_mask_Neighbourhood(false, true);
             if _e256 {
-                phi_912_ = _e714;
+                phi_919_ = _e721;
             } else {
-                phi_912_ = true;
+                phi_919_ = true;
             }
-            let _e789 = phi_912_;
-            if _e789 {
-                if _e704 {
-                    if ((_e786 & 2u) != 0u) {
-                        phi_973_ = _e787;
+            let _e796 = phi_919_;
+            if _e796 {
+                if _e711 {
+                    if ((_e793 & 2u) != 0u) {
+                        phi_980_ = _e794;
                     } else {
                         if (32u == 0u) {
                             return;
                         }
-                        let _e798 = (_e86 / 32u);
+                        let _e805 = (_e86 / 32u);
                         if (32u == 0u) {
                             return;
                         }
                         if ((_e86 % 32u) > 0u) {
-                            phi_944_ = (_e798 + 1u);
+                            phi_951_ = (_e805 + 1u);
                         } else {
-                            phi_944_ = _e798;
+                            phi_951_ = _e805;
                         }
-                        let _e804 = phi_944_;
-                        let _e814 = ((((_e710.pixel.y * _e804) + (_e710.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e252) | (select(0u, 1u, _e710.has_moved) << bitcast<u32>(1i))));
-                        if (_e814 < _e62) {
+                        let _e811 = phi_951_;
+                        let _e821 = ((((_e717.pixel.y * _e811) + (_e717.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e252) | (select(0u, 1u, _e717.has_moved) << bitcast<u32>(1i))));
+                        if (_e821 < _e62) {
                         } else {
                             return;
                         }
-                        let _e818 = heard.member[(0u + _e814)];
-                        let _e824 = (((_e818 >> bitcast<u32>(((_e710.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_973_ = lt_mask_Neighbourhood(_e824, !(_e824));
+                        let _e825 = heard.member[(0u + _e821)];
+                        let _e831 = (((_e825 >> bitcast<u32>(((_e717.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_980_ = lt_mask_Neighbourhood(_e831, !(_e831));
                     }
-                    let _e828 = phi_973_;
-                    phi_974_ = _e828;
+                    let _e835 = phi_980_;
+                    phi_981_ = _e835;
                 } else {
-                    phi_974_ = _e787;
+                    phi_981_ = _e794;
                 }
-                let _e830 = phi_974_;
-                phi_975_ = _e830;
+                let _e837 = phi_981_;
+                phi_982_ = _e837;
             } else {
-                phi_975_ = _e787;
+                phi_982_ = _e794;
             }
-            let _e832 = phi_975_;
-            let _e835 = p.member.frame;
-            let _e837 = p.member.refresh;
-            if (_e837 == 0u) {
-                phi_1008_ = false;
+            let _e839 = phi_982_;
+            let _e842 = p.member.frame;
+            let _e844 = p.member.refresh;
+            if (_e844 == 0u) {
+                phi_1015_ = false;
             } else {
-                if (_e837 == 0u) {
+                if (_e844 == 0u) {
                     return;
                 }
-                let _e846 = ((_e56.x + (_e56.y * (((_e837 * 5u) / 8u) | 1u))) + (_e835 % _e837));
-                if (_e837 == 0u) {
-                    phi_1007_ = (_e846 == 0u);
+                let _e853 = ((_e56.x + (_e56.y * (((_e844 * 5u) / 8u) | 1u))) + (_e842 % _e844));
+                if (_e844 == 0u) {
+                    phi_1014_ = (_e853 == 0u);
                 } else {
-                    if (_e837 == 0u) {
+                    if (_e844 == 0u) {
                         return;
                     }
-                    phi_1007_ = ((_e846 % _e837) == 0u);
+                    phi_1014_ = ((_e853 % _e844) == 0u);
                 }
-                let _e853 = phi_1007_;
-                phi_1008_ = _e853;
+                let _e860 = phi_1014_;
+                phi_1015_ = _e860;
             }
-            let _e855 = phi_1008_;
-            if _e704 {
-                if _e855 {
-                    phi_1030_ = bool();
+            let _e862 = phi_1015_;
+            if _e711 {
+                if _e862 {
+                    phi_1037_ = bool();
                 } else {
-                    phi_1030_ = ((_e786 & 2u) != 0u);
+                    phi_1037_ = ((_e793 & 2u) != 0u);
                 }
-                let _e861 = phi_1030_;
-                phi_1031_ = _e861;
-                phi_1032_ = _e855;
+                let _e868 = phi_1037_;
+                phi_1038_ = _e868;
+                phi_1039_ = _e862;
             } else {
-                phi_1031_ = bool();
-                phi_1032_ = true;
+                phi_1038_ = bool();
+                phi_1039_ = true;
             }
-            let _e863 = phi_1031_;
-            let _e865 = phi_1032_;
-            if _e865 {
-                phi_1036_ = false;
+            let _e870 = phi_1038_;
+            let _e872 = phi_1039_;
+            if _e872 {
+                phi_1043_ = false;
             } else {
-                phi_1036_ = _e863;
+                phi_1043_ = _e870;
             }
-            let _e867 = phi_1036_;
-            if _e867 {
-                phi_1087_ = 7u;
+            let _e874 = phi_1043_;
+            if _e874 {
+                phi_1094_ = 7u;
             } else {
                 if (_e94 != 0.5f) {
-                    if _e704 {
-                        if _e855 {
-                            phi_1084_ = 6u;
+                    if _e711 {
+                        if _e862 {
+                            phi_1091_ = 6u;
                         } else {
                             if _e256 {
-                                phi_1059_ = true;
+                                phi_1066_ = true;
                             } else {
-                                if _e832.any_expands {
-                                    phi_1058_ = false;
+                                if _e839.any_expands {
+                                    phi_1065_ = false;
                                 } else {
-                                    phi_1058_ = true;
+                                    phi_1065_ = true;
                                 }
-                                let _e869 = phi_1058_;
-                                phi_1059_ = _e869;
+                                let _e876 = phi_1065_;
+                                phi_1066_ = _e876;
                             }
-                            let _e871 = phi_1059_;
-                            if _e871 {
+                            let _e878 = phi_1066_;
+                            if _e878 {
                                 if _e256 {
-                                    if _e714 {
-                                        if _e832.all_remove {
-                                            phi_1072_ = false;
+                                    if _e721 {
+                                        if _e839.all_remove {
+                                            phi_1079_ = false;
                                         } else {
-                                            phi_1072_ = true;
+                                            phi_1079_ = true;
                                         }
-                                        let _e873 = phi_1072_;
-                                        phi_1073_ = _e873;
+                                        let _e880 = phi_1079_;
+                                        phi_1080_ = _e880;
                                     } else {
-                                        phi_1073_ = true;
+                                        phi_1080_ = true;
                                     }
-                                    let _e875 = phi_1073_;
-                                    phi_1074_ = _e875;
+                                    let _e882 = phi_1080_;
+                                    phi_1081_ = _e882;
                                 } else {
-                                    phi_1074_ = true;
+                                    phi_1081_ = true;
                                 }
-                                let _e877 = phi_1074_;
-                                if _e877 {
+                                let _e884 = phi_1081_;
+                                if _e884 {
                                     if _e256 {
-                                        phi_1081_ = 1u;
+                                        phi_1088_ = 1u;
                                     } else {
-                                        phi_1081_ = 0u;
+                                        phi_1088_ = 0u;
                                     }
-                                    let _e879 = phi_1081_;
-                                    phi_1082_ = _e879;
+                                    let _e886 = phi_1088_;
+                                    phi_1089_ = _e886;
                                 } else {
-                                    phi_1082_ = 5u;
+                                    phi_1089_ = 5u;
                                 }
-                                let _e881 = phi_1082_;
-                                phi_1083_ = _e881;
+                                let _e888 = phi_1089_;
+                                phi_1090_ = _e888;
                             } else {
-                                phi_1083_ = 4u;
+                                phi_1090_ = 4u;
                             }
-                            let _e883 = phi_1083_;
-                            phi_1084_ = _e883;
+                            let _e890 = phi_1090_;
+                            phi_1091_ = _e890;
                         }
-                        let _e885 = phi_1084_;
-                        phi_1085_ = _e885;
+                        let _e892 = phi_1091_;
+                        phi_1092_ = _e892;
                     } else {
-                        phi_1085_ = 3u;
+                        phi_1092_ = 3u;
                     }
-                    let _e887 = phi_1085_;
-                    phi_1086_ = _e887;
+                    let _e894 = phi_1092_;
+                    phi_1093_ = _e894;
                 } else {
-                    phi_1086_ = 2u;
+                    phi_1093_ = 2u;
                 }
-                let _e889 = phi_1086_;
-                phi_1087_ = _e889;
+                let _e896 = phi_1093_;
+                phi_1094_ = _e896;
             }
-            let _e891 = phi_1087_;
-            if !((_e891 == 0u)) {
-                if !((_e891 == 5u)) {
-                    phi_1099_ = !(_e867);
-                    phi_1100_ = false;
+            let _e898 = phi_1094_;
+            if !((_e898 == 0u)) {
+                if !((_e898 == 5u)) {
+                    phi_1106_ = !(_e874);
+                    phi_1107_ = false;
                 } else {
-                    phi_1099_ = bool();
-                    phi_1100_ = true;
+                    phi_1106_ = bool();
+                    phi_1107_ = true;
                 }
-                let _e898 = phi_1099_;
-                let _e900 = phi_1100_;
-                phi_1101_ = _e898;
-                phi_1102_ = _e900;
+                let _e905 = phi_1106_;
+                let _e907 = phi_1107_;
+                phi_1108_ = _e905;
+                phi_1109_ = _e907;
             } else {
-                phi_1101_ = bool();
-                phi_1102_ = true;
+                phi_1108_ = bool();
+                phi_1109_ = true;
             }
-            let _e902 = phi_1101_;
-            let _e904 = phi_1102_;
-            if _e904 {
-                phi_1106_ = false;
+            let _e909 = phi_1108_;
+            let _e911 = phi_1109_;
+            if _e911 {
+                phi_1113_ = false;
             } else {
-                phi_1106_ = _e902;
+                phi_1113_ = _e909;
             }
-            let _e906 = phi_1106_;
-            if _e867 {
-                phi_1112_ = ((_e786 & 4u) != 0u);
+            let _e913 = phi_1113_;
+            if _e874 {
+                phi_1119_ = ((_e793 & 4u) != 0u);
             } else {
-                phi_1112_ = _e252;
+                phi_1119_ = _e252;
             }
-            let _e910 = phi_1112_;
-            if _e906 {
+            let _e917 = phi_1119_;
+            if _e913 {
                 if _e252 {
-                    phi_1120_ = (2u | 1u);
+                    phi_1127_ = (2u | 1u);
                 } else {
-                    phi_1120_ = 2u;
+                    phi_1127_ = 2u;
                 }
-                let _e913 = phi_1120_;
+                let _e920 = phi_1127_;
                 if false {
-                    phi_1125_ = (_e913 | 4u);
+                    phi_1132_ = (_e920 | 4u);
                 } else {
-                    phi_1125_ = _e913;
+                    phi_1132_ = _e920;
                 }
-                let _e916 = phi_1125_;
-                phi_1145_ = _e916;
+                let _e923 = phi_1132_;
+                phi_1152_ = _e923;
             } else {
-                if (_e891 == 7u) {
+                if (_e898 == 7u) {
                     if _e252 {
-                        phi_1134_ = (2u | 1u);
+                        phi_1141_ = (2u | 1u);
                     } else {
-                        phi_1134_ = 2u;
+                        phi_1141_ = 2u;
                     }
-                    let _e920 = phi_1134_;
-                    if _e910 {
-                        phi_1139_ = (_e920 | 4u);
+                    let _e927 = phi_1141_;
+                    if _e917 {
+                        phi_1146_ = (_e927 | 4u);
                     } else {
-                        phi_1139_ = _e920;
+                        phi_1146_ = _e927;
                     }
-                    let _e923 = phi_1139_;
-                    phi_1144_ = _e923;
+                    let _e930 = phi_1146_;
+                    phi_1151_ = _e930;
                 } else {
                     if _e252 {
-                        phi_1143_ = 1u;
+                        phi_1150_ = 1u;
                     } else {
-                        phi_1143_ = 0u;
+                        phi_1150_ = 0u;
                     }
-                    let _e925 = phi_1143_;
-                    phi_1144_ = _e925;
+                    let _e932 = phi_1150_;
+                    phi_1151_ = _e932;
                 }
-                let _e927 = phi_1144_;
-                phi_1145_ = _e927;
+                let _e934 = phi_1151_;
+                phi_1152_ = _e934;
             }
-            let _e929 = phi_1145_;
-            if _e910 {
-                phi_1149_ = 0f;
+            let _e936 = phi_1152_;
+            if _e917 {
+                phi_1156_ = 0f;
             } else {
-                phi_1149_ = 1f;
+                phi_1156_ = 1f;
             }
-            let _e931 = phi_1149_;
+            let _e938 = phi_1156_;
             if _e256 {
                 if (_e94 == 0.99999994f) {
-                    phi_1158_ = true;
+                    phi_1165_ = true;
                 } else {
-                    phi_1158_ = (_e94 == 0.000000059604645f);
+                    phi_1165_ = (_e94 == 0.000000059604645f);
                 }
-                let _e935 = phi_1158_;
-                phi_1159_ = _e935;
+                let _e942 = phi_1165_;
+                phi_1166_ = _e942;
             } else {
-                phi_1159_ = true;
+                phi_1166_ = true;
             }
-            let _e937 = phi_1159_;
-            phi_1161_ = mask_Masked(_e931, _e929, _e906, _e937);
+            let _e944 = phi_1166_;
+            phi_1168_ = mask_Masked(_e938, _e936, _e913, _e944);
         }
-        let _e940 = phi_1161_;
-        visibility.member[_e78.first_primitive] = _e940.visibility;
-        let _e945 = p.member.light.number;
-        let _e946 = (_e945 * 3u);
-        let _e948 = (_e946 % 32u);
-        let _e950 = p.member.light.mask_words;
-        let _e952 = ((_e78.first_primitive * _e950) + (_e946 / 32u));
-        let _e954 = bits.member[_e952];
-        bits.member[_e952] = ((_e954 & ~((7u << bitcast<u32>((_e948 & 31u))))) | (_e940.bits << bitcast<u32>((_e948 & 31u))));
-        if (_e948 > 29u) {
-            let _e969 = bits.member[(_e952 + 1u)];
-            let _e971 = (32u - _e948);
-            bits.member[(_e952 + 1u)] = ((_e969 & ~((7u >> bitcast<u32>((_e971 & 31u))))) | (_e940.bits >> bitcast<u32>((_e971 & 31u))));
+        let _e947 = phi_1168_;
+        visibility.member[_e78.first_primitive] = _e947.visibility;
+        let _e952 = p.member.light.number;
+        let _e953 = (_e952 * 3u);
+        let _e955 = (_e953 % 32u);
+        let _e957 = p.member.light.mask_words;
+        let _e959 = ((_e78.first_primitive * _e957) + (_e953 / 32u));
+        let _e961 = bits.member[_e959];
+        bits.member[_e959] = ((_e961 & ~((7u << bitcast<u32>((_e955 & 31u))))) | (_e947.bits << bitcast<u32>((_e955 & 31u))));
+        if (_e955 > 29u) {
+            let _e976 = bits.member[(_e959 + 1u)];
+            let _e978 = (32u - _e955);
+            bits.member[(_e959 + 1u)] = ((_e976 & ~((7u >> bitcast<u32>((_e978 & 31u))))) | (_e947.bits >> bitcast<u32>((_e978 & 31u))));
         }
-        let _e986 = samples.member[_e78.first_primitive].normal[0u];
-        let _e988 = global[0u];
-        if (_e986 == _e988) {
-            let _e991 = samples.member[_e78.first_primitive].normal[1u];
-            let _e993 = global[1u];
-            if (_e991 == _e993) {
-                let _e996 = samples.member[_e78.first_primitive].normal[2u];
-                let _e998 = global[2u];
-                phi_1233_ = (_e996 == _e998);
-                phi_1234_ = false;
+        let _e993 = samples.member[_e78.first_primitive].normal[0u];
+        let _e995 = global[0u];
+        if (_e993 == _e995) {
+            let _e998 = samples.member[_e78.first_primitive].normal[1u];
+            let _e1000 = global[1u];
+            if (_e998 == _e1000) {
+                let _e1003 = samples.member[_e78.first_primitive].normal[2u];
+                let _e1005 = global[2u];
+                phi_1240_ = (_e1003 == _e1005);
+                phi_1241_ = false;
             } else {
-                phi_1233_ = bool();
-                phi_1234_ = true;
+                phi_1240_ = bool();
+                phi_1241_ = true;
             }
-            let _e1001 = phi_1233_;
-            let _e1003 = phi_1234_;
-            phi_1235_ = _e1001;
-            phi_1236_ = _e1003;
+            let _e1008 = phi_1240_;
+            let _e1010 = phi_1241_;
+            phi_1242_ = _e1008;
+            phi_1243_ = _e1010;
         } else {
-            phi_1235_ = bool();
-            phi_1236_ = true;
+            phi_1242_ = bool();
+            phi_1243_ = true;
         }
-        let _e1005 = phi_1235_;
-        let _e1007 = phi_1236_;
-        if _e1007 {
-            phi_1240_ = false;
+        let _e1012 = phi_1242_;
+        let _e1014 = phi_1243_;
+        if _e1014 {
+            phi_1247_ = false;
         } else {
-            phi_1240_ = _e1005;
+            phi_1247_ = _e1012;
         }
-        let _e1009 = phi_1240_;
-        if !(_e1009) {
-            let _e1012 = samples.member[_e78.first_primitive].position;
-            let _e1014 = p.member.current.eye;
-            let _e1025 = p.member.current.forward;
-            phi_1268_ = ((((_e1012.x - _e1014.x) * _e1025.x) + ((_e1012.y - _e1014.y) * _e1025.y)) + ((_e1012.z - _e1014.z) * _e1025.z));
+        let _e1016 = phi_1247_;
+        if !(_e1016) {
+            let _e1019 = samples.member[_e78.first_primitive].position;
+            let _e1021 = p.member.current.eye;
+            let _e1032 = p.member.current.forward;
+            phi_1275_ = ((((_e1019.x - _e1021.x) * _e1032.x) + ((_e1019.y - _e1021.y) * _e1032.y)) + ((_e1019.z - _e1021.z) * _e1032.z));
         } else {
-            phi_1268_ = 0f;
+            phi_1275_ = 0f;
         }
-        let _e1035 = phi_1268_;
-        depths.member[_e78.first_primitive] = _e1035;
-        phi_1273_ = doubt_Listed(_e78.first_primitive, _e940.is_trusted);
-        phi_1274_ = _e940.needs_ray;
+        let _e1042 = phi_1275_;
+        depths.member[_e78.first_primitive] = _e1042;
+        phi_1280_ = doubt_Listed(_e78.first_primitive, _e947.is_trusted);
+        phi_1281_ = _e947.needs_ray;
     } else {
-        phi_1273_ = doubt_Listed(0u, false);
-        phi_1274_ = false;
+        phi_1280_ = doubt_Listed(0u, false);
+        phi_1281_ = false;
     }
-    let _e1041 = phi_1273_;
-    let _e1043 = phi_1274_;
+    let _e1048 = phi_1280_;
+    let _e1050 = phi_1281_;
     if (_e57 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e1043 {
-        let _e1049 = atomicAdd((&shared_[0u]), 1u);
-        phi_1287_ = _e1049;
+    if _e1050 {
+        let _e1056 = atomicAdd((&shared_[0u]), 1u);
+        phi_1294_ = _e1056;
     } else {
-        phi_1287_ = 0u;
+        phi_1294_ = 0u;
     }
-    let _e1051 = phi_1287_;
+    let _e1058 = phi_1294_;
     workgroupBarrier();
     if (_e57 == 0u) {
-        let _e1055 = atomicLoad((&shared_[0u]));
-        let _e1056 = atomicAdd((&list.member[3u]), _e1055);
-        atomicStore((&shared_[1u]), _e1056);
+        let _e1062 = atomicLoad((&shared_[0u]));
+        let _e1063 = atomicAdd((&list.member[3u]), _e1062);
+        atomicStore((&shared_[1u]), _e1063);
     }
     workgroupBarrier();
-    if _e1043 {
-        if _e1041.is_trusted {
-            phi_1304_ = (_e1041.pixel | 2147483648u);
+    if _e1050 {
+        if _e1048.is_trusted {
+            phi_1311_ = (_e1048.pixel | 2147483648u);
         } else {
-            phi_1304_ = _e1041.pixel;
+            phi_1311_ = _e1048.pixel;
         }
-        let _e1060 = phi_1304_;
-        let _e1062 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e1062) + _e1051)]), _e1060);
+        let _e1067 = phi_1311_;
+        let _e1069 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e1069) + _e1058)]), _e1067);
     }
     return;
 }

@@ -186,27 +186,20 @@ fn function_() {
     var phi_403_: bool;
     var phi_407_: bool;
     var phi_408_: bool;
-    var phi_544_: f32;
-    var phi_549_: f32;
-    var phi_550_: bool;
     var phi_551_: f32;
-    var phi_552_: bool;
     var phi_556_: f32;
-    var phi_577_: f32;
-    var phi_582_: f32;
-    var phi_583_: bool;
+    var phi_557_: bool;
+    var phi_558_: f32;
+    var phi_559_: bool;
+    var phi_563_: f32;
     var phi_584_: f32;
-    var phi_585_: bool;
     var phi_589_: f32;
-    var phi_610_: bool;
-    var phi_629_: vec2<u32>;
-    var phi_630_: bool;
-    var phi_631_: bool;
-    var phi_632_: bool;
-    var phi_633_: vec2<u32>;
-    var phi_634_: bool;
-    var phi_635_: bool;
-    var phi_636_: bool;
+    var phi_590_: bool;
+    var phi_591_: f32;
+    var phi_592_: bool;
+    var phi_596_: f32;
+    var phi_617_: bool;
+    var phi_636_: vec2<u32>;
     var phi_637_: bool;
     var phi_638_: bool;
     var phi_639_: bool;
@@ -222,85 +215,92 @@ fn function_() {
     var phi_649_: bool;
     var phi_650_: bool;
     var phi_651_: bool;
-    var phi_660_: bool;
-    var phi_661_: bool;
-    var phi_662_: bool;
-    var phi_663_: bool;
+    var phi_652_: bool;
+    var phi_653_: bool;
+    var phi_654_: vec2<u32>;
+    var phi_655_: bool;
+    var phi_656_: bool;
+    var phi_657_: bool;
+    var phi_658_: bool;
     var phi_667_: bool;
     var phi_668_: bool;
-    var phi_669_: vec2<u32>;
-    var phi_704_: bool;
-    var phi_706_: lt_mask_Reprojection;
-    var phi_707_: lt_mask_Reprojection;
-    var phi_708_: lt_mask_Reprojection;
-    var phi_709_: bool;
-    var phi_710_: bool;
-    var phi_711_: lt_mask_Reprojection;
-    var phi_712_: lt_mask_Reprojection;
+    var phi_669_: bool;
+    var phi_670_: bool;
+    var phi_674_: bool;
+    var phi_675_: bool;
+    var phi_676_: vec2<u32>;
+    var phi_711_: bool;
     var phi_713_: lt_mask_Reprojection;
-    var phi_714_: bool;
-    var phi_715_: bool;
-    var phi_767_: bool;
-    var phi_771_: f32;
-    var phi_775_: lt_mask_Reprojection;
-    var phi_776_: bool;
-    var phi_788_: bool;
-    var phi_789_: bool;
-    var phi_790_: bool;
-    var phi_791_: lt_mask_Reprojection;
-    var phi_792_: bool;
+    var phi_714_: lt_mask_Reprojection;
+    var phi_715_: lt_mask_Reprojection;
+    var phi_716_: bool;
+    var phi_717_: bool;
+    var phi_718_: lt_mask_Reprojection;
+    var phi_719_: lt_mask_Reprojection;
+    var phi_720_: lt_mask_Reprojection;
+    var phi_721_: bool;
+    var phi_722_: bool;
+    var phi_774_: bool;
+    var phi_778_: f32;
+    var phi_782_: lt_mask_Reprojection;
+    var phi_783_: bool;
+    var phi_795_: bool;
     var phi_796_: bool;
-    var phi_797_: lt_mask_Reprojection;
+    var phi_797_: bool;
+    var phi_798_: lt_mask_Reprojection;
+    var phi_799_: bool;
     var phi_803_: bool;
-    var phi_835_: u32;
-    var phi_864_: lt_mask_Neighbourhood;
-    var phi_865_: lt_mask_Neighbourhood;
-    var phi_866_: lt_mask_Neighbourhood;
-    var phi_898_: bool;
-    var phi_899_: bool;
-    var phi_921_: bool;
-    var phi_922_: bool;
-    var phi_923_: bool;
-    var phi_927_: bool;
-    var phi_949_: bool;
-    var phi_950_: bool;
-    var phi_963_: bool;
-    var phi_964_: bool;
-    var phi_965_: bool;
-    var phi_972_: u32;
-    var phi_973_: u32;
-    var phi_974_: u32;
-    var phi_975_: u32;
-    var phi_976_: u32;
-    var phi_977_: u32;
-    var phi_978_: u32;
-    var phi_990_: bool;
-    var phi_991_: bool;
-    var phi_992_: bool;
-    var phi_993_: bool;
+    var phi_804_: lt_mask_Reprojection;
+    var phi_810_: bool;
+    var phi_842_: u32;
+    var phi_871_: lt_mask_Neighbourhood;
+    var phi_872_: lt_mask_Neighbourhood;
+    var phi_873_: lt_mask_Neighbourhood;
+    var phi_905_: bool;
+    var phi_906_: bool;
+    var phi_928_: bool;
+    var phi_929_: bool;
+    var phi_930_: bool;
+    var phi_934_: bool;
+    var phi_956_: bool;
+    var phi_957_: bool;
+    var phi_970_: bool;
+    var phi_971_: bool;
+    var phi_972_: bool;
+    var phi_979_: u32;
+    var phi_980_: u32;
+    var phi_981_: u32;
+    var phi_982_: u32;
+    var phi_983_: u32;
+    var phi_984_: u32;
+    var phi_985_: u32;
     var phi_997_: bool;
-    var phi_1003_: bool;
-    var phi_1011_: u32;
-    var phi_1016_: u32;
-    var phi_1025_: u32;
-    var phi_1030_: u32;
-    var phi_1034_: u32;
-    var phi_1035_: u32;
-    var phi_1036_: u32;
-    var phi_1040_: f32;
-    var phi_1049_: bool;
-    var phi_1050_: bool;
-    var phi_1052_: mask_Masked;
-    var phi_1124_: bool;
-    var phi_1125_: bool;
-    var phi_1126_: bool;
-    var phi_1127_: bool;
+    var phi_998_: bool;
+    var phi_999_: bool;
+    var phi_1000_: bool;
+    var phi_1004_: bool;
+    var phi_1010_: bool;
+    var phi_1018_: u32;
+    var phi_1023_: u32;
+    var phi_1032_: u32;
+    var phi_1037_: u32;
+    var phi_1041_: u32;
+    var phi_1042_: u32;
+    var phi_1043_: u32;
+    var phi_1047_: f32;
+    var phi_1056_: bool;
+    var phi_1057_: bool;
+    var phi_1059_: mask_Masked;
     var phi_1131_: bool;
-    var phi_1159_: f32;
-    var phi_1164_: doubt_Listed;
-    var phi_1165_: bool;
-    var phi_1178_: u32;
-    var phi_1195_: u32;
+    var phi_1132_: bool;
+    var phi_1133_: bool;
+    var phi_1134_: bool;
+    var phi_1138_: bool;
+    var phi_1166_: f32;
+    var phi_1171_: doubt_Listed;
+    var phi_1172_: bool;
+    var phi_1185_: u32;
+    var phi_1202_: u32;
 
     let _e55 = id_1;
     let _e56 = local_1;
@@ -403,7 +403,7 @@ fn function_() {
         }
         let _e246 = phi_359_;
         if _e246.unnamed_1 {
-            phi_1052_ = mask_Masked(_e246.unnamed.visibility, 0u, false, false);
+            phi_1059_ = mask_Masked(_e246.unnamed.visibility, 0u, false, false);
         } else {
             let _e251 = (_e93 < 0.5f);
             if (_e93 > 0f) {
@@ -450,11 +450,11 @@ fn function_() {
             }
             let _e303 = phi_408_;
             if _e303 {
-                phi_711_ = lt_mask_Reprojection(_e273.pixel, _e273.is_valid, false);
-                phi_712_ = lt_mask_Reprojection();
-                phi_713_ = lt_mask_Reprojection();
-                phi_714_ = true;
-                phi_715_ = false;
+                phi_718_ = lt_mask_Reprojection(_e273.pixel, _e273.is_valid, false);
+                phi_719_ = lt_mask_Reprojection();
+                phi_720_ = lt_mask_Reprojection();
+                phi_721_ = true;
+                phi_722_ = false;
             } else {
                 let _e307 = p.member.current.grid[0u];
                 let _e309 = p.member.current.grid[1u];
@@ -465,650 +465,652 @@ fn function_() {
                 let _e332 = (_e88.y - _e328.y);
                 let _e334 = (_e88.z - _e328.z);
                 let _e336 = p.member.previous.forward;
-                let _e344 = (((_e330 * _e336.x) + (_e332 * _e336.y)) + (_e334 * _e336.z));
-                let _e346 = p.member.previous.right;
-                let _e356 = p.member.previous.right;
+                let _e345 = (1f / (((_e330 * _e336.x) + (_e332 * _e336.y)) + (_e334 * _e336.z)));
+                let _e347 = p.member.previous.right;
+                let _e349 = p.member.previous.right;
+                let _e361 = (1f / (((_e349.x * _e349.x) + (_e349.y * _e349.y)) + (_e349.z * _e349.z)));
+                let _e369 = p.member.previous.up;
                 let _e371 = p.member.previous.up;
-                let _e381 = p.member.previous.up;
-                let _e398 = p.member.previous.size[0u];
-                let _e405 = p.member.previous.size[1u];
-                let _e409 = (((((((_e330 * _e346.x) + (_e332 * _e346.y)) + (_e334 * _e346.z)) / ((((_e356.x * _e356.x) + (_e356.y * _e356.y)) + (_e356.z * _e356.z)) * _e344)) + 1f) * (0.5f * f32(_e398))) - _e323);
-                let _e410 = (((1f - ((((_e330 * _e371.x) + (_e332 * _e371.y)) + (_e334 * _e371.z)) / ((((_e381.x * _e381.x) + (_e381.y * _e381.y)) + (_e381.z * _e381.z)) * _e344))) * (0.5f * f32(_e405))) - _e325);
-                let _e414 = p.member.current.size[0u];
-                let _e416 = p.member.current.size[1u];
-                let _e418 = (_e323 + _e409);
-                if (_e418 > -8388608f) {
-                    let _e430 = f32(select(0i, select(select(i32(_e418), i32(-2147483648), (_e418 < bitcast<f32>(3472883712u))), 2147483647i, (_e418 > bitcast<f32>(1325400063u))), (_e418 == _e418)));
-                    if (_e430 > _e418) {
-                        phi_544_ = 1f;
+                let _e383 = (1f / (((_e371.x * _e371.x) + (_e371.y * _e371.y)) + (_e371.z * _e371.z)));
+                let _e405 = p.member.previous.size[0u];
+                let _e412 = p.member.previous.size[1u];
+                let _e416 = (((((((_e330 * (_e347.x * _e361)) + (_e332 * (_e347.y * _e361))) + (_e334 * (_e347.z * _e361))) * _e345) + 1f) * (0.5f * f32(_e405))) - _e323);
+                let _e417 = (((1f - ((((_e330 * (_e369.x * _e383)) + (_e332 * (_e369.y * _e383))) + (_e334 * (_e369.z * _e383))) * _e345)) * (0.5f * f32(_e412))) - _e325);
+                let _e421 = p.member.current.size[0u];
+                let _e423 = p.member.current.size[1u];
+                let _e425 = (_e323 + _e416);
+                if (_e425 > -8388608f) {
+                    let _e437 = f32(select(0i, select(select(i32(_e425), i32(-2147483648), (_e425 < bitcast<f32>(3472883712u))), 2147483647i, (_e425 > bitcast<f32>(1325400063u))), (_e425 == _e425)));
+                    if (_e437 > _e425) {
+                        phi_551_ = 1f;
                     } else {
-                        phi_544_ = 0f;
+                        phi_551_ = 0f;
                     }
-                    let _e433 = phi_544_;
-                    if (_e418 < 8388608f) {
-                        phi_549_ = (_e430 - _e433);
-                        phi_550_ = false;
+                    let _e440 = phi_551_;
+                    if (_e425 < 8388608f) {
+                        phi_556_ = (_e437 - _e440);
+                        phi_557_ = false;
                     } else {
-                        phi_549_ = f32();
-                        phi_550_ = true;
+                        phi_556_ = f32();
+                        phi_557_ = true;
                     }
-                    let _e436 = phi_549_;
-                    let _e438 = phi_550_;
-                    phi_551_ = _e436;
-                    phi_552_ = _e438;
+                    let _e443 = phi_556_;
+                    let _e445 = phi_557_;
+                    phi_558_ = _e443;
+                    phi_559_ = _e445;
                 } else {
-                    phi_551_ = f32();
-                    phi_552_ = true;
+                    phi_558_ = f32();
+                    phi_559_ = true;
                 }
-                let _e440 = phi_551_;
-                let _e442 = phi_552_;
-                if _e442 {
-                    phi_556_ = _e418;
+                let _e447 = phi_558_;
+                let _e449 = phi_559_;
+                if _e449 {
+                    phi_563_ = _e425;
                 } else {
-                    phi_556_ = _e440;
+                    phi_563_ = _e447;
                 }
-                let _e444 = phi_556_;
-                let _e445 = (_e325 + _e410);
-                if (_e445 > -8388608f) {
-                    let _e457 = f32(select(0i, select(select(i32(_e445), i32(-2147483648), (_e445 < bitcast<f32>(3472883712u))), 2147483647i, (_e445 > bitcast<f32>(1325400063u))), (_e445 == _e445)));
-                    if (_e457 > _e445) {
-                        phi_577_ = 1f;
+                let _e451 = phi_563_;
+                let _e452 = (_e325 + _e417);
+                if (_e452 > -8388608f) {
+                    let _e464 = f32(select(0i, select(select(i32(_e452), i32(-2147483648), (_e452 < bitcast<f32>(3472883712u))), 2147483647i, (_e452 > bitcast<f32>(1325400063u))), (_e452 == _e452)));
+                    if (_e464 > _e452) {
+                        phi_584_ = 1f;
                     } else {
-                        phi_577_ = 0f;
+                        phi_584_ = 0f;
                     }
-                    let _e460 = phi_577_;
-                    if (_e445 < 8388608f) {
-                        phi_582_ = (_e457 - _e460);
-                        phi_583_ = false;
+                    let _e467 = phi_584_;
+                    if (_e452 < 8388608f) {
+                        phi_589_ = (_e464 - _e467);
+                        phi_590_ = false;
                     } else {
-                        phi_582_ = f32();
-                        phi_583_ = true;
+                        phi_589_ = f32();
+                        phi_590_ = true;
                     }
-                    let _e463 = phi_582_;
-                    let _e465 = phi_583_;
-                    phi_584_ = _e463;
-                    phi_585_ = _e465;
+                    let _e470 = phi_589_;
+                    let _e472 = phi_590_;
+                    phi_591_ = _e470;
+                    phi_592_ = _e472;
                 } else {
-                    phi_584_ = f32();
-                    phi_585_ = true;
+                    phi_591_ = f32();
+                    phi_592_ = true;
                 }
-                let _e467 = phi_584_;
-                let _e469 = phi_585_;
-                if _e469 {
-                    phi_589_ = _e445;
+                let _e474 = phi_591_;
+                let _e476 = phi_592_;
+                if _e476 {
+                    phi_596_ = _e452;
                 } else {
-                    phi_589_ = _e467;
+                    phi_596_ = _e474;
                 }
-                let _e471 = phi_589_;
-                if (_e444 >= 0f) {
-                    if (_e471 >= 0f) {
-                        if (_e444 < f32(_e414)) {
-                            let _e477 = (_e471 < f32(_e416));
-                            if (_e409 == 0f) {
-                                phi_610_ = (_e410 == 0f);
+                let _e478 = phi_596_;
+                if (_e451 >= 0f) {
+                    if (_e478 >= 0f) {
+                        if (_e451 < f32(_e421)) {
+                            let _e484 = (_e478 < f32(_e423));
+                            if (_e416 == 0f) {
+                                phi_617_ = (_e417 == 0f);
                             } else {
-                                phi_610_ = false;
+                                phi_617_ = false;
                             }
-                            let _e481 = phi_610_;
-                            if _e477 {
-                                phi_629_ = vec2<u32>(select(select(u32(_e444), 0u, (_e444 < bitcast<f32>(0u))), 4294967295u, (_e444 > bitcast<f32>(1333788671u))), select(select(u32(_e471), 0u, (_e471 < bitcast<f32>(0u))), 4294967295u, (_e471 > bitcast<f32>(1333788671u))));
-                                phi_630_ = false;
+                            let _e488 = phi_617_;
+                            if _e484 {
+                                phi_636_ = vec2<u32>(select(select(u32(_e451), 0u, (_e451 < bitcast<f32>(0u))), 4294967295u, (_e451 > bitcast<f32>(1333788671u))), select(select(u32(_e478), 0u, (_e478 < bitcast<f32>(0u))), 4294967295u, (_e478 > bitcast<f32>(1333788671u))));
+                                phi_637_ = false;
                             } else {
-                                phi_629_ = vec2<u32>();
-                                phi_630_ = true;
+                                phi_636_ = vec2<u32>();
+                                phi_637_ = true;
                             }
-                            let _e498 = phi_629_;
-                            let _e500 = phi_630_;
-                            phi_631_ = _e481;
-                            phi_632_ = _e477;
-                            phi_633_ = _e498;
-                            phi_634_ = _e481;
-                            phi_635_ = _e477;
-                            phi_636_ = false;
-                            phi_637_ = _e500;
+                            let _e505 = phi_636_;
+                            let _e507 = phi_637_;
+                            phi_638_ = _e488;
+                            phi_639_ = _e484;
+                            phi_640_ = _e505;
+                            phi_641_ = _e488;
+                            phi_642_ = _e484;
+                            phi_643_ = false;
+                            phi_644_ = _e507;
                         } else {
-                            phi_631_ = bool();
-                            phi_632_ = bool();
-                            phi_633_ = vec2<u32>();
-                            phi_634_ = bool();
-                            phi_635_ = bool();
-                            phi_636_ = true;
-                            phi_637_ = false;
+                            phi_638_ = bool();
+                            phi_639_ = bool();
+                            phi_640_ = vec2<u32>();
+                            phi_641_ = bool();
+                            phi_642_ = bool();
+                            phi_643_ = true;
+                            phi_644_ = false;
                         }
-                        let _e502 = phi_631_;
-                        let _e504 = phi_632_;
-                        let _e506 = phi_633_;
-                        let _e508 = phi_634_;
-                        let _e510 = phi_635_;
-                        let _e512 = phi_636_;
-                        let _e514 = phi_637_;
-                        phi_638_ = _e502;
-                        phi_639_ = _e504;
-                        phi_640_ = _e506;
-                        phi_641_ = _e508;
-                        phi_642_ = _e510;
-                        phi_643_ = _e512;
-                        phi_644_ = _e514;
+                        let _e509 = phi_638_;
+                        let _e511 = phi_639_;
+                        let _e513 = phi_640_;
+                        let _e515 = phi_641_;
+                        let _e517 = phi_642_;
+                        let _e519 = phi_643_;
+                        let _e521 = phi_644_;
+                        phi_645_ = _e509;
+                        phi_646_ = _e511;
+                        phi_647_ = _e513;
+                        phi_648_ = _e515;
+                        phi_649_ = _e517;
+                        phi_650_ = _e519;
+                        phi_651_ = _e521;
                     } else {
-                        phi_638_ = bool();
-                        phi_639_ = bool();
-                        phi_640_ = vec2<u32>();
-                        phi_641_ = bool();
-                        phi_642_ = bool();
-                        phi_643_ = true;
-                        phi_644_ = false;
+                        phi_645_ = bool();
+                        phi_646_ = bool();
+                        phi_647_ = vec2<u32>();
+                        phi_648_ = bool();
+                        phi_649_ = bool();
+                        phi_650_ = true;
+                        phi_651_ = false;
                     }
-                    let _e516 = phi_638_;
-                    let _e518 = phi_639_;
-                    let _e520 = phi_640_;
-                    let _e522 = phi_641_;
-                    let _e524 = phi_642_;
-                    let _e526 = phi_643_;
-                    let _e528 = phi_644_;
-                    phi_645_ = _e516;
-                    phi_646_ = _e518;
-                    phi_647_ = _e520;
-                    phi_648_ = _e522;
-                    phi_649_ = _e524;
-                    phi_650_ = _e526;
-                    phi_651_ = _e528;
+                    let _e523 = phi_645_;
+                    let _e525 = phi_646_;
+                    let _e527 = phi_647_;
+                    let _e529 = phi_648_;
+                    let _e531 = phi_649_;
+                    let _e533 = phi_650_;
+                    let _e535 = phi_651_;
+                    phi_652_ = _e523;
+                    phi_653_ = _e525;
+                    phi_654_ = _e527;
+                    phi_655_ = _e529;
+                    phi_656_ = _e531;
+                    phi_657_ = _e533;
+                    phi_658_ = _e535;
                 } else {
-                    phi_645_ = bool();
-                    phi_646_ = bool();
-                    phi_647_ = vec2<u32>();
-                    phi_648_ = bool();
-                    phi_649_ = bool();
-                    phi_650_ = true;
-                    phi_651_ = false;
+                    phi_652_ = bool();
+                    phi_653_ = bool();
+                    phi_654_ = vec2<u32>();
+                    phi_655_ = bool();
+                    phi_656_ = bool();
+                    phi_657_ = true;
+                    phi_658_ = false;
                 }
-                let _e530 = phi_645_;
-                let _e532 = phi_646_;
-                let _e534 = phi_647_;
-                let _e536 = phi_648_;
-                let _e538 = phi_649_;
-                let _e540 = phi_650_;
-                let _e542 = phi_651_;
-                if _e540 {
-                    if (_e409 == 0f) {
-                        phi_660_ = (_e410 == 0f);
+                let _e537 = phi_652_;
+                let _e539 = phi_653_;
+                let _e541 = phi_654_;
+                let _e543 = phi_655_;
+                let _e545 = phi_656_;
+                let _e547 = phi_657_;
+                let _e549 = phi_658_;
+                if _e547 {
+                    if (_e416 == 0f) {
+                        phi_667_ = (_e417 == 0f);
                     } else {
-                        phi_660_ = false;
+                        phi_667_ = false;
                     }
-                    let _e546 = phi_660_;
-                    phi_661_ = _e546;
-                    phi_662_ = false;
-                    phi_663_ = true;
+                    let _e553 = phi_667_;
+                    phi_668_ = _e553;
+                    phi_669_ = false;
+                    phi_670_ = true;
                 } else {
-                    phi_661_ = _e536;
-                    phi_662_ = _e538;
-                    phi_663_ = _e542;
+                    phi_668_ = _e543;
+                    phi_669_ = _e545;
+                    phi_670_ = _e549;
                 }
-                let _e548 = phi_661_;
-                let _e550 = phi_662_;
-                let _e552 = phi_663_;
-                if _e552 {
-                    phi_667_ = _e548;
-                    phi_668_ = _e550;
-                    phi_669_ = vec2<u32>(_e55.x, _e55.y);
+                let _e555 = phi_668_;
+                let _e557 = phi_669_;
+                let _e559 = phi_670_;
+                if _e559 {
+                    phi_674_ = _e555;
+                    phi_675_ = _e557;
+                    phi_676_ = vec2<u32>(_e55.x, _e55.y);
                 } else {
-                    phi_667_ = _e530;
-                    phi_668_ = _e532;
-                    phi_669_ = _e534;
+                    phi_674_ = _e537;
+                    phi_675_ = _e539;
+                    phi_676_ = _e541;
                 }
-                let _e554 = phi_667_;
-                let _e556 = phi_668_;
-                let _e558 = phi_669_;
-                let _e568 = lt_mask_Reprojection(vec2<u32>(_e558.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e575 = lt_mask_Reprojection(vec2<u32>(_e568.pixel.x, _e558.y), _e568.is_valid, _e568.has_moved);
-                let _e579 = lt_mask_Reprojection(_e575.pixel, _e556, _e575.has_moved);
-                let _e583 = lt_mask_Reprojection(_e579.pixel, _e579.is_valid, !(_e554));
-                if _e556 {
-                    let _e586 = p.member.previous.eye;
-                    let _e594 = p.member.previous.forward;
-                    let _e603 = (((((_e88.x - _e586.x) * _e594.x) + ((_e88.y - _e586.y) * _e594.y)) + ((_e88.z - _e586.z) * _e594.z)) > 0f);
-                    let _e607 = lt_mask_Reprojection(_e583.pixel, _e603, _e583.has_moved);
-                    if _e603 {
-                        phi_704_ = false;
+                let _e561 = phi_674_;
+                let _e563 = phi_675_;
+                let _e565 = phi_676_;
+                let _e575 = lt_mask_Reprojection(vec2<u32>(_e565.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e582 = lt_mask_Reprojection(vec2<u32>(_e575.pixel.x, _e565.y), _e575.is_valid, _e575.has_moved);
+                let _e586 = lt_mask_Reprojection(_e582.pixel, _e563, _e582.has_moved);
+                let _e590 = lt_mask_Reprojection(_e586.pixel, _e586.is_valid, !(_e561));
+                if _e563 {
+                    let _e593 = p.member.previous.eye;
+                    let _e601 = p.member.previous.forward;
+                    let _e610 = (((((_e88.x - _e593.x) * _e601.x) + ((_e88.y - _e593.y) * _e601.y)) + ((_e88.z - _e593.z) * _e601.z)) > 0f);
+                    let _e614 = lt_mask_Reprojection(_e590.pixel, _e610, _e590.has_moved);
+                    if _e610 {
+                        phi_711_ = false;
                     } else {
-                        phi_704_ = true;
+                        phi_711_ = true;
                     }
-                    let _e609 = phi_704_;
-                    phi_706_ = _e607;
-                    phi_707_ = _e607;
-                    phi_708_ = lt_mask_Reprojection();
-                    phi_709_ = _e603;
-                    phi_710_ = _e609;
+                    let _e616 = phi_711_;
+                    phi_713_ = _e614;
+                    phi_714_ = _e614;
+                    phi_715_ = lt_mask_Reprojection();
+                    phi_716_ = _e610;
+                    phi_717_ = _e616;
                 } else {
-                    phi_706_ = lt_mask_Reprojection();
-                    phi_707_ = lt_mask_Reprojection();
-                    phi_708_ = lt_mask_Reprojection(_e583.pixel, false, _e583.has_moved);
-                    phi_709_ = false;
-                    phi_710_ = false;
+                    phi_713_ = lt_mask_Reprojection();
+                    phi_714_ = lt_mask_Reprojection();
+                    phi_715_ = lt_mask_Reprojection(_e590.pixel, false, _e590.has_moved);
+                    phi_716_ = false;
+                    phi_717_ = false;
                 }
-                let _e615 = phi_706_;
-                let _e617 = phi_707_;
-                let _e619 = phi_708_;
-                let _e621 = phi_709_;
-                let _e623 = phi_710_;
-                phi_711_ = _e615;
-                phi_712_ = _e617;
-                phi_713_ = _e619;
-                phi_714_ = _e621;
-                phi_715_ = _e623;
+                let _e622 = phi_713_;
+                let _e624 = phi_714_;
+                let _e626 = phi_715_;
+                let _e628 = phi_716_;
+                let _e630 = phi_717_;
+                phi_718_ = _e622;
+                phi_719_ = _e624;
+                phi_720_ = _e626;
+                phi_721_ = _e628;
+                phi_722_ = _e630;
             }
-            let _e625 = phi_711_;
-            let _e627 = phi_712_;
-            let _e629 = phi_713_;
-            let _e631 = phi_714_;
-            let _e633 = phi_715_;
-            if _e631 {
-                let _e636 = p.member.previous.eye;
-                let _e644 = p.member.previous.forward;
-                let _e652 = ((((_e88.x - _e636.x) * _e644.x) + ((_e88.y - _e636.y) * _e644.y)) + ((_e88.z - _e636.z) * _e644.z));
-                let _e658 = ((_e625.pixel.y * _e85) + _e625.pixel.x);
-                if (_e658 < arrayLength((&last_depths.member))) {
+            let _e632 = phi_718_;
+            let _e634 = phi_719_;
+            let _e636 = phi_720_;
+            let _e638 = phi_721_;
+            let _e640 = phi_722_;
+            if _e638 {
+                let _e643 = p.member.previous.eye;
+                let _e651 = p.member.previous.forward;
+                let _e659 = ((((_e88.x - _e643.x) * _e651.x) + ((_e88.y - _e643.y) * _e651.y)) + ((_e88.z - _e643.z) * _e651.z));
+                let _e665 = ((_e632.pixel.y * _e85) + _e632.pixel.x);
+                if (_e665 < arrayLength((&last_depths.member))) {
                 } else {
                     return;
                 }
-                let _e662 = last_depths.member[(0u + _e658)];
-                let _e664 = p.member.depth_tolerance;
-                let _e667 = abs(_e652);
-                let _e668 = abs(_e662);
-                if ((bitcast<u32>(_e668) & 2147483647u) > 2139095040u) {
-                    phi_767_ = true;
+                let _e669 = last_depths.member[(0u + _e665)];
+                let _e671 = p.member.depth_tolerance;
+                let _e674 = abs(_e659);
+                let _e675 = abs(_e669);
+                if ((bitcast<u32>(_e675) & 2147483647u) > 2139095040u) {
+                    phi_774_ = true;
                 } else {
-                    let _e672 = (_e668 > _e667);
-                    if _e672 {
+                    let _e679 = (_e675 > _e674);
+                    if _e679 {
                     }
-                    phi_767_ = _e672;
+                    phi_774_ = _e679;
                 }
-                let _e674 = phi_767_;
-                if _e674 {
-                    phi_771_ = _e668;
+                let _e681 = phi_774_;
+                if _e681 {
+                    phi_778_ = _e675;
                 } else {
-                    phi_771_ = _e667;
+                    phi_778_ = _e674;
                 }
-                let _e676 = phi_771_;
-                phi_775_ = lt_mask_Reprojection(_e625.pixel, (abs((_e652 - _e662)) <= (_e664 * _e676)), _e625.has_moved);
-                phi_776_ = true;
+                let _e683 = phi_778_;
+                phi_782_ = lt_mask_Reprojection(_e632.pixel, (abs((_e659 - _e669)) <= (_e671 * _e683)), _e632.has_moved);
+                phi_783_ = true;
             } else {
-                phi_775_ = _e627;
-                phi_776_ = _e633;
+                phi_782_ = _e634;
+                phi_783_ = _e640;
             }
-            let _e684 = phi_775_;
-            let _e686 = phi_776_;
-            if _e686 {
-                if _e684.is_valid {
-                    let _e689 = p.member.flags;
-                    phi_788_ = ((_e689 & 1u) != 0u);
-                    phi_789_ = false;
+            let _e691 = phi_782_;
+            let _e693 = phi_783_;
+            if _e693 {
+                if _e691.is_valid {
+                    let _e696 = p.member.flags;
+                    phi_795_ = ((_e696 & 1u) != 0u);
+                    phi_796_ = false;
                 } else {
-                    phi_788_ = bool();
-                    phi_789_ = true;
+                    phi_795_ = bool();
+                    phi_796_ = true;
                 }
-                let _e693 = phi_788_;
-                let _e695 = phi_789_;
-                phi_790_ = _e693;
-                phi_791_ = _e684;
-                phi_792_ = _e695;
+                let _e700 = phi_795_;
+                let _e702 = phi_796_;
+                phi_797_ = _e700;
+                phi_798_ = _e691;
+                phi_799_ = _e702;
             } else {
-                phi_790_ = bool();
-                phi_791_ = _e629;
-                phi_792_ = true;
+                phi_797_ = bool();
+                phi_798_ = _e636;
+                phi_799_ = true;
             }
-            let _e697 = phi_790_;
-            let _e699 = phi_791_;
-            let _e701 = phi_792_;
-            if _e701 {
-                phi_796_ = false;
-                phi_797_ = _e699;
-            } else {
-                phi_796_ = _e697;
-                phi_797_ = _e684;
-            }
-            let _e703 = phi_796_;
-            let _e705 = phi_797_;
-            let _e709 = lt_mask_Reprojection(_e705.pixel, _e703, _e705.has_moved);
-            let _e710 = lt_mask_Neighbourhood(false, true);
-            if _e255 {
+            let _e704 = phi_797_;
+            let _e706 = phi_798_;
+            let _e708 = phi_799_;
+            if _e708 {
                 phi_803_ = false;
+                phi_804_ = _e706;
             } else {
-                phi_803_ = true;
+                phi_803_ = _e704;
+                phi_804_ = _e691;
             }
-            let _e712 = phi_803_;
-            if _e712 {
-                if _e703 {
+            let _e710 = phi_803_;
+            let _e712 = phi_804_;
+            let _e716 = lt_mask_Reprojection(_e712.pixel, _e710, _e712.has_moved);
+            let _e717 = lt_mask_Neighbourhood(false, true);
+            if _e255 {
+                phi_810_ = false;
+            } else {
+                phi_810_ = true;
+            }
+            let _e719 = phi_810_;
+            if _e719 {
+                if _e710 {
                     if ((0u & 2u) != 0u) {
-                        phi_864_ = _e710;
+                        phi_871_ = _e717;
                     } else {
                         if (32u == 0u) {
                             return;
                         }
-                        let _e721 = (_e85 / 32u);
+                        let _e728 = (_e85 / 32u);
                         if (32u == 0u) {
                             return;
                         }
                         if ((_e85 % 32u) > 0u) {
-                            phi_835_ = (_e721 + 1u);
+                            phi_842_ = (_e728 + 1u);
                         } else {
-                            phi_835_ = _e721;
+                            phi_842_ = _e728;
                         }
-                        let _e727 = phi_835_;
-                        let _e737 = ((((_e709.pixel.y * _e727) + (_e709.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e251) | (select(0u, 1u, _e709.has_moved) << bitcast<u32>(1i))));
-                        if (_e737 < arrayLength((&heard.member))) {
+                        let _e734 = phi_842_;
+                        let _e744 = ((((_e716.pixel.y * _e734) + (_e716.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e251) | (select(0u, 1u, _e716.has_moved) << bitcast<u32>(1i))));
+                        if (_e744 < arrayLength((&heard.member))) {
                         } else {
                             return;
                         }
-                        let _e741 = heard.member[(0u + _e737)];
-                        let _e747 = (((_e741 >> bitcast<u32>(((_e709.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_864_ = lt_mask_Neighbourhood(_e747, !(_e747));
+                        let _e748 = heard.member[(0u + _e744)];
+                        let _e754 = (((_e748 >> bitcast<u32>(((_e716.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_871_ = lt_mask_Neighbourhood(_e754, !(_e754));
                     }
-                    let _e751 = phi_864_;
-                    phi_865_ = _e751;
+                    let _e758 = phi_871_;
+                    phi_872_ = _e758;
                 } else {
-                    phi_865_ = _e710;
+                    phi_872_ = _e717;
                 }
-                let _e753 = phi_865_;
-                phi_866_ = _e753;
+                let _e760 = phi_872_;
+                phi_873_ = _e760;
             } else {
-                phi_866_ = _e710;
+                phi_873_ = _e717;
             }
-            let _e755 = phi_866_;
-            let _e758 = p.member.frame;
-            let _e760 = p.member.refresh;
-            if (_e760 == 0u) {
-                phi_899_ = false;
+            let _e762 = phi_873_;
+            let _e765 = p.member.frame;
+            let _e767 = p.member.refresh;
+            if (_e767 == 0u) {
+                phi_906_ = false;
             } else {
-                if (_e760 == 0u) {
+                if (_e767 == 0u) {
                     return;
                 }
-                let _e769 = ((_e55.x + (_e55.y * (((_e760 * 5u) / 8u) | 1u))) + (_e758 % _e760));
-                if (_e760 == 0u) {
-                    phi_898_ = (_e769 == 0u);
+                let _e776 = ((_e55.x + (_e55.y * (((_e767 * 5u) / 8u) | 1u))) + (_e765 % _e767));
+                if (_e767 == 0u) {
+                    phi_905_ = (_e776 == 0u);
                 } else {
-                    if (_e760 == 0u) {
+                    if (_e767 == 0u) {
                         return;
                     }
-                    phi_898_ = ((_e769 % _e760) == 0u);
+                    phi_905_ = ((_e776 % _e767) == 0u);
                 }
-                let _e776 = phi_898_;
-                phi_899_ = _e776;
+                let _e783 = phi_905_;
+                phi_906_ = _e783;
             }
-            let _e778 = phi_899_;
-            if _e703 {
-                if _e778 {
-                    phi_921_ = bool();
+            let _e785 = phi_906_;
+            if _e710 {
+                if _e785 {
+                    phi_928_ = bool();
                 } else {
-                    phi_921_ = ((0u & 2u) != 0u);
+                    phi_928_ = ((0u & 2u) != 0u);
                 }
-                let _e784 = phi_921_;
-                phi_922_ = _e784;
-                phi_923_ = _e778;
+                let _e791 = phi_928_;
+                phi_929_ = _e791;
+                phi_930_ = _e785;
             } else {
-                phi_922_ = bool();
-                phi_923_ = true;
+                phi_929_ = bool();
+                phi_930_ = true;
             }
-            let _e786 = phi_922_;
-            let _e788 = phi_923_;
-            if _e788 {
-                phi_927_ = false;
+            let _e793 = phi_929_;
+            let _e795 = phi_930_;
+            if _e795 {
+                phi_934_ = false;
             } else {
-                phi_927_ = _e786;
+                phi_934_ = _e793;
             }
-            let _e790 = phi_927_;
-            if _e790 {
-                phi_978_ = 7u;
+            let _e797 = phi_934_;
+            if _e797 {
+                phi_985_ = 7u;
             } else {
                 if (_e93 != 0.5f) {
-                    if _e703 {
-                        if _e778 {
-                            phi_975_ = 6u;
+                    if _e710 {
+                        if _e785 {
+                            phi_982_ = 6u;
                         } else {
                             if _e255 {
-                                phi_950_ = true;
+                                phi_957_ = true;
                             } else {
-                                if _e755.any_expands {
-                                    phi_949_ = false;
+                                if _e762.any_expands {
+                                    phi_956_ = false;
                                 } else {
-                                    phi_949_ = true;
+                                    phi_956_ = true;
                                 }
-                                let _e792 = phi_949_;
-                                phi_950_ = _e792;
+                                let _e799 = phi_956_;
+                                phi_957_ = _e799;
                             }
-                            let _e794 = phi_950_;
-                            if _e794 {
+                            let _e801 = phi_957_;
+                            if _e801 {
                                 if _e255 {
                                     if false {
-                                        if _e755.all_remove {
-                                            phi_963_ = false;
+                                        if _e762.all_remove {
+                                            phi_970_ = false;
                                         } else {
-                                            phi_963_ = true;
+                                            phi_970_ = true;
                                         }
-                                        let _e796 = phi_963_;
-                                        phi_964_ = _e796;
+                                        let _e803 = phi_970_;
+                                        phi_971_ = _e803;
                                     } else {
-                                        phi_964_ = true;
+                                        phi_971_ = true;
                                     }
-                                    let _e798 = phi_964_;
-                                    phi_965_ = _e798;
+                                    let _e805 = phi_971_;
+                                    phi_972_ = _e805;
                                 } else {
-                                    phi_965_ = true;
+                                    phi_972_ = true;
                                 }
-                                let _e800 = phi_965_;
-                                if _e800 {
+                                let _e807 = phi_972_;
+                                if _e807 {
                                     if _e255 {
-                                        phi_972_ = 1u;
+                                        phi_979_ = 1u;
                                     } else {
-                                        phi_972_ = 0u;
+                                        phi_979_ = 0u;
                                     }
-                                    let _e802 = phi_972_;
-                                    phi_973_ = _e802;
+                                    let _e809 = phi_979_;
+                                    phi_980_ = _e809;
                                 } else {
-                                    phi_973_ = 5u;
+                                    phi_980_ = 5u;
                                 }
-                                let _e804 = phi_973_;
-                                phi_974_ = _e804;
+                                let _e811 = phi_980_;
+                                phi_981_ = _e811;
                             } else {
-                                phi_974_ = 4u;
+                                phi_981_ = 4u;
                             }
-                            let _e806 = phi_974_;
-                            phi_975_ = _e806;
+                            let _e813 = phi_981_;
+                            phi_982_ = _e813;
                         }
-                        let _e808 = phi_975_;
-                        phi_976_ = _e808;
+                        let _e815 = phi_982_;
+                        phi_983_ = _e815;
                     } else {
-                        phi_976_ = 3u;
+                        phi_983_ = 3u;
                     }
-                    let _e810 = phi_976_;
-                    phi_977_ = _e810;
+                    let _e817 = phi_983_;
+                    phi_984_ = _e817;
                 } else {
-                    phi_977_ = 2u;
+                    phi_984_ = 2u;
                 }
-                let _e812 = phi_977_;
-                phi_978_ = _e812;
+                let _e819 = phi_984_;
+                phi_985_ = _e819;
             }
-            let _e814 = phi_978_;
-            if !((_e814 == 0u)) {
-                if !((_e814 == 5u)) {
-                    phi_990_ = !(_e790);
-                    phi_991_ = false;
+            let _e821 = phi_985_;
+            if !((_e821 == 0u)) {
+                if !((_e821 == 5u)) {
+                    phi_997_ = !(_e797);
+                    phi_998_ = false;
                 } else {
-                    phi_990_ = bool();
-                    phi_991_ = true;
+                    phi_997_ = bool();
+                    phi_998_ = true;
                 }
-                let _e821 = phi_990_;
-                let _e823 = phi_991_;
-                phi_992_ = _e821;
-                phi_993_ = _e823;
+                let _e828 = phi_997_;
+                let _e830 = phi_998_;
+                phi_999_ = _e828;
+                phi_1000_ = _e830;
             } else {
-                phi_992_ = bool();
-                phi_993_ = true;
+                phi_999_ = bool();
+                phi_1000_ = true;
             }
-            let _e825 = phi_992_;
-            let _e827 = phi_993_;
-            if _e827 {
-                phi_997_ = false;
+            let _e832 = phi_999_;
+            let _e834 = phi_1000_;
+            if _e834 {
+                phi_1004_ = false;
             } else {
-                phi_997_ = _e825;
+                phi_1004_ = _e832;
             }
-            let _e829 = phi_997_;
-            if _e790 {
-                phi_1003_ = ((0u & 4u) != 0u);
+            let _e836 = phi_1004_;
+            if _e797 {
+                phi_1010_ = ((0u & 4u) != 0u);
             } else {
-                phi_1003_ = _e251;
+                phi_1010_ = _e251;
             }
-            let _e833 = phi_1003_;
-            if _e829 {
+            let _e840 = phi_1010_;
+            if _e836 {
                 if _e251 {
-                    phi_1011_ = (2u | 1u);
+                    phi_1018_ = (2u | 1u);
                 } else {
-                    phi_1011_ = 2u;
+                    phi_1018_ = 2u;
                 }
-                let _e836 = phi_1011_;
+                let _e843 = phi_1018_;
                 if false {
-                    phi_1016_ = (_e836 | 4u);
+                    phi_1023_ = (_e843 | 4u);
                 } else {
-                    phi_1016_ = _e836;
+                    phi_1023_ = _e843;
                 }
-                let _e839 = phi_1016_;
-                phi_1036_ = _e839;
+                let _e846 = phi_1023_;
+                phi_1043_ = _e846;
             } else {
-                if (_e814 == 7u) {
+                if (_e821 == 7u) {
                     if _e251 {
-                        phi_1025_ = (2u | 1u);
+                        phi_1032_ = (2u | 1u);
                     } else {
-                        phi_1025_ = 2u;
+                        phi_1032_ = 2u;
                     }
-                    let _e843 = phi_1025_;
-                    if _e833 {
-                        phi_1030_ = (_e843 | 4u);
+                    let _e850 = phi_1032_;
+                    if _e840 {
+                        phi_1037_ = (_e850 | 4u);
                     } else {
-                        phi_1030_ = _e843;
+                        phi_1037_ = _e850;
                     }
-                    let _e846 = phi_1030_;
-                    phi_1035_ = _e846;
+                    let _e853 = phi_1037_;
+                    phi_1042_ = _e853;
                 } else {
                     if _e251 {
-                        phi_1034_ = 1u;
+                        phi_1041_ = 1u;
                     } else {
-                        phi_1034_ = 0u;
+                        phi_1041_ = 0u;
                     }
-                    let _e848 = phi_1034_;
-                    phi_1035_ = _e848;
+                    let _e855 = phi_1041_;
+                    phi_1042_ = _e855;
                 }
-                let _e850 = phi_1035_;
-                phi_1036_ = _e850;
+                let _e857 = phi_1042_;
+                phi_1043_ = _e857;
             }
-            let _e852 = phi_1036_;
-            if _e833 {
-                phi_1040_ = 0f;
+            let _e859 = phi_1043_;
+            if _e840 {
+                phi_1047_ = 0f;
             } else {
-                phi_1040_ = 1f;
+                phi_1047_ = 1f;
             }
-            let _e854 = phi_1040_;
+            let _e861 = phi_1047_;
             if _e255 {
                 if (_e93 == 0.99999994f) {
-                    phi_1049_ = true;
+                    phi_1056_ = true;
                 } else {
-                    phi_1049_ = (_e93 == 0.000000059604645f);
+                    phi_1056_ = (_e93 == 0.000000059604645f);
                 }
-                let _e858 = phi_1049_;
-                phi_1050_ = _e858;
+                let _e865 = phi_1056_;
+                phi_1057_ = _e865;
             } else {
-                phi_1050_ = true;
+                phi_1057_ = true;
             }
-            let _e860 = phi_1050_;
-            phi_1052_ = mask_Masked(_e854, _e852, _e829, _e860);
+            let _e867 = phi_1057_;
+            phi_1059_ = mask_Masked(_e861, _e859, _e836, _e867);
         }
-        let _e863 = phi_1052_;
-        visibility.member[_e77.first_primitive] = _e863.visibility;
-        let _e868 = p.member.light.number;
-        let _e869 = (_e868 * 3u);
-        let _e871 = (_e869 % 32u);
-        let _e873 = p.member.light.mask_words;
-        let _e875 = ((_e77.first_primitive * _e873) + (_e869 / 32u));
-        let _e877 = bits.member[_e875];
-        bits.member[_e875] = ((_e877 & ~((7u << bitcast<u32>((_e871 & 31u))))) | (_e863.bits << bitcast<u32>((_e871 & 31u))));
-        if (_e871 > 29u) {
-            let _e892 = bits.member[(_e875 + 1u)];
-            let _e894 = (32u - _e871);
-            bits.member[(_e875 + 1u)] = ((_e892 & ~((7u >> bitcast<u32>((_e894 & 31u))))) | (_e863.bits >> bitcast<u32>((_e894 & 31u))));
+        let _e870 = phi_1059_;
+        visibility.member[_e77.first_primitive] = _e870.visibility;
+        let _e875 = p.member.light.number;
+        let _e876 = (_e875 * 3u);
+        let _e878 = (_e876 % 32u);
+        let _e880 = p.member.light.mask_words;
+        let _e882 = ((_e77.first_primitive * _e880) + (_e876 / 32u));
+        let _e884 = bits.member[_e882];
+        bits.member[_e882] = ((_e884 & ~((7u << bitcast<u32>((_e878 & 31u))))) | (_e870.bits << bitcast<u32>((_e878 & 31u))));
+        if (_e878 > 29u) {
+            let _e899 = bits.member[(_e882 + 1u)];
+            let _e901 = (32u - _e878);
+            bits.member[(_e882 + 1u)] = ((_e899 & ~((7u >> bitcast<u32>((_e901 & 31u))))) | (_e870.bits >> bitcast<u32>((_e901 & 31u))));
         }
-        let _e909 = samples.member[_e77.first_primitive].normal[0u];
-        let _e911 = global[0u];
-        if (_e909 == _e911) {
-            let _e914 = samples.member[_e77.first_primitive].normal[1u];
-            let _e916 = global[1u];
-            if (_e914 == _e916) {
-                let _e919 = samples.member[_e77.first_primitive].normal[2u];
-                let _e921 = global[2u];
-                phi_1124_ = (_e919 == _e921);
-                phi_1125_ = false;
+        let _e916 = samples.member[_e77.first_primitive].normal[0u];
+        let _e918 = global[0u];
+        if (_e916 == _e918) {
+            let _e921 = samples.member[_e77.first_primitive].normal[1u];
+            let _e923 = global[1u];
+            if (_e921 == _e923) {
+                let _e926 = samples.member[_e77.first_primitive].normal[2u];
+                let _e928 = global[2u];
+                phi_1131_ = (_e926 == _e928);
+                phi_1132_ = false;
             } else {
-                phi_1124_ = bool();
-                phi_1125_ = true;
+                phi_1131_ = bool();
+                phi_1132_ = true;
             }
-            let _e924 = phi_1124_;
-            let _e926 = phi_1125_;
-            phi_1126_ = _e924;
-            phi_1127_ = _e926;
+            let _e931 = phi_1131_;
+            let _e933 = phi_1132_;
+            phi_1133_ = _e931;
+            phi_1134_ = _e933;
         } else {
-            phi_1126_ = bool();
-            phi_1127_ = true;
+            phi_1133_ = bool();
+            phi_1134_ = true;
         }
-        let _e928 = phi_1126_;
-        let _e930 = phi_1127_;
-        if _e930 {
-            phi_1131_ = false;
+        let _e935 = phi_1133_;
+        let _e937 = phi_1134_;
+        if _e937 {
+            phi_1138_ = false;
         } else {
-            phi_1131_ = _e928;
+            phi_1138_ = _e935;
         }
-        let _e932 = phi_1131_;
-        if !(_e932) {
-            let _e935 = samples.member[_e77.first_primitive].position;
-            let _e937 = p.member.current.eye;
-            let _e948 = p.member.current.forward;
-            phi_1159_ = ((((_e935.x - _e937.x) * _e948.x) + ((_e935.y - _e937.y) * _e948.y)) + ((_e935.z - _e937.z) * _e948.z));
+        let _e939 = phi_1138_;
+        if !(_e939) {
+            let _e942 = samples.member[_e77.first_primitive].position;
+            let _e944 = p.member.current.eye;
+            let _e955 = p.member.current.forward;
+            phi_1166_ = ((((_e942.x - _e944.x) * _e955.x) + ((_e942.y - _e944.y) * _e955.y)) + ((_e942.z - _e944.z) * _e955.z));
         } else {
-            phi_1159_ = 0f;
+            phi_1166_ = 0f;
         }
-        let _e958 = phi_1159_;
-        depths.member[_e77.first_primitive] = _e958;
-        phi_1164_ = doubt_Listed(_e77.first_primitive, _e863.is_trusted);
-        phi_1165_ = _e863.needs_ray;
+        let _e965 = phi_1166_;
+        depths.member[_e77.first_primitive] = _e965;
+        phi_1171_ = doubt_Listed(_e77.first_primitive, _e870.is_trusted);
+        phi_1172_ = _e870.needs_ray;
     } else {
-        phi_1164_ = doubt_Listed(0u, false);
-        phi_1165_ = false;
+        phi_1171_ = doubt_Listed(0u, false);
+        phi_1172_ = false;
     }
-    let _e964 = phi_1164_;
-    let _e966 = phi_1165_;
+    let _e971 = phi_1171_;
+    let _e973 = phi_1172_;
     if (_e56 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e966 {
-        let _e972 = atomicAdd((&shared_[0u]), 1u);
-        phi_1178_ = _e972;
+    if _e973 {
+        let _e979 = atomicAdd((&shared_[0u]), 1u);
+        phi_1185_ = _e979;
     } else {
-        phi_1178_ = 0u;
+        phi_1185_ = 0u;
     }
-    let _e974 = phi_1178_;
+    let _e981 = phi_1185_;
     workgroupBarrier();
     if (_e56 == 0u) {
-        let _e978 = atomicLoad((&shared_[0u]));
-        let _e979 = atomicAdd((&list.member[3u]), _e978);
-        atomicStore((&shared_[1u]), _e979);
+        let _e985 = atomicLoad((&shared_[0u]));
+        let _e986 = atomicAdd((&list.member[3u]), _e985);
+        atomicStore((&shared_[1u]), _e986);
     }
     workgroupBarrier();
-    if _e966 {
-        if _e964.is_trusted {
-            phi_1195_ = (_e964.pixel | 2147483648u);
+    if _e973 {
+        if _e971.is_trusted {
+            phi_1202_ = (_e971.pixel | 2147483648u);
         } else {
-            phi_1195_ = _e964.pixel;
+            phi_1202_ = _e971.pixel;
         }
-        let _e983 = phi_1195_;
-        let _e985 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e985) + _e974)]), _e983);
+        let _e990 = phi_1202_;
+        let _e992 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e992) + _e981)]), _e990);
     }
     return;
 }

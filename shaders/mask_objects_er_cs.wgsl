@@ -183,27 +183,20 @@ fn function_() {
     var phi_406_: bool;
     var phi_410_: bool;
     var phi_411_: bool;
-    var phi_547_: f32;
-    var phi_552_: f32;
-    var phi_553_: bool;
     var phi_554_: f32;
-    var phi_555_: bool;
     var phi_559_: f32;
-    var phi_580_: f32;
-    var phi_585_: f32;
-    var phi_586_: bool;
+    var phi_560_: bool;
+    var phi_561_: f32;
+    var phi_562_: bool;
+    var phi_566_: f32;
     var phi_587_: f32;
-    var phi_588_: bool;
     var phi_592_: f32;
-    var phi_613_: bool;
-    var phi_632_: vec2<u32>;
-    var phi_633_: bool;
-    var phi_634_: bool;
-    var phi_635_: bool;
-    var phi_636_: vec2<u32>;
-    var phi_637_: bool;
-    var phi_638_: bool;
-    var phi_639_: bool;
+    var phi_593_: bool;
+    var phi_594_: f32;
+    var phi_595_: bool;
+    var phi_599_: f32;
+    var phi_620_: bool;
+    var phi_639_: vec2<u32>;
     var phi_640_: bool;
     var phi_641_: bool;
     var phi_642_: bool;
@@ -219,66 +212,73 @@ fn function_() {
     var phi_652_: bool;
     var phi_653_: bool;
     var phi_654_: bool;
-    var phi_663_: bool;
-    var phi_664_: bool;
-    var phi_665_: bool;
-    var phi_666_: bool;
+    var phi_655_: bool;
+    var phi_656_: bool;
+    var phi_657_: vec2<u32>;
+    var phi_658_: bool;
+    var phi_659_: bool;
+    var phi_660_: bool;
+    var phi_661_: bool;
     var phi_670_: bool;
     var phi_671_: bool;
-    var phi_672_: vec2<u32>;
-    var phi_707_: bool;
-    var phi_709_: lt_mask_Reprojection;
-    var phi_710_: lt_mask_Reprojection;
-    var phi_711_: bool;
-    var phi_715_: bool;
+    var phi_672_: bool;
+    var phi_673_: bool;
+    var phi_677_: bool;
+    var phi_678_: bool;
+    var phi_679_: vec2<u32>;
+    var phi_714_: bool;
     var phi_716_: lt_mask_Reprojection;
     var phi_717_: lt_mask_Reprojection;
     var phi_718_: bool;
-    var phi_726_: bool;
-    var phi_727_: lt_mask_Reprojection;
+    var phi_722_: bool;
+    var phi_723_: lt_mask_Reprojection;
+    var phi_724_: lt_mask_Reprojection;
+    var phi_725_: bool;
     var phi_733_: bool;
-    var phi_773_: lt_mask_Neighbourhood;
-    var phi_774_: lt_mask_Neighbourhood;
-    var phi_775_: lt_mask_Neighbourhood;
-    var phi_807_: bool;
-    var phi_808_: bool;
-    var phi_830_: bool;
-    var phi_831_: bool;
-    var phi_832_: bool;
-    var phi_836_: bool;
-    var phi_858_: bool;
-    var phi_859_: bool;
-    var phi_872_: bool;
-    var phi_873_: bool;
-    var phi_874_: bool;
-    var phi_881_: u32;
-    var phi_882_: u32;
-    var phi_883_: u32;
-    var phi_884_: u32;
-    var phi_885_: u32;
-    var phi_886_: u32;
-    var phi_887_: u32;
-    var phi_899_: bool;
-    var phi_900_: bool;
-    var phi_901_: bool;
-    var phi_902_: bool;
+    var phi_734_: lt_mask_Reprojection;
+    var phi_740_: bool;
+    var phi_780_: lt_mask_Neighbourhood;
+    var phi_781_: lt_mask_Neighbourhood;
+    var phi_782_: lt_mask_Neighbourhood;
+    var phi_814_: bool;
+    var phi_815_: bool;
+    var phi_837_: bool;
+    var phi_838_: bool;
+    var phi_839_: bool;
+    var phi_843_: bool;
+    var phi_865_: bool;
+    var phi_866_: bool;
+    var phi_879_: bool;
+    var phi_880_: bool;
+    var phi_881_: bool;
+    var phi_888_: u32;
+    var phi_889_: u32;
+    var phi_890_: u32;
+    var phi_891_: u32;
+    var phi_892_: u32;
+    var phi_893_: u32;
+    var phi_894_: u32;
     var phi_906_: bool;
-    var phi_912_: bool;
-    var phi_920_: u32;
-    var phi_925_: u32;
-    var phi_934_: u32;
-    var phi_939_: u32;
-    var phi_943_: u32;
-    var phi_944_: u32;
-    var phi_945_: u32;
-    var phi_949_: f32;
-    var phi_958_: bool;
-    var phi_959_: bool;
-    var phi_961_: mask_Masked;
-    var phi_1013_: doubt_Listed;
-    var phi_1014_: bool;
-    var phi_1027_: u32;
-    var phi_1044_: u32;
+    var phi_907_: bool;
+    var phi_908_: bool;
+    var phi_909_: bool;
+    var phi_913_: bool;
+    var phi_919_: bool;
+    var phi_927_: u32;
+    var phi_932_: u32;
+    var phi_941_: u32;
+    var phi_946_: u32;
+    var phi_950_: u32;
+    var phi_951_: u32;
+    var phi_952_: u32;
+    var phi_956_: f32;
+    var phi_965_: bool;
+    var phi_966_: bool;
+    var phi_968_: mask_Masked;
+    var phi_1020_: doubt_Listed;
+    var phi_1021_: bool;
+    var phi_1034_: u32;
+    var phi_1051_: u32;
 
     let _e51 = id_1;
     let _e52 = local_1;
@@ -394,7 +394,7 @@ fn function_() {
         }
         let _e246 = phi_362_;
         if _e246.unnamed_1 {
-            phi_961_ = mask_Masked(_e246.unnamed.visibility, 0u, false, false);
+            phi_968_ = mask_Masked(_e246.unnamed.visibility, 0u, false, false);
         } else {
             let _e251 = (_e93 < 0.5f);
             if (_e93 > 0f) {
@@ -441,9 +441,9 @@ fn function_() {
             }
             let _e303 = phi_411_;
             if _e303 {
-                phi_716_ = lt_mask_Reprojection(_e273.pixel, _e273.is_valid, false);
-                phi_717_ = lt_mask_Reprojection();
-                phi_718_ = true;
+                phi_723_ = lt_mask_Reprojection(_e273.pixel, _e273.is_valid, false);
+                phi_724_ = lt_mask_Reprojection();
+                phi_725_ = true;
             } else {
                 let _e307 = p.member.current.grid[0u];
                 let _e309 = p.member.current.grid[1u];
@@ -454,536 +454,538 @@ fn function_() {
                 let _e332 = (_e88.y - _e328.y);
                 let _e334 = (_e88.z - _e328.z);
                 let _e336 = p.member.previous.forward;
-                let _e344 = (((_e330 * _e336.x) + (_e332 * _e336.y)) + (_e334 * _e336.z));
-                let _e346 = p.member.previous.right;
-                let _e356 = p.member.previous.right;
+                let _e345 = (1f / (((_e330 * _e336.x) + (_e332 * _e336.y)) + (_e334 * _e336.z)));
+                let _e347 = p.member.previous.right;
+                let _e349 = p.member.previous.right;
+                let _e361 = (1f / (((_e349.x * _e349.x) + (_e349.y * _e349.y)) + (_e349.z * _e349.z)));
+                let _e369 = p.member.previous.up;
                 let _e371 = p.member.previous.up;
-                let _e381 = p.member.previous.up;
-                let _e398 = p.member.previous.size[0u];
-                let _e405 = p.member.previous.size[1u];
-                let _e409 = (((((((_e330 * _e346.x) + (_e332 * _e346.y)) + (_e334 * _e346.z)) / ((((_e356.x * _e356.x) + (_e356.y * _e356.y)) + (_e356.z * _e356.z)) * _e344)) + 1f) * (0.5f * f32(_e398))) - _e323);
-                let _e410 = (((1f - ((((_e330 * _e371.x) + (_e332 * _e371.y)) + (_e334 * _e371.z)) / ((((_e381.x * _e381.x) + (_e381.y * _e381.y)) + (_e381.z * _e381.z)) * _e344))) * (0.5f * f32(_e405))) - _e325);
-                let _e414 = p.member.current.size[0u];
-                let _e416 = p.member.current.size[1u];
-                let _e418 = (_e323 + _e409);
-                if (_e418 > -8388608f) {
-                    let _e430 = f32(select(0i, select(select(i32(_e418), i32(-2147483648), (_e418 < bitcast<f32>(3472883712u))), 2147483647i, (_e418 > bitcast<f32>(1325400063u))), (_e418 == _e418)));
-                    if (_e430 > _e418) {
-                        phi_547_ = 1f;
+                let _e383 = (1f / (((_e371.x * _e371.x) + (_e371.y * _e371.y)) + (_e371.z * _e371.z)));
+                let _e405 = p.member.previous.size[0u];
+                let _e412 = p.member.previous.size[1u];
+                let _e416 = (((((((_e330 * (_e347.x * _e361)) + (_e332 * (_e347.y * _e361))) + (_e334 * (_e347.z * _e361))) * _e345) + 1f) * (0.5f * f32(_e405))) - _e323);
+                let _e417 = (((1f - ((((_e330 * (_e369.x * _e383)) + (_e332 * (_e369.y * _e383))) + (_e334 * (_e369.z * _e383))) * _e345)) * (0.5f * f32(_e412))) - _e325);
+                let _e421 = p.member.current.size[0u];
+                let _e423 = p.member.current.size[1u];
+                let _e425 = (_e323 + _e416);
+                if (_e425 > -8388608f) {
+                    let _e437 = f32(select(0i, select(select(i32(_e425), i32(-2147483648), (_e425 < bitcast<f32>(3472883712u))), 2147483647i, (_e425 > bitcast<f32>(1325400063u))), (_e425 == _e425)));
+                    if (_e437 > _e425) {
+                        phi_554_ = 1f;
                     } else {
-                        phi_547_ = 0f;
+                        phi_554_ = 0f;
                     }
-                    let _e433 = phi_547_;
-                    if (_e418 < 8388608f) {
-                        phi_552_ = (_e430 - _e433);
-                        phi_553_ = false;
+                    let _e440 = phi_554_;
+                    if (_e425 < 8388608f) {
+                        phi_559_ = (_e437 - _e440);
+                        phi_560_ = false;
                     } else {
-                        phi_552_ = f32();
-                        phi_553_ = true;
+                        phi_559_ = f32();
+                        phi_560_ = true;
                     }
-                    let _e436 = phi_552_;
-                    let _e438 = phi_553_;
-                    phi_554_ = _e436;
-                    phi_555_ = _e438;
+                    let _e443 = phi_559_;
+                    let _e445 = phi_560_;
+                    phi_561_ = _e443;
+                    phi_562_ = _e445;
                 } else {
-                    phi_554_ = f32();
-                    phi_555_ = true;
+                    phi_561_ = f32();
+                    phi_562_ = true;
                 }
-                let _e440 = phi_554_;
-                let _e442 = phi_555_;
-                if _e442 {
-                    phi_559_ = _e418;
+                let _e447 = phi_561_;
+                let _e449 = phi_562_;
+                if _e449 {
+                    phi_566_ = _e425;
                 } else {
-                    phi_559_ = _e440;
+                    phi_566_ = _e447;
                 }
-                let _e444 = phi_559_;
-                let _e445 = (_e325 + _e410);
-                if (_e445 > -8388608f) {
-                    let _e457 = f32(select(0i, select(select(i32(_e445), i32(-2147483648), (_e445 < bitcast<f32>(3472883712u))), 2147483647i, (_e445 > bitcast<f32>(1325400063u))), (_e445 == _e445)));
-                    if (_e457 > _e445) {
-                        phi_580_ = 1f;
+                let _e451 = phi_566_;
+                let _e452 = (_e325 + _e417);
+                if (_e452 > -8388608f) {
+                    let _e464 = f32(select(0i, select(select(i32(_e452), i32(-2147483648), (_e452 < bitcast<f32>(3472883712u))), 2147483647i, (_e452 > bitcast<f32>(1325400063u))), (_e452 == _e452)));
+                    if (_e464 > _e452) {
+                        phi_587_ = 1f;
                     } else {
-                        phi_580_ = 0f;
+                        phi_587_ = 0f;
                     }
-                    let _e460 = phi_580_;
-                    if (_e445 < 8388608f) {
-                        phi_585_ = (_e457 - _e460);
-                        phi_586_ = false;
+                    let _e467 = phi_587_;
+                    if (_e452 < 8388608f) {
+                        phi_592_ = (_e464 - _e467);
+                        phi_593_ = false;
                     } else {
-                        phi_585_ = f32();
-                        phi_586_ = true;
+                        phi_592_ = f32();
+                        phi_593_ = true;
                     }
-                    let _e463 = phi_585_;
-                    let _e465 = phi_586_;
-                    phi_587_ = _e463;
-                    phi_588_ = _e465;
+                    let _e470 = phi_592_;
+                    let _e472 = phi_593_;
+                    phi_594_ = _e470;
+                    phi_595_ = _e472;
                 } else {
-                    phi_587_ = f32();
-                    phi_588_ = true;
+                    phi_594_ = f32();
+                    phi_595_ = true;
                 }
-                let _e467 = phi_587_;
-                let _e469 = phi_588_;
-                if _e469 {
-                    phi_592_ = _e445;
+                let _e474 = phi_594_;
+                let _e476 = phi_595_;
+                if _e476 {
+                    phi_599_ = _e452;
                 } else {
-                    phi_592_ = _e467;
+                    phi_599_ = _e474;
                 }
-                let _e471 = phi_592_;
-                if (_e444 >= 0f) {
-                    if (_e471 >= 0f) {
-                        if (_e444 < f32(_e414)) {
-                            let _e477 = (_e471 < f32(_e416));
-                            if (_e409 == 0f) {
-                                phi_613_ = (_e410 == 0f);
+                let _e478 = phi_599_;
+                if (_e451 >= 0f) {
+                    if (_e478 >= 0f) {
+                        if (_e451 < f32(_e421)) {
+                            let _e484 = (_e478 < f32(_e423));
+                            if (_e416 == 0f) {
+                                phi_620_ = (_e417 == 0f);
                             } else {
-                                phi_613_ = false;
+                                phi_620_ = false;
                             }
-                            let _e481 = phi_613_;
-                            if _e477 {
-                                phi_632_ = vec2<u32>(select(select(u32(_e444), 0u, (_e444 < bitcast<f32>(0u))), 4294967295u, (_e444 > bitcast<f32>(1333788671u))), select(select(u32(_e471), 0u, (_e471 < bitcast<f32>(0u))), 4294967295u, (_e471 > bitcast<f32>(1333788671u))));
-                                phi_633_ = false;
+                            let _e488 = phi_620_;
+                            if _e484 {
+                                phi_639_ = vec2<u32>(select(select(u32(_e451), 0u, (_e451 < bitcast<f32>(0u))), 4294967295u, (_e451 > bitcast<f32>(1333788671u))), select(select(u32(_e478), 0u, (_e478 < bitcast<f32>(0u))), 4294967295u, (_e478 > bitcast<f32>(1333788671u))));
+                                phi_640_ = false;
                             } else {
-                                phi_632_ = vec2<u32>();
-                                phi_633_ = true;
+                                phi_639_ = vec2<u32>();
+                                phi_640_ = true;
                             }
-                            let _e498 = phi_632_;
-                            let _e500 = phi_633_;
-                            phi_634_ = _e481;
-                            phi_635_ = _e477;
-                            phi_636_ = _e498;
-                            phi_637_ = _e481;
-                            phi_638_ = _e477;
-                            phi_639_ = false;
-                            phi_640_ = _e500;
+                            let _e505 = phi_639_;
+                            let _e507 = phi_640_;
+                            phi_641_ = _e488;
+                            phi_642_ = _e484;
+                            phi_643_ = _e505;
+                            phi_644_ = _e488;
+                            phi_645_ = _e484;
+                            phi_646_ = false;
+                            phi_647_ = _e507;
                         } else {
-                            phi_634_ = bool();
-                            phi_635_ = bool();
-                            phi_636_ = vec2<u32>();
-                            phi_637_ = bool();
-                            phi_638_ = bool();
-                            phi_639_ = true;
-                            phi_640_ = false;
+                            phi_641_ = bool();
+                            phi_642_ = bool();
+                            phi_643_ = vec2<u32>();
+                            phi_644_ = bool();
+                            phi_645_ = bool();
+                            phi_646_ = true;
+                            phi_647_ = false;
                         }
-                        let _e502 = phi_634_;
-                        let _e504 = phi_635_;
-                        let _e506 = phi_636_;
-                        let _e508 = phi_637_;
-                        let _e510 = phi_638_;
-                        let _e512 = phi_639_;
-                        let _e514 = phi_640_;
-                        phi_641_ = _e502;
-                        phi_642_ = _e504;
-                        phi_643_ = _e506;
-                        phi_644_ = _e508;
-                        phi_645_ = _e510;
-                        phi_646_ = _e512;
-                        phi_647_ = _e514;
+                        let _e509 = phi_641_;
+                        let _e511 = phi_642_;
+                        let _e513 = phi_643_;
+                        let _e515 = phi_644_;
+                        let _e517 = phi_645_;
+                        let _e519 = phi_646_;
+                        let _e521 = phi_647_;
+                        phi_648_ = _e509;
+                        phi_649_ = _e511;
+                        phi_650_ = _e513;
+                        phi_651_ = _e515;
+                        phi_652_ = _e517;
+                        phi_653_ = _e519;
+                        phi_654_ = _e521;
                     } else {
-                        phi_641_ = bool();
-                        phi_642_ = bool();
-                        phi_643_ = vec2<u32>();
-                        phi_644_ = bool();
-                        phi_645_ = bool();
-                        phi_646_ = true;
-                        phi_647_ = false;
+                        phi_648_ = bool();
+                        phi_649_ = bool();
+                        phi_650_ = vec2<u32>();
+                        phi_651_ = bool();
+                        phi_652_ = bool();
+                        phi_653_ = true;
+                        phi_654_ = false;
                     }
-                    let _e516 = phi_641_;
-                    let _e518 = phi_642_;
-                    let _e520 = phi_643_;
-                    let _e522 = phi_644_;
-                    let _e524 = phi_645_;
-                    let _e526 = phi_646_;
-                    let _e528 = phi_647_;
-                    phi_648_ = _e516;
-                    phi_649_ = _e518;
-                    phi_650_ = _e520;
-                    phi_651_ = _e522;
-                    phi_652_ = _e524;
-                    phi_653_ = _e526;
-                    phi_654_ = _e528;
+                    let _e523 = phi_648_;
+                    let _e525 = phi_649_;
+                    let _e527 = phi_650_;
+                    let _e529 = phi_651_;
+                    let _e531 = phi_652_;
+                    let _e533 = phi_653_;
+                    let _e535 = phi_654_;
+                    phi_655_ = _e523;
+                    phi_656_ = _e525;
+                    phi_657_ = _e527;
+                    phi_658_ = _e529;
+                    phi_659_ = _e531;
+                    phi_660_ = _e533;
+                    phi_661_ = _e535;
                 } else {
-                    phi_648_ = bool();
-                    phi_649_ = bool();
-                    phi_650_ = vec2<u32>();
-                    phi_651_ = bool();
-                    phi_652_ = bool();
-                    phi_653_ = true;
-                    phi_654_ = false;
+                    phi_655_ = bool();
+                    phi_656_ = bool();
+                    phi_657_ = vec2<u32>();
+                    phi_658_ = bool();
+                    phi_659_ = bool();
+                    phi_660_ = true;
+                    phi_661_ = false;
                 }
-                let _e530 = phi_648_;
-                let _e532 = phi_649_;
-                let _e534 = phi_650_;
-                let _e536 = phi_651_;
-                let _e538 = phi_652_;
-                let _e540 = phi_653_;
-                let _e542 = phi_654_;
-                if _e540 {
-                    if (_e409 == 0f) {
-                        phi_663_ = (_e410 == 0f);
+                let _e537 = phi_655_;
+                let _e539 = phi_656_;
+                let _e541 = phi_657_;
+                let _e543 = phi_658_;
+                let _e545 = phi_659_;
+                let _e547 = phi_660_;
+                let _e549 = phi_661_;
+                if _e547 {
+                    if (_e416 == 0f) {
+                        phi_670_ = (_e417 == 0f);
                     } else {
-                        phi_663_ = false;
+                        phi_670_ = false;
                     }
-                    let _e546 = phi_663_;
-                    phi_664_ = _e546;
-                    phi_665_ = false;
-                    phi_666_ = true;
+                    let _e553 = phi_670_;
+                    phi_671_ = _e553;
+                    phi_672_ = false;
+                    phi_673_ = true;
                 } else {
-                    phi_664_ = _e536;
-                    phi_665_ = _e538;
-                    phi_666_ = _e542;
+                    phi_671_ = _e543;
+                    phi_672_ = _e545;
+                    phi_673_ = _e549;
                 }
-                let _e548 = phi_664_;
-                let _e550 = phi_665_;
-                let _e552 = phi_666_;
-                if _e552 {
-                    phi_670_ = _e548;
-                    phi_671_ = _e550;
-                    phi_672_ = vec2<u32>(_e51.x, _e51.y);
+                let _e555 = phi_671_;
+                let _e557 = phi_672_;
+                let _e559 = phi_673_;
+                if _e559 {
+                    phi_677_ = _e555;
+                    phi_678_ = _e557;
+                    phi_679_ = vec2<u32>(_e51.x, _e51.y);
                 } else {
-                    phi_670_ = _e530;
-                    phi_671_ = _e532;
-                    phi_672_ = _e534;
+                    phi_677_ = _e537;
+                    phi_678_ = _e539;
+                    phi_679_ = _e541;
                 }
-                let _e554 = phi_670_;
-                let _e556 = phi_671_;
-                let _e558 = phi_672_;
-                let _e568 = lt_mask_Reprojection(vec2<u32>(_e558.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e575 = lt_mask_Reprojection(vec2<u32>(_e568.pixel.x, _e558.y), _e568.is_valid, _e568.has_moved);
-                let _e579 = lt_mask_Reprojection(_e575.pixel, _e556, _e575.has_moved);
-                let _e583 = lt_mask_Reprojection(_e579.pixel, _e579.is_valid, !(_e554));
-                if _e556 {
-                    let _e586 = p.member.previous.eye;
-                    let _e594 = p.member.previous.forward;
-                    let _e603 = (((((_e88.x - _e586.x) * _e594.x) + ((_e88.y - _e586.y) * _e594.y)) + ((_e88.z - _e586.z) * _e594.z)) > 0f);
-                    let _e607 = lt_mask_Reprojection(_e583.pixel, _e603, _e583.has_moved);
-                    if _e603 {
-                        phi_707_ = false;
+                let _e561 = phi_677_;
+                let _e563 = phi_678_;
+                let _e565 = phi_679_;
+                let _e575 = lt_mask_Reprojection(vec2<u32>(_e565.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e582 = lt_mask_Reprojection(vec2<u32>(_e575.pixel.x, _e565.y), _e575.is_valid, _e575.has_moved);
+                let _e586 = lt_mask_Reprojection(_e582.pixel, _e563, _e582.has_moved);
+                let _e590 = lt_mask_Reprojection(_e586.pixel, _e586.is_valid, !(_e561));
+                if _e563 {
+                    let _e593 = p.member.previous.eye;
+                    let _e601 = p.member.previous.forward;
+                    let _e610 = (((((_e88.x - _e593.x) * _e601.x) + ((_e88.y - _e593.y) * _e601.y)) + ((_e88.z - _e593.z) * _e601.z)) > 0f);
+                    let _e614 = lt_mask_Reprojection(_e590.pixel, _e610, _e590.has_moved);
+                    if _e610 {
+                        phi_714_ = false;
                     } else {
-                        phi_707_ = true;
+                        phi_714_ = true;
                     }
-                    let _e609 = phi_707_;
-                    phi_709_ = _e607;
-                    phi_710_ = _e607;
-                    phi_711_ = _e609;
+                    let _e616 = phi_714_;
+                    phi_716_ = _e614;
+                    phi_717_ = _e614;
+                    phi_718_ = _e616;
                 } else {
-                    phi_709_ = lt_mask_Reprojection();
-                    phi_710_ = lt_mask_Reprojection(_e583.pixel, false, _e583.has_moved);
-                    phi_711_ = true;
+                    phi_716_ = lt_mask_Reprojection();
+                    phi_717_ = lt_mask_Reprojection(_e590.pixel, false, _e590.has_moved);
+                    phi_718_ = true;
                 }
-                let _e615 = phi_709_;
-                let _e617 = phi_710_;
-                let _e619 = phi_711_;
-                if _e619 {
-                    phi_715_ = false;
+                let _e622 = phi_716_;
+                let _e624 = phi_717_;
+                let _e626 = phi_718_;
+                if _e626 {
+                    phi_722_ = false;
                 } else {
-                    phi_715_ = true;
+                    phi_722_ = true;
                 }
-                let _e621 = phi_715_;
-                phi_716_ = _e615;
-                phi_717_ = _e617;
-                phi_718_ = _e621;
+                let _e628 = phi_722_;
+                phi_723_ = _e622;
+                phi_724_ = _e624;
+                phi_725_ = _e628;
             }
-            let _e623 = phi_716_;
-            let _e625 = phi_717_;
-            let _e627 = phi_718_;
-            if _e627 {
-                let _e629 = p.member.flags;
-                phi_726_ = ((_e629 & 1u) != 0u);
-                phi_727_ = _e623;
+            let _e630 = phi_723_;
+            let _e632 = phi_724_;
+            let _e634 = phi_725_;
+            if _e634 {
+                let _e636 = p.member.flags;
+                phi_733_ = ((_e636 & 1u) != 0u);
+                phi_734_ = _e630;
             } else {
-                phi_726_ = false;
-                phi_727_ = _e625;
-            }
-            let _e633 = phi_726_;
-            let _e635 = phi_727_;
-            let _e639 = lt_mask_Reprojection(_e635.pixel, _e633, _e635.has_moved);
-            let _e640 = lt_mask_Neighbourhood(false, true);
-            if _e255 {
                 phi_733_ = false;
-            } else {
-                phi_733_ = true;
+                phi_734_ = _e632;
             }
-            let _e642 = phi_733_;
-            if _e642 {
-                if _e633 {
+            let _e640 = phi_733_;
+            let _e642 = phi_734_;
+            let _e646 = lt_mask_Reprojection(_e642.pixel, _e640, _e642.has_moved);
+            let _e647 = lt_mask_Neighbourhood(false, true);
+            if _e255 {
+                phi_740_ = false;
+            } else {
+                phi_740_ = true;
+            }
+            let _e649 = phi_740_;
+            if _e649 {
+                if _e640 {
                     if ((0u & 2u) != 0u) {
-                        phi_773_ = _e640;
+                        phi_780_ = _e647;
                     } else {
-                        let _e659 = ((((_e639.pixel.y * _e85) + (_e639.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e251) | (select(0u, 1u, _e639.has_moved) << bitcast<u32>(1i))));
-                        if (_e659 < arrayLength((&heard.member))) {
+                        let _e666 = ((((_e646.pixel.y * _e85) + (_e646.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e251) | (select(0u, 1u, _e646.has_moved) << bitcast<u32>(1i))));
+                        if (_e666 < arrayLength((&heard.member))) {
                         } else {
                             return;
                         }
-                        let _e663 = heard.member[(0u + _e659)];
-                        let _e669 = (((_e663 >> bitcast<u32>(((_e639.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_773_ = lt_mask_Neighbourhood(_e669, !(_e669));
+                        let _e670 = heard.member[(0u + _e666)];
+                        let _e676 = (((_e670 >> bitcast<u32>(((_e646.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_780_ = lt_mask_Neighbourhood(_e676, !(_e676));
                     }
-                    let _e673 = phi_773_;
-                    phi_774_ = _e673;
+                    let _e680 = phi_780_;
+                    phi_781_ = _e680;
                 } else {
-                    phi_774_ = _e640;
+                    phi_781_ = _e647;
                 }
-                let _e675 = phi_774_;
-                phi_775_ = _e675;
+                let _e682 = phi_781_;
+                phi_782_ = _e682;
             } else {
-                phi_775_ = _e640;
+                phi_782_ = _e647;
             }
-            let _e677 = phi_775_;
-            let _e680 = p.member.frame;
-            let _e682 = p.member.refresh;
-            if (_e682 == 0u) {
-                phi_808_ = false;
+            let _e684 = phi_782_;
+            let _e687 = p.member.frame;
+            let _e689 = p.member.refresh;
+            if (_e689 == 0u) {
+                phi_815_ = false;
             } else {
-                if (_e682 == 0u) {
+                if (_e689 == 0u) {
                     return;
                 }
-                let _e691 = ((_e51.x + (_e51.y * (((_e682 * 5u) / 8u) | 1u))) + (_e680 % _e682));
-                if (_e682 == 0u) {
-                    phi_807_ = (_e691 == 0u);
+                let _e698 = ((_e51.x + (_e51.y * (((_e689 * 5u) / 8u) | 1u))) + (_e687 % _e689));
+                if (_e689 == 0u) {
+                    phi_814_ = (_e698 == 0u);
                 } else {
-                    if (_e682 == 0u) {
+                    if (_e689 == 0u) {
                         return;
                     }
-                    phi_807_ = ((_e691 % _e682) == 0u);
+                    phi_814_ = ((_e698 % _e689) == 0u);
                 }
-                let _e698 = phi_807_;
-                phi_808_ = _e698;
+                let _e705 = phi_814_;
+                phi_815_ = _e705;
             }
-            let _e700 = phi_808_;
-            if _e633 {
-                if _e700 {
-                    phi_830_ = bool();
+            let _e707 = phi_815_;
+            if _e640 {
+                if _e707 {
+                    phi_837_ = bool();
                 } else {
-                    phi_830_ = ((0u & 2u) != 0u);
+                    phi_837_ = ((0u & 2u) != 0u);
                 }
-                let _e706 = phi_830_;
-                phi_831_ = _e706;
-                phi_832_ = _e700;
+                let _e713 = phi_837_;
+                phi_838_ = _e713;
+                phi_839_ = _e707;
             } else {
-                phi_831_ = bool();
-                phi_832_ = true;
+                phi_838_ = bool();
+                phi_839_ = true;
             }
-            let _e708 = phi_831_;
-            let _e710 = phi_832_;
-            if _e710 {
-                phi_836_ = false;
+            let _e715 = phi_838_;
+            let _e717 = phi_839_;
+            if _e717 {
+                phi_843_ = false;
             } else {
-                phi_836_ = _e708;
+                phi_843_ = _e715;
             }
-            let _e712 = phi_836_;
-            if _e712 {
-                phi_887_ = 7u;
+            let _e719 = phi_843_;
+            if _e719 {
+                phi_894_ = 7u;
             } else {
                 if (_e93 != 0.5f) {
-                    if _e633 {
-                        if _e700 {
-                            phi_884_ = 6u;
+                    if _e640 {
+                        if _e707 {
+                            phi_891_ = 6u;
                         } else {
                             if _e255 {
-                                phi_859_ = true;
+                                phi_866_ = true;
                             } else {
-                                if _e677.any_expands {
-                                    phi_858_ = false;
+                                if _e684.any_expands {
+                                    phi_865_ = false;
                                 } else {
-                                    phi_858_ = true;
+                                    phi_865_ = true;
                                 }
-                                let _e714 = phi_858_;
-                                phi_859_ = _e714;
+                                let _e721 = phi_865_;
+                                phi_866_ = _e721;
                             }
-                            let _e716 = phi_859_;
-                            if _e716 {
+                            let _e723 = phi_866_;
+                            if _e723 {
                                 if _e255 {
                                     if false {
-                                        if _e677.all_remove {
-                                            phi_872_ = false;
+                                        if _e684.all_remove {
+                                            phi_879_ = false;
                                         } else {
-                                            phi_872_ = true;
+                                            phi_879_ = true;
                                         }
-                                        let _e718 = phi_872_;
-                                        phi_873_ = _e718;
+                                        let _e725 = phi_879_;
+                                        phi_880_ = _e725;
                                     } else {
-                                        phi_873_ = true;
+                                        phi_880_ = true;
                                     }
-                                    let _e720 = phi_873_;
-                                    phi_874_ = _e720;
+                                    let _e727 = phi_880_;
+                                    phi_881_ = _e727;
                                 } else {
-                                    phi_874_ = true;
+                                    phi_881_ = true;
                                 }
-                                let _e722 = phi_874_;
-                                if _e722 {
+                                let _e729 = phi_881_;
+                                if _e729 {
                                     if _e255 {
-                                        phi_881_ = 1u;
+                                        phi_888_ = 1u;
                                     } else {
-                                        phi_881_ = 0u;
+                                        phi_888_ = 0u;
                                     }
-                                    let _e724 = phi_881_;
-                                    phi_882_ = _e724;
+                                    let _e731 = phi_888_;
+                                    phi_889_ = _e731;
                                 } else {
-                                    phi_882_ = 5u;
+                                    phi_889_ = 5u;
                                 }
-                                let _e726 = phi_882_;
-                                phi_883_ = _e726;
+                                let _e733 = phi_889_;
+                                phi_890_ = _e733;
                             } else {
-                                phi_883_ = 4u;
+                                phi_890_ = 4u;
                             }
-                            let _e728 = phi_883_;
-                            phi_884_ = _e728;
+                            let _e735 = phi_890_;
+                            phi_891_ = _e735;
                         }
-                        let _e730 = phi_884_;
-                        phi_885_ = _e730;
+                        let _e737 = phi_891_;
+                        phi_892_ = _e737;
                     } else {
-                        phi_885_ = 3u;
+                        phi_892_ = 3u;
                     }
-                    let _e732 = phi_885_;
-                    phi_886_ = _e732;
+                    let _e739 = phi_892_;
+                    phi_893_ = _e739;
                 } else {
-                    phi_886_ = 2u;
+                    phi_893_ = 2u;
                 }
-                let _e734 = phi_886_;
-                phi_887_ = _e734;
+                let _e741 = phi_893_;
+                phi_894_ = _e741;
             }
-            let _e736 = phi_887_;
-            if !((_e736 == 0u)) {
-                if !((_e736 == 5u)) {
-                    phi_899_ = !(_e712);
-                    phi_900_ = false;
+            let _e743 = phi_894_;
+            if !((_e743 == 0u)) {
+                if !((_e743 == 5u)) {
+                    phi_906_ = !(_e719);
+                    phi_907_ = false;
                 } else {
-                    phi_899_ = bool();
-                    phi_900_ = true;
+                    phi_906_ = bool();
+                    phi_907_ = true;
                 }
-                let _e743 = phi_899_;
-                let _e745 = phi_900_;
-                phi_901_ = _e743;
-                phi_902_ = _e745;
+                let _e750 = phi_906_;
+                let _e752 = phi_907_;
+                phi_908_ = _e750;
+                phi_909_ = _e752;
             } else {
-                phi_901_ = bool();
-                phi_902_ = true;
+                phi_908_ = bool();
+                phi_909_ = true;
             }
-            let _e747 = phi_901_;
-            let _e749 = phi_902_;
-            if _e749 {
-                phi_906_ = false;
+            let _e754 = phi_908_;
+            let _e756 = phi_909_;
+            if _e756 {
+                phi_913_ = false;
             } else {
-                phi_906_ = _e747;
+                phi_913_ = _e754;
             }
-            let _e751 = phi_906_;
-            if _e712 {
-                phi_912_ = ((0u & 4u) != 0u);
+            let _e758 = phi_913_;
+            if _e719 {
+                phi_919_ = ((0u & 4u) != 0u);
             } else {
-                phi_912_ = _e251;
+                phi_919_ = _e251;
             }
-            let _e755 = phi_912_;
-            if _e751 {
+            let _e762 = phi_919_;
+            if _e758 {
                 if _e251 {
-                    phi_920_ = (2u | 1u);
+                    phi_927_ = (2u | 1u);
                 } else {
-                    phi_920_ = 2u;
+                    phi_927_ = 2u;
                 }
-                let _e758 = phi_920_;
+                let _e765 = phi_927_;
                 if false {
-                    phi_925_ = (_e758 | 4u);
+                    phi_932_ = (_e765 | 4u);
                 } else {
-                    phi_925_ = _e758;
+                    phi_932_ = _e765;
                 }
-                let _e761 = phi_925_;
-                phi_945_ = _e761;
+                let _e768 = phi_932_;
+                phi_952_ = _e768;
             } else {
-                if (_e736 == 7u) {
+                if (_e743 == 7u) {
                     if _e251 {
-                        phi_934_ = (2u | 1u);
+                        phi_941_ = (2u | 1u);
                     } else {
-                        phi_934_ = 2u;
+                        phi_941_ = 2u;
                     }
-                    let _e765 = phi_934_;
-                    if _e755 {
-                        phi_939_ = (_e765 | 4u);
+                    let _e772 = phi_941_;
+                    if _e762 {
+                        phi_946_ = (_e772 | 4u);
                     } else {
-                        phi_939_ = _e765;
+                        phi_946_ = _e772;
                     }
-                    let _e768 = phi_939_;
-                    phi_944_ = _e768;
+                    let _e775 = phi_946_;
+                    phi_951_ = _e775;
                 } else {
                     if _e251 {
-                        phi_943_ = 1u;
+                        phi_950_ = 1u;
                     } else {
-                        phi_943_ = 0u;
+                        phi_950_ = 0u;
                     }
-                    let _e770 = phi_943_;
-                    phi_944_ = _e770;
+                    let _e777 = phi_950_;
+                    phi_951_ = _e777;
                 }
-                let _e772 = phi_944_;
-                phi_945_ = _e772;
+                let _e779 = phi_951_;
+                phi_952_ = _e779;
             }
-            let _e774 = phi_945_;
-            if _e755 {
-                phi_949_ = 0f;
+            let _e781 = phi_952_;
+            if _e762 {
+                phi_956_ = 0f;
             } else {
-                phi_949_ = 1f;
+                phi_956_ = 1f;
             }
-            let _e776 = phi_949_;
+            let _e783 = phi_956_;
             if _e255 {
                 if (_e93 == 0.99999994f) {
-                    phi_958_ = true;
+                    phi_965_ = true;
                 } else {
-                    phi_958_ = (_e93 == 0.000000059604645f);
+                    phi_965_ = (_e93 == 0.000000059604645f);
                 }
-                let _e780 = phi_958_;
-                phi_959_ = _e780;
+                let _e787 = phi_965_;
+                phi_966_ = _e787;
             } else {
-                phi_959_ = true;
+                phi_966_ = true;
             }
-            let _e782 = phi_959_;
-            phi_961_ = mask_Masked(_e776, _e774, _e751, _e782);
+            let _e789 = phi_966_;
+            phi_968_ = mask_Masked(_e783, _e781, _e758, _e789);
         }
-        let _e785 = phi_961_;
-        visibility.member[_e69.first_primitive] = _e785.visibility;
-        let _e790 = p.member.light.number;
-        let _e791 = (_e790 * 3u);
-        let _e793 = (_e791 % 32u);
-        let _e795 = p.member.light.mask_words;
-        let _e797 = ((_e69.first_primitive * _e795) + (_e791 / 32u));
-        let _e799 = bits.member[_e797];
-        bits.member[_e797] = ((_e799 & ~((7u << bitcast<u32>((_e793 & 31u))))) | (_e785.bits << bitcast<u32>((_e793 & 31u))));
-        if (_e793 > 29u) {
-            let _e814 = bits.member[(_e797 + 1u)];
-            let _e816 = (32u - _e793);
-            bits.member[(_e797 + 1u)] = ((_e814 & ~((7u >> bitcast<u32>((_e816 & 31u))))) | (_e785.bits >> bitcast<u32>((_e816 & 31u))));
+        let _e792 = phi_968_;
+        visibility.member[_e69.first_primitive] = _e792.visibility;
+        let _e797 = p.member.light.number;
+        let _e798 = (_e797 * 3u);
+        let _e800 = (_e798 % 32u);
+        let _e802 = p.member.light.mask_words;
+        let _e804 = ((_e69.first_primitive * _e802) + (_e798 / 32u));
+        let _e806 = bits.member[_e804];
+        bits.member[_e804] = ((_e806 & ~((7u << bitcast<u32>((_e800 & 31u))))) | (_e792.bits << bitcast<u32>((_e800 & 31u))));
+        if (_e800 > 29u) {
+            let _e821 = bits.member[(_e804 + 1u)];
+            let _e823 = (32u - _e800);
+            bits.member[(_e804 + 1u)] = ((_e821 & ~((7u >> bitcast<u32>((_e823 & 31u))))) | (_e792.bits >> bitcast<u32>((_e823 & 31u))));
         }
-        phi_1013_ = doubt_Listed(_e69.first_primitive, _e785.is_trusted);
-        phi_1014_ = _e785.needs_ray;
+        phi_1020_ = doubt_Listed(_e69.first_primitive, _e792.is_trusted);
+        phi_1021_ = _e792.needs_ray;
     } else {
-        phi_1013_ = doubt_Listed(0u, false);
-        phi_1014_ = false;
+        phi_1020_ = doubt_Listed(0u, false);
+        phi_1021_ = false;
     }
-    let _e832 = phi_1013_;
-    let _e834 = phi_1014_;
+    let _e839 = phi_1020_;
+    let _e841 = phi_1021_;
     if (_e52 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e834 {
-        let _e840 = atomicAdd((&shared_[0u]), 1u);
-        phi_1027_ = _e840;
+    if _e841 {
+        let _e847 = atomicAdd((&shared_[0u]), 1u);
+        phi_1034_ = _e847;
     } else {
-        phi_1027_ = 0u;
+        phi_1034_ = 0u;
     }
-    let _e842 = phi_1027_;
+    let _e849 = phi_1034_;
     workgroupBarrier();
     if (_e52 == 0u) {
-        let _e846 = atomicLoad((&shared_[0u]));
-        let _e847 = atomicAdd((&list.member[3u]), _e846);
-        atomicStore((&shared_[1u]), _e847);
+        let _e853 = atomicLoad((&shared_[0u]));
+        let _e854 = atomicAdd((&list.member[3u]), _e853);
+        atomicStore((&shared_[1u]), _e854);
     }
     workgroupBarrier();
-    if _e834 {
-        if _e832.is_trusted {
-            phi_1044_ = (_e832.pixel | 2147483648u);
+    if _e841 {
+        if _e839.is_trusted {
+            phi_1051_ = (_e839.pixel | 2147483648u);
         } else {
-            phi_1044_ = _e832.pixel;
+            phi_1051_ = _e839.pixel;
         }
-        let _e851 = phi_1044_;
-        let _e853 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e853) + _e842)]), _e851);
+        let _e858 = phi_1051_;
+        let _e860 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e860) + _e849)]), _e858);
     }
     return;
 }

@@ -183,27 +183,20 @@ fn function_() {
     var phi_407_: bool;
     var phi_411_: bool;
     var phi_412_: bool;
-    var phi_548_: f32;
-    var phi_553_: f32;
-    var phi_554_: bool;
     var phi_555_: f32;
-    var phi_556_: bool;
     var phi_560_: f32;
-    var phi_581_: f32;
-    var phi_586_: f32;
-    var phi_587_: bool;
+    var phi_561_: bool;
+    var phi_562_: f32;
+    var phi_563_: bool;
+    var phi_567_: f32;
     var phi_588_: f32;
-    var phi_589_: bool;
     var phi_593_: f32;
-    var phi_614_: bool;
-    var phi_633_: vec2<u32>;
-    var phi_634_: bool;
-    var phi_635_: bool;
-    var phi_636_: bool;
-    var phi_637_: vec2<u32>;
-    var phi_638_: bool;
-    var phi_639_: bool;
-    var phi_640_: bool;
+    var phi_594_: bool;
+    var phi_595_: f32;
+    var phi_596_: bool;
+    var phi_600_: f32;
+    var phi_621_: bool;
+    var phi_640_: vec2<u32>;
     var phi_641_: bool;
     var phi_642_: bool;
     var phi_643_: bool;
@@ -219,79 +212,86 @@ fn function_() {
     var phi_653_: bool;
     var phi_654_: bool;
     var phi_655_: bool;
-    var phi_664_: bool;
-    var phi_665_: bool;
-    var phi_666_: bool;
-    var phi_667_: bool;
+    var phi_656_: bool;
+    var phi_657_: bool;
+    var phi_658_: vec2<u32>;
+    var phi_659_: bool;
+    var phi_660_: bool;
+    var phi_661_: bool;
+    var phi_662_: bool;
     var phi_671_: bool;
     var phi_672_: bool;
-    var phi_673_: vec2<u32>;
-    var phi_708_: bool;
-    var phi_710_: lt_mask_Reprojection;
-    var phi_711_: lt_mask_Reprojection;
-    var phi_712_: bool;
-    var phi_716_: bool;
+    var phi_673_: bool;
+    var phi_674_: bool;
+    var phi_678_: bool;
+    var phi_679_: bool;
+    var phi_680_: vec2<u32>;
+    var phi_715_: bool;
     var phi_717_: lt_mask_Reprojection;
     var phi_718_: lt_mask_Reprojection;
     var phi_719_: bool;
-    var phi_727_: bool;
-    var phi_728_: lt_mask_Reprojection;
-    var phi_794_: u32;
-    var phi_799_: u32;
-    var phi_800_: u32;
+    var phi_723_: bool;
+    var phi_724_: lt_mask_Reprojection;
+    var phi_725_: lt_mask_Reprojection;
+    var phi_726_: bool;
+    var phi_734_: bool;
+    var phi_735_: lt_mask_Reprojection;
     var phi_801_: u32;
-    var phi_802_: bool;
-    var phi_803_: u32;
-    var phi_804_: bool;
-    var phi_805_: bool;
     var phi_806_: u32;
-    var phi_807_: bool;
-    var phi_808_: bool;
+    var phi_807_: u32;
+    var phi_808_: u32;
+    var phi_809_: bool;
+    var phi_810_: u32;
+    var phi_811_: bool;
     var phi_812_: bool;
-    var phi_816_: u32;
-    var phi_821_: bool;
-    var phi_861_: lt_mask_Neighbourhood;
-    var phi_862_: lt_mask_Neighbourhood;
-    var phi_863_: lt_mask_Neighbourhood;
-    var phi_895_: bool;
-    var phi_896_: bool;
-    var phi_918_: bool;
-    var phi_919_: bool;
-    var phi_920_: bool;
-    var phi_924_: bool;
-    var phi_946_: bool;
-    var phi_947_: bool;
-    var phi_960_: bool;
-    var phi_961_: bool;
-    var phi_962_: bool;
-    var phi_969_: u32;
-    var phi_970_: u32;
-    var phi_971_: u32;
-    var phi_972_: u32;
-    var phi_973_: u32;
-    var phi_974_: u32;
-    var phi_975_: u32;
-    var phi_987_: bool;
-    var phi_988_: bool;
-    var phi_989_: bool;
-    var phi_990_: bool;
+    var phi_813_: u32;
+    var phi_814_: bool;
+    var phi_815_: bool;
+    var phi_819_: bool;
+    var phi_823_: u32;
+    var phi_828_: bool;
+    var phi_868_: lt_mask_Neighbourhood;
+    var phi_869_: lt_mask_Neighbourhood;
+    var phi_870_: lt_mask_Neighbourhood;
+    var phi_902_: bool;
+    var phi_903_: bool;
+    var phi_925_: bool;
+    var phi_926_: bool;
+    var phi_927_: bool;
+    var phi_931_: bool;
+    var phi_953_: bool;
+    var phi_954_: bool;
+    var phi_967_: bool;
+    var phi_968_: bool;
+    var phi_969_: bool;
+    var phi_976_: u32;
+    var phi_977_: u32;
+    var phi_978_: u32;
+    var phi_979_: u32;
+    var phi_980_: u32;
+    var phi_981_: u32;
+    var phi_982_: u32;
     var phi_994_: bool;
-    var phi_1000_: bool;
-    var phi_1008_: u32;
-    var phi_1013_: u32;
-    var phi_1022_: u32;
-    var phi_1027_: u32;
-    var phi_1031_: u32;
-    var phi_1032_: u32;
-    var phi_1033_: u32;
-    var phi_1037_: f32;
-    var phi_1046_: bool;
-    var phi_1047_: bool;
-    var phi_1049_: mask_Masked;
-    var phi_1101_: doubt_Listed;
-    var phi_1102_: bool;
-    var phi_1115_: u32;
-    var phi_1132_: u32;
+    var phi_995_: bool;
+    var phi_996_: bool;
+    var phi_997_: bool;
+    var phi_1001_: bool;
+    var phi_1007_: bool;
+    var phi_1015_: u32;
+    var phi_1020_: u32;
+    var phi_1029_: u32;
+    var phi_1034_: u32;
+    var phi_1038_: u32;
+    var phi_1039_: u32;
+    var phi_1040_: u32;
+    var phi_1044_: f32;
+    var phi_1053_: bool;
+    var phi_1054_: bool;
+    var phi_1056_: mask_Masked;
+    var phi_1108_: doubt_Listed;
+    var phi_1109_: bool;
+    var phi_1122_: u32;
+    var phi_1139_: u32;
 
     let _e52 = id_1;
     let _e53 = local_1;
@@ -408,7 +408,7 @@ fn function_() {
         }
         let _e247 = phi_363_;
         if _e247.unnamed_1 {
-            phi_1049_ = mask_Masked(_e247.unnamed.visibility, 0u, false, false);
+            phi_1056_ = mask_Masked(_e247.unnamed.visibility, 0u, false, false);
         } else {
             let _e252 = (_e94 < 0.5f);
             if (_e94 > 0f) {
@@ -455,9 +455,9 @@ fn function_() {
             }
             let _e304 = phi_412_;
             if _e304 {
-                phi_717_ = lt_mask_Reprojection(_e274.pixel, _e274.is_valid, false);
-                phi_718_ = lt_mask_Reprojection();
-                phi_719_ = true;
+                phi_724_ = lt_mask_Reprojection(_e274.pixel, _e274.is_valid, false);
+                phi_725_ = lt_mask_Reprojection();
+                phi_726_ = true;
             } else {
                 let _e308 = p.member.current.grid[0u];
                 let _e310 = p.member.current.grid[1u];
@@ -468,614 +468,616 @@ fn function_() {
                 let _e333 = (_e89.y - _e329.y);
                 let _e335 = (_e89.z - _e329.z);
                 let _e337 = p.member.previous.forward;
-                let _e345 = (((_e331 * _e337.x) + (_e333 * _e337.y)) + (_e335 * _e337.z));
-                let _e347 = p.member.previous.right;
-                let _e357 = p.member.previous.right;
+                let _e346 = (1f / (((_e331 * _e337.x) + (_e333 * _e337.y)) + (_e335 * _e337.z)));
+                let _e348 = p.member.previous.right;
+                let _e350 = p.member.previous.right;
+                let _e362 = (1f / (((_e350.x * _e350.x) + (_e350.y * _e350.y)) + (_e350.z * _e350.z)));
+                let _e370 = p.member.previous.up;
                 let _e372 = p.member.previous.up;
-                let _e382 = p.member.previous.up;
-                let _e399 = p.member.previous.size[0u];
-                let _e406 = p.member.previous.size[1u];
-                let _e410 = (((((((_e331 * _e347.x) + (_e333 * _e347.y)) + (_e335 * _e347.z)) / ((((_e357.x * _e357.x) + (_e357.y * _e357.y)) + (_e357.z * _e357.z)) * _e345)) + 1f) * (0.5f * f32(_e399))) - _e324);
-                let _e411 = (((1f - ((((_e331 * _e372.x) + (_e333 * _e372.y)) + (_e335 * _e372.z)) / ((((_e382.x * _e382.x) + (_e382.y * _e382.y)) + (_e382.z * _e382.z)) * _e345))) * (0.5f * f32(_e406))) - _e326);
-                let _e415 = p.member.current.size[0u];
-                let _e417 = p.member.current.size[1u];
-                let _e419 = (_e324 + _e410);
-                if (_e419 > -8388608f) {
-                    let _e431 = f32(select(0i, select(select(i32(_e419), i32(-2147483648), (_e419 < bitcast<f32>(3472883712u))), 2147483647i, (_e419 > bitcast<f32>(1325400063u))), (_e419 == _e419)));
-                    if (_e431 > _e419) {
-                        phi_548_ = 1f;
+                let _e384 = (1f / (((_e372.x * _e372.x) + (_e372.y * _e372.y)) + (_e372.z * _e372.z)));
+                let _e406 = p.member.previous.size[0u];
+                let _e413 = p.member.previous.size[1u];
+                let _e417 = (((((((_e331 * (_e348.x * _e362)) + (_e333 * (_e348.y * _e362))) + (_e335 * (_e348.z * _e362))) * _e346) + 1f) * (0.5f * f32(_e406))) - _e324);
+                let _e418 = (((1f - ((((_e331 * (_e370.x * _e384)) + (_e333 * (_e370.y * _e384))) + (_e335 * (_e370.z * _e384))) * _e346)) * (0.5f * f32(_e413))) - _e326);
+                let _e422 = p.member.current.size[0u];
+                let _e424 = p.member.current.size[1u];
+                let _e426 = (_e324 + _e417);
+                if (_e426 > -8388608f) {
+                    let _e438 = f32(select(0i, select(select(i32(_e426), i32(-2147483648), (_e426 < bitcast<f32>(3472883712u))), 2147483647i, (_e426 > bitcast<f32>(1325400063u))), (_e426 == _e426)));
+                    if (_e438 > _e426) {
+                        phi_555_ = 1f;
                     } else {
-                        phi_548_ = 0f;
+                        phi_555_ = 0f;
                     }
-                    let _e434 = phi_548_;
-                    if (_e419 < 8388608f) {
-                        phi_553_ = (_e431 - _e434);
-                        phi_554_ = false;
+                    let _e441 = phi_555_;
+                    if (_e426 < 8388608f) {
+                        phi_560_ = (_e438 - _e441);
+                        phi_561_ = false;
                     } else {
-                        phi_553_ = f32();
-                        phi_554_ = true;
+                        phi_560_ = f32();
+                        phi_561_ = true;
                     }
-                    let _e437 = phi_553_;
-                    let _e439 = phi_554_;
-                    phi_555_ = _e437;
-                    phi_556_ = _e439;
+                    let _e444 = phi_560_;
+                    let _e446 = phi_561_;
+                    phi_562_ = _e444;
+                    phi_563_ = _e446;
                 } else {
-                    phi_555_ = f32();
-                    phi_556_ = true;
+                    phi_562_ = f32();
+                    phi_563_ = true;
                 }
-                let _e441 = phi_555_;
-                let _e443 = phi_556_;
-                if _e443 {
-                    phi_560_ = _e419;
+                let _e448 = phi_562_;
+                let _e450 = phi_563_;
+                if _e450 {
+                    phi_567_ = _e426;
                 } else {
-                    phi_560_ = _e441;
+                    phi_567_ = _e448;
                 }
-                let _e445 = phi_560_;
-                let _e446 = (_e326 + _e411);
-                if (_e446 > -8388608f) {
-                    let _e458 = f32(select(0i, select(select(i32(_e446), i32(-2147483648), (_e446 < bitcast<f32>(3472883712u))), 2147483647i, (_e446 > bitcast<f32>(1325400063u))), (_e446 == _e446)));
-                    if (_e458 > _e446) {
-                        phi_581_ = 1f;
+                let _e452 = phi_567_;
+                let _e453 = (_e326 + _e418);
+                if (_e453 > -8388608f) {
+                    let _e465 = f32(select(0i, select(select(i32(_e453), i32(-2147483648), (_e453 < bitcast<f32>(3472883712u))), 2147483647i, (_e453 > bitcast<f32>(1325400063u))), (_e453 == _e453)));
+                    if (_e465 > _e453) {
+                        phi_588_ = 1f;
                     } else {
-                        phi_581_ = 0f;
+                        phi_588_ = 0f;
                     }
-                    let _e461 = phi_581_;
-                    if (_e446 < 8388608f) {
-                        phi_586_ = (_e458 - _e461);
-                        phi_587_ = false;
+                    let _e468 = phi_588_;
+                    if (_e453 < 8388608f) {
+                        phi_593_ = (_e465 - _e468);
+                        phi_594_ = false;
                     } else {
-                        phi_586_ = f32();
-                        phi_587_ = true;
+                        phi_593_ = f32();
+                        phi_594_ = true;
                     }
-                    let _e464 = phi_586_;
-                    let _e466 = phi_587_;
-                    phi_588_ = _e464;
-                    phi_589_ = _e466;
+                    let _e471 = phi_593_;
+                    let _e473 = phi_594_;
+                    phi_595_ = _e471;
+                    phi_596_ = _e473;
                 } else {
-                    phi_588_ = f32();
-                    phi_589_ = true;
+                    phi_595_ = f32();
+                    phi_596_ = true;
                 }
-                let _e468 = phi_588_;
-                let _e470 = phi_589_;
-                if _e470 {
-                    phi_593_ = _e446;
+                let _e475 = phi_595_;
+                let _e477 = phi_596_;
+                if _e477 {
+                    phi_600_ = _e453;
                 } else {
-                    phi_593_ = _e468;
+                    phi_600_ = _e475;
                 }
-                let _e472 = phi_593_;
-                if (_e445 >= 0f) {
-                    if (_e472 >= 0f) {
-                        if (_e445 < f32(_e415)) {
-                            let _e478 = (_e472 < f32(_e417));
-                            if (_e410 == 0f) {
-                                phi_614_ = (_e411 == 0f);
+                let _e479 = phi_600_;
+                if (_e452 >= 0f) {
+                    if (_e479 >= 0f) {
+                        if (_e452 < f32(_e422)) {
+                            let _e485 = (_e479 < f32(_e424));
+                            if (_e417 == 0f) {
+                                phi_621_ = (_e418 == 0f);
                             } else {
-                                phi_614_ = false;
+                                phi_621_ = false;
                             }
-                            let _e482 = phi_614_;
-                            if _e478 {
-                                phi_633_ = vec2<u32>(select(select(u32(_e445), 0u, (_e445 < bitcast<f32>(0u))), 4294967295u, (_e445 > bitcast<f32>(1333788671u))), select(select(u32(_e472), 0u, (_e472 < bitcast<f32>(0u))), 4294967295u, (_e472 > bitcast<f32>(1333788671u))));
-                                phi_634_ = false;
+                            let _e489 = phi_621_;
+                            if _e485 {
+                                phi_640_ = vec2<u32>(select(select(u32(_e452), 0u, (_e452 < bitcast<f32>(0u))), 4294967295u, (_e452 > bitcast<f32>(1333788671u))), select(select(u32(_e479), 0u, (_e479 < bitcast<f32>(0u))), 4294967295u, (_e479 > bitcast<f32>(1333788671u))));
+                                phi_641_ = false;
                             } else {
-                                phi_633_ = vec2<u32>();
-                                phi_634_ = true;
+                                phi_640_ = vec2<u32>();
+                                phi_641_ = true;
                             }
-                            let _e499 = phi_633_;
-                            let _e501 = phi_634_;
-                            phi_635_ = _e482;
-                            phi_636_ = _e478;
-                            phi_637_ = _e499;
-                            phi_638_ = _e482;
-                            phi_639_ = _e478;
-                            phi_640_ = false;
-                            phi_641_ = _e501;
+                            let _e506 = phi_640_;
+                            let _e508 = phi_641_;
+                            phi_642_ = _e489;
+                            phi_643_ = _e485;
+                            phi_644_ = _e506;
+                            phi_645_ = _e489;
+                            phi_646_ = _e485;
+                            phi_647_ = false;
+                            phi_648_ = _e508;
                         } else {
-                            phi_635_ = bool();
-                            phi_636_ = bool();
-                            phi_637_ = vec2<u32>();
-                            phi_638_ = bool();
-                            phi_639_ = bool();
-                            phi_640_ = true;
-                            phi_641_ = false;
+                            phi_642_ = bool();
+                            phi_643_ = bool();
+                            phi_644_ = vec2<u32>();
+                            phi_645_ = bool();
+                            phi_646_ = bool();
+                            phi_647_ = true;
+                            phi_648_ = false;
                         }
-                        let _e503 = phi_635_;
-                        let _e505 = phi_636_;
-                        let _e507 = phi_637_;
-                        let _e509 = phi_638_;
-                        let _e511 = phi_639_;
-                        let _e513 = phi_640_;
-                        let _e515 = phi_641_;
-                        phi_642_ = _e503;
-                        phi_643_ = _e505;
-                        phi_644_ = _e507;
-                        phi_645_ = _e509;
-                        phi_646_ = _e511;
-                        phi_647_ = _e513;
-                        phi_648_ = _e515;
+                        let _e510 = phi_642_;
+                        let _e512 = phi_643_;
+                        let _e514 = phi_644_;
+                        let _e516 = phi_645_;
+                        let _e518 = phi_646_;
+                        let _e520 = phi_647_;
+                        let _e522 = phi_648_;
+                        phi_649_ = _e510;
+                        phi_650_ = _e512;
+                        phi_651_ = _e514;
+                        phi_652_ = _e516;
+                        phi_653_ = _e518;
+                        phi_654_ = _e520;
+                        phi_655_ = _e522;
                     } else {
-                        phi_642_ = bool();
-                        phi_643_ = bool();
-                        phi_644_ = vec2<u32>();
-                        phi_645_ = bool();
-                        phi_646_ = bool();
-                        phi_647_ = true;
-                        phi_648_ = false;
+                        phi_649_ = bool();
+                        phi_650_ = bool();
+                        phi_651_ = vec2<u32>();
+                        phi_652_ = bool();
+                        phi_653_ = bool();
+                        phi_654_ = true;
+                        phi_655_ = false;
                     }
-                    let _e517 = phi_642_;
-                    let _e519 = phi_643_;
-                    let _e521 = phi_644_;
-                    let _e523 = phi_645_;
-                    let _e525 = phi_646_;
-                    let _e527 = phi_647_;
-                    let _e529 = phi_648_;
-                    phi_649_ = _e517;
-                    phi_650_ = _e519;
-                    phi_651_ = _e521;
-                    phi_652_ = _e523;
-                    phi_653_ = _e525;
-                    phi_654_ = _e527;
-                    phi_655_ = _e529;
+                    let _e524 = phi_649_;
+                    let _e526 = phi_650_;
+                    let _e528 = phi_651_;
+                    let _e530 = phi_652_;
+                    let _e532 = phi_653_;
+                    let _e534 = phi_654_;
+                    let _e536 = phi_655_;
+                    phi_656_ = _e524;
+                    phi_657_ = _e526;
+                    phi_658_ = _e528;
+                    phi_659_ = _e530;
+                    phi_660_ = _e532;
+                    phi_661_ = _e534;
+                    phi_662_ = _e536;
                 } else {
-                    phi_649_ = bool();
-                    phi_650_ = bool();
-                    phi_651_ = vec2<u32>();
-                    phi_652_ = bool();
-                    phi_653_ = bool();
-                    phi_654_ = true;
-                    phi_655_ = false;
+                    phi_656_ = bool();
+                    phi_657_ = bool();
+                    phi_658_ = vec2<u32>();
+                    phi_659_ = bool();
+                    phi_660_ = bool();
+                    phi_661_ = true;
+                    phi_662_ = false;
                 }
-                let _e531 = phi_649_;
-                let _e533 = phi_650_;
-                let _e535 = phi_651_;
-                let _e537 = phi_652_;
-                let _e539 = phi_653_;
-                let _e541 = phi_654_;
-                let _e543 = phi_655_;
-                if _e541 {
-                    if (_e410 == 0f) {
-                        phi_664_ = (_e411 == 0f);
+                let _e538 = phi_656_;
+                let _e540 = phi_657_;
+                let _e542 = phi_658_;
+                let _e544 = phi_659_;
+                let _e546 = phi_660_;
+                let _e548 = phi_661_;
+                let _e550 = phi_662_;
+                if _e548 {
+                    if (_e417 == 0f) {
+                        phi_671_ = (_e418 == 0f);
                     } else {
-                        phi_664_ = false;
+                        phi_671_ = false;
                     }
-                    let _e547 = phi_664_;
-                    phi_665_ = _e547;
-                    phi_666_ = false;
-                    phi_667_ = true;
+                    let _e554 = phi_671_;
+                    phi_672_ = _e554;
+                    phi_673_ = false;
+                    phi_674_ = true;
                 } else {
-                    phi_665_ = _e537;
-                    phi_666_ = _e539;
-                    phi_667_ = _e543;
+                    phi_672_ = _e544;
+                    phi_673_ = _e546;
+                    phi_674_ = _e550;
                 }
-                let _e549 = phi_665_;
-                let _e551 = phi_666_;
-                let _e553 = phi_667_;
-                if _e553 {
-                    phi_671_ = _e549;
-                    phi_672_ = _e551;
-                    phi_673_ = vec2<u32>(_e52.x, _e52.y);
+                let _e556 = phi_672_;
+                let _e558 = phi_673_;
+                let _e560 = phi_674_;
+                if _e560 {
+                    phi_678_ = _e556;
+                    phi_679_ = _e558;
+                    phi_680_ = vec2<u32>(_e52.x, _e52.y);
                 } else {
-                    phi_671_ = _e531;
-                    phi_672_ = _e533;
-                    phi_673_ = _e535;
+                    phi_678_ = _e538;
+                    phi_679_ = _e540;
+                    phi_680_ = _e542;
                 }
-                let _e555 = phi_671_;
-                let _e557 = phi_672_;
-                let _e559 = phi_673_;
-                let _e569 = lt_mask_Reprojection(vec2<u32>(_e559.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
-                let _e576 = lt_mask_Reprojection(vec2<u32>(_e569.pixel.x, _e559.y), _e569.is_valid, _e569.has_moved);
-                let _e580 = lt_mask_Reprojection(_e576.pixel, _e557, _e576.has_moved);
-                let _e584 = lt_mask_Reprojection(_e580.pixel, _e580.is_valid, !(_e555));
-                if _e557 {
-                    let _e587 = p.member.previous.eye;
-                    let _e595 = p.member.previous.forward;
-                    let _e604 = (((((_e89.x - _e587.x) * _e595.x) + ((_e89.y - _e587.y) * _e595.y)) + ((_e89.z - _e587.z) * _e595.z)) > 0f);
-                    let _e608 = lt_mask_Reprojection(_e584.pixel, _e604, _e584.has_moved);
-                    if _e604 {
-                        phi_708_ = false;
+                let _e562 = phi_678_;
+                let _e564 = phi_679_;
+                let _e566 = phi_680_;
+                let _e576 = lt_mask_Reprojection(vec2<u32>(_e566.x, lt_mask_Reprojection().pixel.y), lt_mask_Reprojection().is_valid, lt_mask_Reprojection().has_moved);
+                let _e583 = lt_mask_Reprojection(vec2<u32>(_e576.pixel.x, _e566.y), _e576.is_valid, _e576.has_moved);
+                let _e587 = lt_mask_Reprojection(_e583.pixel, _e564, _e583.has_moved);
+                let _e591 = lt_mask_Reprojection(_e587.pixel, _e587.is_valid, !(_e562));
+                if _e564 {
+                    let _e594 = p.member.previous.eye;
+                    let _e602 = p.member.previous.forward;
+                    let _e611 = (((((_e89.x - _e594.x) * _e602.x) + ((_e89.y - _e594.y) * _e602.y)) + ((_e89.z - _e594.z) * _e602.z)) > 0f);
+                    let _e615 = lt_mask_Reprojection(_e591.pixel, _e611, _e591.has_moved);
+                    if _e611 {
+                        phi_715_ = false;
                     } else {
-                        phi_708_ = true;
+                        phi_715_ = true;
                     }
-                    let _e610 = phi_708_;
-                    phi_710_ = _e608;
-                    phi_711_ = _e608;
-                    phi_712_ = _e610;
+                    let _e617 = phi_715_;
+                    phi_717_ = _e615;
+                    phi_718_ = _e615;
+                    phi_719_ = _e617;
                 } else {
-                    phi_710_ = lt_mask_Reprojection();
-                    phi_711_ = lt_mask_Reprojection(_e584.pixel, false, _e584.has_moved);
-                    phi_712_ = true;
+                    phi_717_ = lt_mask_Reprojection();
+                    phi_718_ = lt_mask_Reprojection(_e591.pixel, false, _e591.has_moved);
+                    phi_719_ = true;
                 }
-                let _e616 = phi_710_;
-                let _e618 = phi_711_;
-                let _e620 = phi_712_;
-                if _e620 {
-                    phi_716_ = false;
+                let _e623 = phi_717_;
+                let _e625 = phi_718_;
+                let _e627 = phi_719_;
+                if _e627 {
+                    phi_723_ = false;
                 } else {
-                    phi_716_ = true;
+                    phi_723_ = true;
                 }
-                let _e622 = phi_716_;
-                phi_717_ = _e616;
-                phi_718_ = _e618;
-                phi_719_ = _e622;
+                let _e629 = phi_723_;
+                phi_724_ = _e623;
+                phi_725_ = _e625;
+                phi_726_ = _e629;
             }
-            let _e624 = phi_717_;
-            let _e626 = phi_718_;
-            let _e628 = phi_719_;
-            if _e628 {
-                let _e630 = p.member.flags;
-                phi_727_ = ((_e630 & 1u) != 0u);
-                phi_728_ = _e624;
+            let _e631 = phi_724_;
+            let _e633 = phi_725_;
+            let _e635 = phi_726_;
+            if _e635 {
+                let _e637 = p.member.flags;
+                phi_734_ = ((_e637 & 1u) != 0u);
+                phi_735_ = _e631;
             } else {
-                phi_727_ = false;
-                phi_728_ = _e626;
+                phi_734_ = false;
+                phi_735_ = _e633;
             }
-            let _e634 = phi_727_;
-            let _e636 = phi_728_;
-            let _e640 = lt_mask_Reprojection(_e636.pixel, _e634, _e636.has_moved);
-            let _e642 = p.member.flags;
-            let _e644 = ((_e642 & 2u) != 0u);
-            let _e646 = p.member.flags;
-            if ((_e646 & 4u) == 0u) {
-                phi_806_ = u32();
-                phi_807_ = true;
-                phi_808_ = false;
+            let _e641 = phi_734_;
+            let _e643 = phi_735_;
+            let _e647 = lt_mask_Reprojection(_e643.pixel, _e641, _e643.has_moved);
+            let _e649 = p.member.flags;
+            let _e651 = ((_e649 & 2u) != 0u);
+            let _e653 = p.member.flags;
+            if ((_e653 & 4u) == 0u) {
+                phi_813_ = u32();
+                phi_814_ = true;
+                phi_815_ = false;
             } else {
-                if _e634 {
-                    if !(_e640.has_moved) {
-                        let _e655 = ((((_e52.y * _e86) + (_e52.x / 32u)) * 6u) + 4u);
-                        if (_e655 < _e58) {
+                if _e641 {
+                    if !(_e647.has_moved) {
+                        let _e662 = ((((_e52.y * _e86) + (_e52.x / 32u)) * 6u) + 4u);
+                        if (_e662 < _e58) {
                         } else {
                             return;
                         }
-                        let _e659 = heard.member[(0u + _e655)];
-                        if (((_e659 >> bitcast<u32>(((_e52.x % 32u) & 31u))) & 1u) != 0u) {
-                            let _e670 = ((((_e52.y * _e86) + (_e52.x / 32u)) * 6u) + 5u);
-                            if (_e670 < _e58) {
+                        let _e666 = heard.member[(0u + _e662)];
+                        if (((_e666 >> bitcast<u32>(((_e52.x % 32u) & 31u))) & 1u) != 0u) {
+                            let _e677 = ((((_e52.y * _e86) + (_e52.x / 32u)) * 6u) + 5u);
+                            if (_e677 < _e58) {
                             } else {
                                 return;
                             }
-                            let _e674 = heard.member[(0u + _e670)];
+                            let _e681 = heard.member[(0u + _e677)];
                             if false {
-                                phi_794_ = (2u | 1u);
+                                phi_801_ = (2u | 1u);
                             } else {
-                                phi_794_ = 2u;
+                                phi_801_ = 2u;
                             }
-                            let _e683 = phi_794_;
-                            if (((_e674 >> bitcast<u32>(((_e52.x % 32u) & 31u))) & 1u) != 0u) {
-                                phi_799_ = (_e683 | 4u);
+                            let _e690 = phi_801_;
+                            if (((_e681 >> bitcast<u32>(((_e52.x % 32u) & 31u))) & 1u) != 0u) {
+                                phi_806_ = (_e690 | 4u);
                             } else {
-                                phi_799_ = _e683;
+                                phi_806_ = _e690;
                             }
-                            let _e686 = phi_799_;
-                            phi_800_ = _e686;
+                            let _e693 = phi_806_;
+                            phi_807_ = _e693;
                         } else {
-                            phi_800_ = 0u;
+                            phi_807_ = 0u;
                         }
-                        let _e688 = phi_800_;
-                        phi_801_ = _e688;
-                        phi_802_ = false;
+                        let _e695 = phi_807_;
+                        phi_808_ = _e695;
+                        phi_809_ = false;
                     } else {
-                        phi_801_ = u32();
-                        phi_802_ = true;
+                        phi_808_ = u32();
+                        phi_809_ = true;
                     }
-                    let _e690 = phi_801_;
-                    let _e692 = phi_802_;
-                    phi_803_ = _e690;
-                    phi_804_ = false;
-                    phi_805_ = _e692;
+                    let _e697 = phi_808_;
+                    let _e699 = phi_809_;
+                    phi_810_ = _e697;
+                    phi_811_ = false;
+                    phi_812_ = _e699;
                 } else {
-                    phi_803_ = u32();
-                    phi_804_ = true;
-                    phi_805_ = false;
+                    phi_810_ = u32();
+                    phi_811_ = true;
+                    phi_812_ = false;
                 }
-                let _e694 = phi_803_;
-                let _e696 = phi_804_;
-                let _e698 = phi_805_;
-                phi_806_ = _e694;
-                phi_807_ = _e696;
-                phi_808_ = _e698;
+                let _e701 = phi_810_;
+                let _e703 = phi_811_;
+                let _e705 = phi_812_;
+                phi_813_ = _e701;
+                phi_814_ = _e703;
+                phi_815_ = _e705;
             }
-            let _e700 = phi_806_;
-            let _e702 = phi_807_;
-            let _e704 = phi_808_;
-            if _e702 {
-                phi_812_ = true;
+            let _e707 = phi_813_;
+            let _e709 = phi_814_;
+            let _e711 = phi_815_;
+            if _e709 {
+                phi_819_ = true;
             } else {
-                phi_812_ = _e704;
+                phi_819_ = _e711;
             }
-            let _e706 = phi_812_;
-            if _e706 {
-                phi_816_ = 0u;
+            let _e713 = phi_819_;
+            if _e713 {
+                phi_823_ = 0u;
             } else {
-                phi_816_ = _e700;
+                phi_823_ = _e707;
             }
-            let _e708 = phi_816_;
-            let _e709 = lt_mask_Neighbourhood(false, true);
+            let _e715 = phi_823_;
+            let _e716 = lt_mask_Neighbourhood(false, true);
             if _e256 {
-                phi_821_ = _e644;
+                phi_828_ = _e651;
             } else {
-                phi_821_ = false;
+                phi_828_ = false;
             }
-            let _e711 = phi_821_;
-            if _e711 {
-                if _e634 {
-                    if ((_e708 & 2u) != 0u) {
-                        phi_861_ = _e709;
+            let _e718 = phi_828_;
+            if _e718 {
+                if _e641 {
+                    if ((_e715 & 2u) != 0u) {
+                        phi_868_ = _e716;
                     } else {
-                        let _e728 = ((((_e640.pixel.y * _e86) + (_e640.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e252) | (select(0u, 1u, _e640.has_moved) << bitcast<u32>(1i))));
-                        if (_e728 < _e58) {
+                        let _e735 = ((((_e647.pixel.y * _e86) + (_e647.pixel.x / 32u)) * 6u) + (select(0u, 1u, _e252) | (select(0u, 1u, _e647.has_moved) << bitcast<u32>(1i))));
+                        if (_e735 < _e58) {
                         } else {
                             return;
                         }
-                        let _e732 = heard.member[(0u + _e728)];
-                        let _e738 = (((_e732 >> bitcast<u32>(((_e640.pixel.x % 32u) & 31u))) & 1u) != 0u);
-                        phi_861_ = lt_mask_Neighbourhood(_e738, !(_e738));
+                        let _e739 = heard.member[(0u + _e735)];
+                        let _e745 = (((_e739 >> bitcast<u32>(((_e647.pixel.x % 32u) & 31u))) & 1u) != 0u);
+                        phi_868_ = lt_mask_Neighbourhood(_e745, !(_e745));
                     }
-                    let _e742 = phi_861_;
-                    phi_862_ = _e742;
+                    let _e749 = phi_868_;
+                    phi_869_ = _e749;
                 } else {
-                    phi_862_ = _e709;
+                    phi_869_ = _e716;
                 }
-                let _e744 = phi_862_;
-                phi_863_ = _e744;
+                let _e751 = phi_869_;
+                phi_870_ = _e751;
             } else {
-                phi_863_ = _e709;
+                phi_870_ = _e716;
             }
-            let _e746 = phi_863_;
-            let _e749 = p.member.frame;
-            let _e751 = p.member.refresh;
-            if (_e751 == 0u) {
-                phi_896_ = false;
+            let _e753 = phi_870_;
+            let _e756 = p.member.frame;
+            let _e758 = p.member.refresh;
+            if (_e758 == 0u) {
+                phi_903_ = false;
             } else {
-                if (_e751 == 0u) {
+                if (_e758 == 0u) {
                     return;
                 }
-                let _e760 = ((_e52.x + (_e52.y * (((_e751 * 5u) / 8u) | 1u))) + (_e749 % _e751));
-                if (_e751 == 0u) {
-                    phi_895_ = (_e760 == 0u);
+                let _e767 = ((_e52.x + (_e52.y * (((_e758 * 5u) / 8u) | 1u))) + (_e756 % _e758));
+                if (_e758 == 0u) {
+                    phi_902_ = (_e767 == 0u);
                 } else {
-                    if (_e751 == 0u) {
+                    if (_e758 == 0u) {
                         return;
                     }
-                    phi_895_ = ((_e760 % _e751) == 0u);
+                    phi_902_ = ((_e767 % _e758) == 0u);
                 }
-                let _e767 = phi_895_;
-                phi_896_ = _e767;
+                let _e774 = phi_902_;
+                phi_903_ = _e774;
             }
-            let _e769 = phi_896_;
-            if _e634 {
-                if _e769 {
-                    phi_918_ = bool();
+            let _e776 = phi_903_;
+            if _e641 {
+                if _e776 {
+                    phi_925_ = bool();
                 } else {
-                    phi_918_ = ((_e708 & 2u) != 0u);
+                    phi_925_ = ((_e715 & 2u) != 0u);
                 }
-                let _e775 = phi_918_;
-                phi_919_ = _e775;
-                phi_920_ = _e769;
+                let _e782 = phi_925_;
+                phi_926_ = _e782;
+                phi_927_ = _e776;
             } else {
-                phi_919_ = bool();
-                phi_920_ = true;
+                phi_926_ = bool();
+                phi_927_ = true;
             }
-            let _e777 = phi_919_;
-            let _e779 = phi_920_;
-            if _e779 {
-                phi_924_ = false;
+            let _e784 = phi_926_;
+            let _e786 = phi_927_;
+            if _e786 {
+                phi_931_ = false;
             } else {
-                phi_924_ = _e777;
+                phi_931_ = _e784;
             }
-            let _e781 = phi_924_;
-            if _e781 {
-                phi_975_ = 7u;
+            let _e788 = phi_931_;
+            if _e788 {
+                phi_982_ = 7u;
             } else {
                 if (_e94 != 0.5f) {
-                    if _e634 {
-                        if _e769 {
-                            phi_972_ = 6u;
+                    if _e641 {
+                        if _e776 {
+                            phi_979_ = 6u;
                         } else {
                             if _e256 {
-                                phi_947_ = true;
+                                phi_954_ = true;
                             } else {
-                                if _e746.any_expands {
-                                    phi_946_ = false;
+                                if _e753.any_expands {
+                                    phi_953_ = false;
                                 } else {
-                                    phi_946_ = true;
+                                    phi_953_ = true;
                                 }
-                                let _e783 = phi_946_;
-                                phi_947_ = _e783;
+                                let _e790 = phi_953_;
+                                phi_954_ = _e790;
                             }
-                            let _e785 = phi_947_;
-                            if _e785 {
+                            let _e792 = phi_954_;
+                            if _e792 {
                                 if _e256 {
-                                    if _e644 {
-                                        if _e746.all_remove {
-                                            phi_960_ = false;
+                                    if _e651 {
+                                        if _e753.all_remove {
+                                            phi_967_ = false;
                                         } else {
-                                            phi_960_ = true;
+                                            phi_967_ = true;
                                         }
-                                        let _e787 = phi_960_;
-                                        phi_961_ = _e787;
+                                        let _e794 = phi_967_;
+                                        phi_968_ = _e794;
                                     } else {
-                                        phi_961_ = true;
+                                        phi_968_ = true;
                                     }
-                                    let _e789 = phi_961_;
-                                    phi_962_ = _e789;
+                                    let _e796 = phi_968_;
+                                    phi_969_ = _e796;
                                 } else {
-                                    phi_962_ = true;
+                                    phi_969_ = true;
                                 }
-                                let _e791 = phi_962_;
-                                if _e791 {
+                                let _e798 = phi_969_;
+                                if _e798 {
                                     if _e256 {
-                                        phi_969_ = 1u;
+                                        phi_976_ = 1u;
                                     } else {
-                                        phi_969_ = 0u;
+                                        phi_976_ = 0u;
                                     }
-                                    let _e793 = phi_969_;
-                                    phi_970_ = _e793;
+                                    let _e800 = phi_976_;
+                                    phi_977_ = _e800;
                                 } else {
-                                    phi_970_ = 5u;
+                                    phi_977_ = 5u;
                                 }
-                                let _e795 = phi_970_;
-                                phi_971_ = _e795;
+                                let _e802 = phi_977_;
+                                phi_978_ = _e802;
                             } else {
-                                phi_971_ = 4u;
+                                phi_978_ = 4u;
                             }
-                            let _e797 = phi_971_;
-                            phi_972_ = _e797;
+                            let _e804 = phi_978_;
+                            phi_979_ = _e804;
                         }
-                        let _e799 = phi_972_;
-                        phi_973_ = _e799;
+                        let _e806 = phi_979_;
+                        phi_980_ = _e806;
                     } else {
-                        phi_973_ = 3u;
+                        phi_980_ = 3u;
                     }
-                    let _e801 = phi_973_;
-                    phi_974_ = _e801;
+                    let _e808 = phi_980_;
+                    phi_981_ = _e808;
                 } else {
-                    phi_974_ = 2u;
+                    phi_981_ = 2u;
                 }
-                let _e803 = phi_974_;
-                phi_975_ = _e803;
+                let _e810 = phi_981_;
+                phi_982_ = _e810;
             }
-            let _e805 = phi_975_;
-            if !((_e805 == 0u)) {
-                if !((_e805 == 5u)) {
-                    phi_987_ = !(_e781);
-                    phi_988_ = false;
+            let _e812 = phi_982_;
+            if !((_e812 == 0u)) {
+                if !((_e812 == 5u)) {
+                    phi_994_ = !(_e788);
+                    phi_995_ = false;
                 } else {
-                    phi_987_ = bool();
-                    phi_988_ = true;
+                    phi_994_ = bool();
+                    phi_995_ = true;
                 }
-                let _e812 = phi_987_;
-                let _e814 = phi_988_;
-                phi_989_ = _e812;
-                phi_990_ = _e814;
+                let _e819 = phi_994_;
+                let _e821 = phi_995_;
+                phi_996_ = _e819;
+                phi_997_ = _e821;
             } else {
-                phi_989_ = bool();
-                phi_990_ = true;
+                phi_996_ = bool();
+                phi_997_ = true;
             }
-            let _e816 = phi_989_;
-            let _e818 = phi_990_;
-            if _e818 {
-                phi_994_ = false;
+            let _e823 = phi_996_;
+            let _e825 = phi_997_;
+            if _e825 {
+                phi_1001_ = false;
             } else {
-                phi_994_ = _e816;
+                phi_1001_ = _e823;
             }
-            let _e820 = phi_994_;
-            if _e781 {
-                phi_1000_ = ((_e708 & 4u) != 0u);
+            let _e827 = phi_1001_;
+            if _e788 {
+                phi_1007_ = ((_e715 & 4u) != 0u);
             } else {
-                phi_1000_ = _e252;
+                phi_1007_ = _e252;
             }
-            let _e824 = phi_1000_;
-            if _e820 {
+            let _e831 = phi_1007_;
+            if _e827 {
                 if _e252 {
-                    phi_1008_ = (2u | 1u);
+                    phi_1015_ = (2u | 1u);
                 } else {
-                    phi_1008_ = 2u;
+                    phi_1015_ = 2u;
                 }
-                let _e827 = phi_1008_;
+                let _e834 = phi_1015_;
                 if false {
-                    phi_1013_ = (_e827 | 4u);
+                    phi_1020_ = (_e834 | 4u);
                 } else {
-                    phi_1013_ = _e827;
+                    phi_1020_ = _e834;
                 }
-                let _e830 = phi_1013_;
-                phi_1033_ = _e830;
+                let _e837 = phi_1020_;
+                phi_1040_ = _e837;
             } else {
-                if (_e805 == 7u) {
+                if (_e812 == 7u) {
                     if _e252 {
-                        phi_1022_ = (2u | 1u);
+                        phi_1029_ = (2u | 1u);
                     } else {
-                        phi_1022_ = 2u;
+                        phi_1029_ = 2u;
                     }
-                    let _e834 = phi_1022_;
-                    if _e824 {
-                        phi_1027_ = (_e834 | 4u);
+                    let _e841 = phi_1029_;
+                    if _e831 {
+                        phi_1034_ = (_e841 | 4u);
                     } else {
-                        phi_1027_ = _e834;
+                        phi_1034_ = _e841;
                     }
-                    let _e837 = phi_1027_;
-                    phi_1032_ = _e837;
+                    let _e844 = phi_1034_;
+                    phi_1039_ = _e844;
                 } else {
                     if _e252 {
-                        phi_1031_ = 1u;
+                        phi_1038_ = 1u;
                     } else {
-                        phi_1031_ = 0u;
+                        phi_1038_ = 0u;
                     }
-                    let _e839 = phi_1031_;
-                    phi_1032_ = _e839;
+                    let _e846 = phi_1038_;
+                    phi_1039_ = _e846;
                 }
-                let _e841 = phi_1032_;
-                phi_1033_ = _e841;
+                let _e848 = phi_1039_;
+                phi_1040_ = _e848;
             }
-            let _e843 = phi_1033_;
-            if _e824 {
-                phi_1037_ = 0f;
+            let _e850 = phi_1040_;
+            if _e831 {
+                phi_1044_ = 0f;
             } else {
-                phi_1037_ = 1f;
+                phi_1044_ = 1f;
             }
-            let _e845 = phi_1037_;
+            let _e852 = phi_1044_;
             if _e256 {
                 if (_e94 == 0.99999994f) {
-                    phi_1046_ = true;
+                    phi_1053_ = true;
                 } else {
-                    phi_1046_ = (_e94 == 0.000000059604645f);
+                    phi_1053_ = (_e94 == 0.000000059604645f);
                 }
-                let _e849 = phi_1046_;
-                phi_1047_ = _e849;
+                let _e856 = phi_1053_;
+                phi_1054_ = _e856;
             } else {
-                phi_1047_ = true;
+                phi_1054_ = true;
             }
-            let _e851 = phi_1047_;
-            phi_1049_ = mask_Masked(_e845, _e843, _e820, _e851);
+            let _e858 = phi_1054_;
+            phi_1056_ = mask_Masked(_e852, _e850, _e827, _e858);
         }
-        let _e854 = phi_1049_;
-        visibility.member[_e70.first_primitive] = _e854.visibility;
-        let _e859 = p.member.light.number;
-        let _e860 = (_e859 * 3u);
-        let _e862 = (_e860 % 32u);
-        let _e864 = p.member.light.mask_words;
-        let _e866 = ((_e70.first_primitive * _e864) + (_e860 / 32u));
-        let _e868 = bits.member[_e866];
-        bits.member[_e866] = ((_e868 & ~((7u << bitcast<u32>((_e862 & 31u))))) | (_e854.bits << bitcast<u32>((_e862 & 31u))));
-        if (_e862 > 29u) {
-            let _e883 = bits.member[(_e866 + 1u)];
-            let _e885 = (32u - _e862);
-            bits.member[(_e866 + 1u)] = ((_e883 & ~((7u >> bitcast<u32>((_e885 & 31u))))) | (_e854.bits >> bitcast<u32>((_e885 & 31u))));
+        let _e861 = phi_1056_;
+        visibility.member[_e70.first_primitive] = _e861.visibility;
+        let _e866 = p.member.light.number;
+        let _e867 = (_e866 * 3u);
+        let _e869 = (_e867 % 32u);
+        let _e871 = p.member.light.mask_words;
+        let _e873 = ((_e70.first_primitive * _e871) + (_e867 / 32u));
+        let _e875 = bits.member[_e873];
+        bits.member[_e873] = ((_e875 & ~((7u << bitcast<u32>((_e869 & 31u))))) | (_e861.bits << bitcast<u32>((_e869 & 31u))));
+        if (_e869 > 29u) {
+            let _e890 = bits.member[(_e873 + 1u)];
+            let _e892 = (32u - _e869);
+            bits.member[(_e873 + 1u)] = ((_e890 & ~((7u >> bitcast<u32>((_e892 & 31u))))) | (_e861.bits >> bitcast<u32>((_e892 & 31u))));
         }
-        phi_1101_ = doubt_Listed(_e70.first_primitive, _e854.is_trusted);
-        phi_1102_ = _e854.needs_ray;
+        phi_1108_ = doubt_Listed(_e70.first_primitive, _e861.is_trusted);
+        phi_1109_ = _e861.needs_ray;
     } else {
-        phi_1101_ = doubt_Listed(0u, false);
-        phi_1102_ = false;
+        phi_1108_ = doubt_Listed(0u, false);
+        phi_1109_ = false;
     }
-    let _e901 = phi_1101_;
-    let _e903 = phi_1102_;
+    let _e908 = phi_1108_;
+    let _e910 = phi_1109_;
     if (_e53 == 0u) {
         atomicStore((&shared_[0u]), 0u);
     }
     workgroupBarrier();
-    if _e903 {
-        let _e909 = atomicAdd((&shared_[0u]), 1u);
-        phi_1115_ = _e909;
+    if _e910 {
+        let _e916 = atomicAdd((&shared_[0u]), 1u);
+        phi_1122_ = _e916;
     } else {
-        phi_1115_ = 0u;
+        phi_1122_ = 0u;
     }
-    let _e911 = phi_1115_;
+    let _e918 = phi_1122_;
     workgroupBarrier();
     if (_e53 == 0u) {
-        let _e915 = atomicLoad((&shared_[0u]));
-        let _e916 = atomicAdd((&list.member[3u]), _e915);
-        atomicStore((&shared_[1u]), _e916);
+        let _e922 = atomicLoad((&shared_[0u]));
+        let _e923 = atomicAdd((&list.member[3u]), _e922);
+        atomicStore((&shared_[1u]), _e923);
     }
     workgroupBarrier();
-    if _e903 {
-        if _e901.is_trusted {
-            phi_1132_ = (_e901.pixel | 2147483648u);
+    if _e910 {
+        if _e908.is_trusted {
+            phi_1139_ = (_e908.pixel | 2147483648u);
         } else {
-            phi_1132_ = _e901.pixel;
+            phi_1139_ = _e908.pixel;
         }
-        let _e920 = phi_1132_;
-        let _e922 = atomicLoad((&shared_[1u]));
-        atomicStore((&list.member[((4u + _e922) + _e911)]), _e920);
+        let _e927 = phi_1139_;
+        let _e929 = atomicLoad((&shared_[1u]));
+        atomicStore((&list.member[((4u + _e929) + _e918)]), _e927);
     }
     return;
 }

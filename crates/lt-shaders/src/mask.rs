@@ -141,9 +141,12 @@ pub fn seen_depth(sample: &Sample, camera: &CameraParams) -> f32 {
 #[inline]
 pub fn place_px(position: Vec3, camera: &CameraParams) -> Vec2 {
     let to = position - camera.eye;
-    let depth = to.dot(camera.forward);
-    let x = to.dot(camera.right) / (camera.right.length_squared() * depth);
-    let y = to.dot(camera.up) / (camera.up.length_squared() * depth);
+    // One division a place; the two others are the frame's.
+    let nearness = 1.0 / to.dot(camera.forward);
+    let right = camera.right * (1.0 / camera.right.length_squared());
+    let up = camera.up * (1.0 / camera.up.length_squared());
+    let x = to.dot(right) * nearness;
+    let y = to.dot(up) * nearness;
     Vec2::new((x + 1.0) * (0.5 * camera.size.x as f32), (1.0 - y) * (0.5 * camera.size.y as f32))
 }
 

@@ -2,7 +2,7 @@
 
 use lt_bvh::lanes;
 use lt_math::float;
-use lt_math::glam::UVec2;
+use lt_math::glam::{UVec2, Vec3};
 use lt_shaders::abi::{CameraParams, MaskParams};
 use lt_shaders::sampling::sample_place;
 
@@ -110,16 +110,17 @@ impl Places {
 #[inline(always)]
 fn place_px(position: &Points, camera: &CameraParams) -> (Lanes, Lanes, Lanes) {
     let eye = camera.eye.to_array();
-    let [right, up, forward] = [camera.right, camera.up, camera.forward].map(|v| v.to_array());
-    let (width, height) = (camera.right.length_squared(), camera.up.length_squared());
+    let per = |v: Vec3| v * (1.0 / v.length_squared());
+    let [right, up, forward] = [per(camera.right), per(camera.up), camera.forward].map(|v| v.to_array());
     let (half_width, half_height) = (0.5 * camera.size.x as f32, 0.5 * camera.size.y as f32);
     let (mut x, mut y, mut depths) = ([0.0; PIECE], [0.0; PIECE], [0.0; PIECE]);
     for i in 0..PIECE {
         let to = [position[0][i] - eye[0], position[1][i] - eye[1], position[2][i] - eye[2]];
         let along = |v: [f32; 3]| to[0] * v[0] + to[1] * v[1] + to[2] * v[2];
         let depth = along(forward);
-        x[i] = (along(right) / (width * depth) + 1.0) * half_width;
-        y[i] = (1.0 - along(up) / (height * depth)) * half_height;
+        let nearness = 1.0 / depth;
+        x[i] = (along(right) * nearness + 1.0) * half_width;
+        y[i] = (1.0 - along(up) * nearness) * half_height;
         depths[i] = depth;
     }
     (x, y, depths)
