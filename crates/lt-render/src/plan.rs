@@ -301,7 +301,7 @@ impl EffectPlan {
                     "where a ray contradicts a test that was sure, the map remembers it".to_owned()
                 }
             },
-            format!("1 pass on the GPU, 1 binding, {} on the GPU, none on the CPU", bytes(map_bytes / 4)),
+            format!("on the GPU 1 pass, 1 binding and 2 × {}; on the CPU no memory", bytes(map_bytes / 4)),
         );
         list(
             "rolling refresh",

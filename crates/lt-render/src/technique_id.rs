@@ -69,7 +69,10 @@ impl Technique {
                 "lt-: neighbours asked where pixels stand still: 3x3, plus, cross, checkerboard, alternating, \
                  gather (default: a 2×2 jittered over 4 frames), 5x5, diamond (13 within two steps)",
             ),
-            ("moving=P", "lt-: neighbours asked where pixels or casters move: the same names (default 5x5)"),
+            (
+                "moving=P",
+                "lt-: neighbours asked where pixels or casters move: the same names (default 5x5; diamond where casters have no holes and there are marks)",
+            ),
             (
                 "refresh=N",
                 "lt-: trace every pixel once in N frames, 2 to 256, on a rolling pattern (default: never)",

@@ -2,7 +2,7 @@
 //! Shadow passes as plain functions, and the SPIR-V entry points that call them.
 //!
 //! # Idea
-//! Every pass is one function over small `Copy` views: [`camera::sample_at_hit`], [`evaluate::evaluate`], [`mask::mask`],
+//! Every pass is one function over small `Copy` views: [`camera::sample_at_hit`], [`evaluate::evaluate`], [`mask::mask`], [`marks::stain`],
 //! [`resolve::trace_visibility`], [`filter::filter_x`], [`shade::shade`]. The CPU backend calls it from rayon; the entry points in `entry` (compiled
 //! only for SPIR-V, by `cargo xtask build-shaders`) unpack bindings and call it too. Nothing is written twice.
 //!

@@ -120,8 +120,31 @@ pub(super) struct MapBuffers {
     pub depths: wgpu::Buffer,
     /// Blurred vectors, of a pre-filtered map.
     pub vectors: Option<wgpu::Buffer>,
-    /// Two bits a texel, level after level ([`lt_mask::MarksPlace`]).
-    pub marks: Option<wgpu::Buffer>,
+    pub marks: Option<MarkBuffers>,
+}
+
+/// Marks of a light's maps, level after level ([`lt_mask::MarksPlace`]): those that a frame reads and those that it leaves, which are its own and what it
+/// adds, take turns, so that a frame may be run again and gives what it gave before.
+pub(super) struct MarkBuffers {
+    words: [wgpu::Buffer; 2],
+    current: usize,
+}
+
+impl MarkBuffers {
+    /// Begins a frame: what the last one left is what this one reads.
+    pub fn turn(&mut self) {
+        self.current = 1 - self.current;
+    }
+
+    /// What this frame reads.
+    pub fn read(&self) -> &wgpu::Buffer {
+        &self.words[self.current]
+    }
+
+    /// What this frame leaves.
+    pub fn left(&self) -> &wgpu::Buffer {
+        &self.words[1 - self.current]
+    }
 }
 
 /// Bytes of a texel's depth.
@@ -166,7 +189,7 @@ impl MapBuffers {
     pub fn bytes(&self) -> u64 {
         self.depths.size() * if self.still.is_some() { 2 } else { 1 }
             + self.vectors.as_ref().map_or(0, |vectors| 2 * vectors.size())
-            + self.marks.as_ref().map_or(0, wgpu::Buffer::size)
+            + self.marks.as_ref().map_or(0, |marks| 2 * marks.read().size())
     }
 }
 
@@ -321,8 +344,9 @@ impl Allocator {
             },
             marks: match has_marks {
                 true => {
-                    let usage = Usage::STORAGE | Usage::COPY_DST;
-                    Some(self.empty("marks", marks_words(texels) * WORD_BYTES, usage)?)
+                    let usage = Usage::STORAGE | Usage::COPY_SRC | Usage::COPY_DST;
+                    let words = || self.empty("marks", marks_words(texels) * WORD_BYTES, usage);
+                    Some(MarkBuffers { words: [words()?, words()?], current: 0 })
                 }
                 false => None,
             },

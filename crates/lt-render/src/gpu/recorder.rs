@@ -15,7 +15,8 @@ use lt_shaders::neighbours::row_words;
 use wgpu::BufferUsages as Usage;
 
 use super::buffers::{
-    Allocator, DEPTH_BYTES, FrameBuffers, GpuScene, HistoryBuffers, MapBuffers, SlotBuffers, VECTOR_BYTES,
+    Allocator, DEPTH_BYTES, FrameBuffers, GpuScene, HistoryBuffers, MapBuffers, MarkBuffers, SlotBuffers,
+    VECTOR_BYTES,
 };
 use super::modules::ShaderModule;
 use crate::light_space;
@@ -122,6 +123,7 @@ impl Recorder {
                     frame.blurred_rows = Some(self.allocator.blurred_rows(maps.texels())?);
                 }
                 let maps = slot.map.insert(maps);
+                maps.marks.iter_mut().for_each(MarkBuffers::turn);
                 if map.keeps_still {
                     let still = maps.still.get_or_insert_with(|| self.allocator.still_maps(map_size, levels));
                     map.draws.iter().for_each(|level| still.is_drawn[*level as usize] = true);
@@ -272,7 +274,7 @@ impl Recorder {
             bindings.push(&doubt.list);
         }
         let marks = if job.plan.has_marks() { "_marks" } else { "" };
-        bindings.extend(&map.marks);
+        bindings.extend(map.marks.as_ref().map(MarkBuffers::read));
         let levels = self.levels(job)?;
         bindings.extend(&levels);
         let search = if levels.is_some() { "_levels" } else { "" };
@@ -414,7 +416,8 @@ impl Recorder {
         let uniform = self.allocator.filled("shadow", &[job.shadow], Usage::UNIFORM)?;
         let moving = self.allocator.filled("what moves on maps", &map.moving, Usage::STORAGE)?;
         let bits = &history.bits[history.current];
-        let mut bindings = vec![&uniform, &frame.samples, &doubt.list, bits, &moving, marks];
+        encoder.copy_buffer_to_buffer(marks.read(), 0, marks.left(), 0, marks.read().size());
+        let mut bindings = vec![&uniform, &frame.samples, &doubt.list, bits, &moving, marks.left()];
         let levels = self.levels(job)?;
         bindings.extend(&levels);
         let name = if levels.is_some() { "mark_levels_cs" } else { "mark_cs" };

@@ -7,7 +7,7 @@ use lt_mask::marks_words;
 use lt_shaders::abi::DepthParams;
 use wgpu::BufferUsages as Usage;
 
-use super::super::buffers::{FrameBuffers, GpuScene, MapBuffers, WORD_BYTES};
+use super::super::buffers::{FrameBuffers, GpuScene, MapBuffers, MarkBuffers, WORD_BYTES};
 use super::Recorder;
 use crate::{DepthMapJob, DrawRange, FrameJob, RenderError};
 
@@ -27,7 +27,8 @@ impl Recorder {
         let is_anew = |level: &u32| map_job.draws.contains(level) || scene.moving_draws.is_empty();
         for level in map_job.drawn().filter(is_anew) {
             let bytes = marks_words(map_job.texels(level).len() as u64) * WORD_BYTES;
-            map.marks.iter().for_each(|m| encoder.clear_buffer(m, u64::from(level) * bytes, Some(bytes)));
+            let marks = map.marks.as_ref().map(MarkBuffers::read);
+            marks.into_iter().for_each(|m| encoder.clear_buffer(m, u64::from(level) * bytes, Some(bytes)));
         }
         for level in map_job.drawn() {
             culling += self.draw_depths(encoder, scene, map, map_job, level)?;
