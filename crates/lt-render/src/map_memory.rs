@@ -23,7 +23,7 @@ fn bytes_of(plan: &EffectPlan, map_size: u32, objects_move: bool) -> (u64, u64) 
 }
 
 /// Bytes of all maps once each of these techniques has drawn a frame of the session, as the session's sequence and lights have them keep
-/// maps. What a technique keeps that is not among them is not counted.
+/// maps. What a technique keeps that is not among them is not counted, nor are marks on the GPU, an eighth of the depths.
 pub fn map_bytes(session: &Session, techniques: &[Technique]) -> u64 {
     let (setup, sequence) = (session.setup(), session.sequence());
     let (mut kept, mut passing, mut rows) = (0, 0, 0);

@@ -70,7 +70,7 @@ struct PackedSummary {
     bounds: Bounds,
     /// A box of all casters in every pose since `play`: kept maps are fitted to it.
     reach: Bounds,
-    /// A box of the casters that move in any pose.
+    /// A box of the casters that ever move, where they are now.
     moving: Bounds,
     stats: PackStats,
     root: u32,

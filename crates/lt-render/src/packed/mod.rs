@@ -18,6 +18,7 @@ use lt_math::glam::{Affine3A, Vec4};
 use lt_scene::{Bounds, Scene};
 use lt_shaders::abi::{DepthParams, Material, Vertex};
 use lt_shaders::surface::Coverage;
+use rayon::prelude::*;
 
 use crate::RenderError;
 use culling::Runs;
@@ -347,21 +348,23 @@ impl PackedScene {
     /// World bounds of the casters that move, where they are now.
     pub fn moving_bounds(&self) -> Bounds {
         // A placed tree may hold more than what moves: its own box will not do.
+        let joined = |a: Bounds, b: Bounds| Bounds { min: a.min.min(b.min), max: a.max.max(b.max) };
+        let of_run = |run: &[Triangle]| {
+            run.iter().flat_map(|t| [t.v0, t.v1, t.v2]).fold(Bounds::EMPTY, Bounds::including)
+        };
         let of_draw = |draw: &DrawRange| {
             let all = draw.first_triangle as usize..(draw.first_triangle + draw.triangles) as usize;
-            let corners = self.triangles()[all].iter().flat_map(|t| [t.v0, t.v1, t.v2]);
-            let bounds = corners.fold(Bounds::EMPTY, Bounds::including);
+            let runs = self.triangles()[all].par_chunks(4096);
+            let bounds = runs.map(of_run).reduce(|| Bounds::EMPTY, joined);
             match self.instances().get(draw.instance as usize) {
-                Some(placed) if !bounds.is_empty() => bounds
-                    .corners()
-                    .map(|c| placed.point_to_world(c))
-                    .into_iter()
-                    .fold(Bounds::EMPTY, Bounds::including),
+                Some(placed) if !bounds.is_empty() => {
+                    let corners = bounds.corners().map(|c| placed.point_to_world(c));
+                    corners.into_iter().fold(Bounds::EMPTY, Bounds::including)
+                }
                 _ => bounds,
             }
         };
-        let all = self.moving_draws.iter().map(of_draw).filter(|b| !b.is_empty());
-        all.fold(Bounds::EMPTY, |all, b| all.including(b.min).including(b.max))
+        self.moving_draws.par_iter().map(of_draw).reduce(|| Bounds::EMPTY, joined)
     }
 }
 

@@ -96,7 +96,8 @@ macro_rules! judged_entry {
                 visibility[i] = evaluate_levels::<$test, _, _, true>(&samples[i], p, map, levels).visibility;
             }
         }
-    };    (@map $source:expr, $map:ident, $marks:ident $binding:literal) => {
+    };
+    (@map $source:expr, $map:ident, $marks:ident $binding:literal) => {
         $source($map, $marks)
     };
     (@map $source:expr, $map:ident) => {
