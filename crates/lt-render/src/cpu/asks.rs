@@ -36,6 +36,11 @@ impl Asks {
     ) {
         self.words.resize(last.len(), [[0; 4]; ROWS]);
         self.words.par_iter_mut().enumerate().for_each(|(block, words)| {
+            let by_rays = matches!(expansion, Expansion::RAYS | Expansion::LEAKS);
+            if by_rays && !has_rays_near(block, tiles, last) {
+                *words = [[0; 4]; ROWS];
+                return;
+            }
             let first_row = tiles.origin(block).y;
             for st in [false, true] {
                 let window = around(block, tiles, last, (expansion, st));
@@ -48,6 +53,15 @@ impl Asks {
             }
         });
     }
+}
+
+/// Whether any ray was traced in a block or one beside it: nobody else contradicts by the narrower rules.
+fn has_rays_near(block: usize, tiles: Tiles, last: &[BlockBits]) -> bool {
+    let columns = tiles.columns() as usize;
+    let (bx, rows) = (block % columns, last.len() / columns);
+    let near = |at: usize, count: usize| at.saturating_sub(1)..(at + 2).min(count);
+    let mut all = near(block / columns, rows).flat_map(|y| near(bx, columns).map(move |x| y * columns + x));
+    all.any(|block| last[block].traced.iter().fold(0, |any, row| any | row) != 0)
 }
 
 /// Who contradicts, in a block and around it; beyond the picture's edge stands what is on the edge.
