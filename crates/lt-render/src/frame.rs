@@ -22,7 +22,7 @@ pub enum PassKind {
     Mask,
     /// The tree over casters in the light's own space, where it is not kept.
     LightTree,
-    /// Truth for the doubted pixels.
+    /// Truth for the doubted pixels, and what it teaches history and map.
     Resolve,
     /// What translucent casters let through to the lit ones.
     Tint,

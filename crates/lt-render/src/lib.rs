@@ -45,11 +45,13 @@ mod pace;
 mod packed;
 mod plan;
 mod planner;
+mod reach;
 mod sample_grid;
 mod session;
 mod setup;
 mod technique;
 mod technique_id;
+mod technique_modifiers;
 
 pub use backend::{Backend, BackendKind, DepthMapJob, FrameJob, ShadedLight};
 pub use cascades::{Cascades, FarLevel, MAX_LEVELS, Splits, parse_count};

@@ -23,16 +23,14 @@
 use std::collections::HashMap;
 
 use lt_mask::{DEPTH_CONSISTENCY_TOLERANCE, Offsets};
-use lt_math::LightProjection;
-use lt_math::float::dot4;
-use lt_math::glam::{UVec2, Vec2, Vec3, Vec4, Vec4Swizzles};
+use lt_math::glam::{UVec2, Vec3, Vec4};
 use lt_scene::{Bounds, Camera, Light, LightKind};
 use lt_shaders::abi::{
     CameraParams, DepthParams, FilterParams, LightParams, MaskParams, Sample, ShadowParams,
 };
-use lt_shaders::marks::UNSTIRRED;
 
 use crate::backend::{DepthMapJob, test_params};
+use crate::reach::{encloses, place_on, reach_of};
 use crate::{
     EffectPlan, FrameJob, LightFit, PackStats, PackedScene, Removal, RenderError, Resolve, Sequence, Setup,
     Technique, TemporalMask, Upkeep, fit_directional,
@@ -479,42 +477,6 @@ pub fn places_of(samples: &[Sample], width: usize) -> impl Iterator<Item = Vec3>
     let seen =
         rows.flat_map(move |(_, row)| row.iter().skip(step / 2).step_by(step)).filter(|s| s.is_valid());
     seen.map(|s| s.position)
-}
-
-/// How much larger than its casters a box is made that they have left, so that their next step does not leave it again.
-const REACH_GROWTH: f32 = 0.1;
-
-/// A box that holds what `before` holds, and `now`; with some room around if that is more than before.
-fn reach_of(before: Bounds, now: Bounds) -> Bounds {
-    if now.is_empty() || encloses(before, now) {
-        return before;
-    }
-    let all = before.including(now.min).including(now.max);
-    let room = (all.max - all.min) * (REACH_GROWTH * 0.5);
-    all.including(now.min - room).including(now.max + room)
-}
-
-/// The part of a map on which a box is drawn, as [`lt_shaders::marks::is_stirred`] takes it.
-fn place_on(projection: &LightProjection, bounds: Bounds) -> Vec4 {
-    if bounds.is_empty() {
-        return UNSTIRRED;
-    }
-    let mut part = UNSTIRRED;
-    for corner in bounds.corners() {
-        let p = corner.extend(1.0);
-        let [x, y, w] = [projection.row_x, projection.row_y, projection.row_w].map(|row| dot4(row, p));
-        if w <= 0.0 {
-            return Vec4::new(-1.0, -1.0, 2.0, 2.0);
-        }
-        let (low, high) = (part.xy().min(Vec2::new(x / w, y / w)), part.zw().max(Vec2::new(x / w, y / w)));
-        part = low.extend(high.x).extend(high.y);
-    }
-    part
-}
-
-/// Whether one box lies in another, surfaces included.
-fn encloses(outer: Bounds, inner: Bounds) -> bool {
-    outer.contains(inner.min) && outer.contains(inner.max)
 }
 
 fn sun_direction(light: &LightKind) -> Vec3 {

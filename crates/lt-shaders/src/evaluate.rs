@@ -13,7 +13,8 @@ use crate::abi::{LightParams, Sample, ShadowParams};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Verdict {
     /// 1 lit, 0 blocked. Under a doubt test: exactly 0 or 1 where it is trusted, the map's own answer between them where
-    /// it is doubted, [`Verdict::UNJUDGED`] where no map answered; so this one number tells all to the mask pass.
+    /// it is doubted, [`Verdict::UNJUDGED`] where no map answered, [`Verdict::RECALLED_LIT`] or its like where a mark alone doubts; so this one
+    /// number tells all to the mask pass.
     pub visibility: f32,
     /// Whether only a ray can tell.
     pub is_doubted: bool,

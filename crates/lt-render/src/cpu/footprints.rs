@@ -223,16 +223,14 @@ impl Footprints {
             }
         }
         if MARKED {
-            self.joined = [0; PIECE];
+            let [a, b, c, d] = &self.offsets;
+            for (i, joined) in self.joined.iter_mut().enumerate() {
+                *joined = a[i].to_bits() | b[i].to_bits() | c[i].to_bits() | d[i].to_bits();
+            }
         }
         for row in &mut self.offsets {
-            for ((offset, receiver), joined) in row.iter_mut().zip(&self.receivers).zip(&mut self.joined) {
-                let mut depth = *offset;
-                if MARKED {
-                    *joined |= depth.to_bits();
-                    depth = marks::depth(depth);
-                }
-                let depth = float::saturate(depth);
+            for (offset, receiver) in row.iter_mut().zip(&self.receivers) {
+                let depth = float::saturate(if MARKED { marks::depth(*offset) } else { *offset });
                 *offset = if from_receivers { depth - receiver } else { depth };
             }
         }
